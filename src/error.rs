@@ -1,0 +1,237 @@
+//! What can go wrong, with the elements at fault. No C types here: `ffi` translates.
+use std::fmt;
+
+/// The class of an outcome. The numbers are part of the C ABI: they are fixed for ever, gaps are left for growth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(i32)]
+pub enum Status {
+    /// An argument is outside its documented range.
+    InvalidArgument = 1,
+    /// The request is well-formed, but not offered (a file format, a combination of options).
+    Unsupported = 2,
+    /// A coordinate is NaN or infinite.
+    NonFinitePoint = 10,
+    /// The coordinates span more binary orders of magnitude than exact arithmetic in doubles can carry.
+    CoordinateRange = 11,
+    /// An element refers to a point that does not exist.
+    IndexOutOfRange = 12,
+    /// Two points are equal where that is not allowed.
+    DuplicatePoint = 13,
+    /// A facet or segment has no extent, or a polygon is not usable as one.
+    DegenerateFacet = 14,
+    /// A polygon is too far from planar to be triangulated without crossing itself.
+    NonPlanarFacet = 15,
+    /// Elements of the PLC cross or overlap outside their common vertices and edges.
+    SelfIntersection = 16,
+    /// All points lie in one plane: there is no tetrahedron.
+    DegenerateInput = 17,
+    /// A hole or region seed lies on a facet or outside the domain.
+    SeedOutside = 18,
+    /// The surface encloses nothing, and the convex hull was not asked for.
+    NothingEnclosed = 19,
+    /// The caller's callback asked to stop.
+    Cancelled = 30,
+    /// The caller's limit on Steiner points was reached.
+    SteinerLimit = 31,
+    /// A Steiner point would have been needed where they are forbidden.
+    SteinerForbidden = 32,
+    /// The exact mesh exists, but some Steiner points have no valid position in doubles.
+    Rounding = 33,
+    /// Memory ran out.
+    OutOfMemory = 40,
+    /// More elements than 32-bit indices can address.
+    TooLarge = 41,
+    /// A file cannot be opened, read or written.
+    File = 50,
+    /// A file's content is not what its format prescribes.
+    Format = 51,
+    /// A mesh does not pass its check.
+    CheckFailed = 60,
+    /// A failed invariant: a bug of this library. Please report it.
+    Internal = 90,
+}
+
+/// An element of the input or of the mesh, by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Element {
+    /// An input point (in a mesh check: a vertex of the mesh).
+    Point(u32),
+    /// An input segment.
+    Segment(u32),
+    /// An input facet.
+    Facet(u32),
+    /// A hole seed.
+    Hole(u32),
+    /// A region seed.
+    Region(u32),
+    /// A tetrahedron of the mesh.
+    Tet(u32),
+}
+
+/// What kind of defect was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum DefectKind {
+    /// A coordinate (or attribute that is a coordinate) is NaN or infinite.
+    NonFinite,
+    /// A coordinate cannot be brought into the exact range.
+    CoordinateRange,
+    /// An index refers to nothing.
+    IndexOutOfRange,
+    /// A segment joins a point with itself or with an equal one.
+    DegenerateSegment,
+    /// A facet has no area, fewer than three distinct corners, or a ring that is not a polygon.
+    DegenerateFacet,
+    /// A ring of a facet touches or crosses itself or another ring of the facet.
+    RingIntersection,
+    /// An inner ring lies outside the outer one, or inside another inner ring.
+    RingNesting,
+    /// A polygon cannot be triangulated: it is folded in its own plane of projection.
+    NonPlanarFacet,
+    /// Two facets cover the same triangle.
+    DuplicateFacet,
+    /// Two segments cross at an inner point of both.
+    SegmentSegment,
+    /// A segment (or an edge of a facet) pierces a facet.
+    SegmentFacet,
+    /// Two facets cross.
+    FacetFacet,
+    /// Two coplanar facets, or a facet and a segment in it, overlap along an area or a line without sharing it.
+    Overlap,
+    /// A seed lies exactly on a facet.
+    SeedOnFacet,
+    /// A seed lies outside the domain.
+    SeedOutside,
+    /// A facet has an edge that no other facet shares, where closed surfaces are required.
+    OpenEdge,
+    /// A Steiner point has no valid position in doubles.
+    Rounding,
+    /// A tetrahedron is flat (zero volume) or inverted.
+    NotPositive,
+    /// A face is shared by more than two tetrahedra, or by two on the same side, or a neighbour is wrong.
+    NotConforming,
+    /// An input point is missing from the mesh or was moved.
+    PointMoved,
+    /// A segment is not a union of edges of the mesh.
+    SegmentMissing,
+    /// A facet is not a union of faces of the mesh.
+    FacetMissing,
+    /// An unconstrained face is not locally Delaunay.
+    NotDelaunay,
+    /// A boundary face of the mesh lies on no facet.
+    HullOffFacets,
+}
+
+/// One defect: kind, the one or two elements involved, and a point where it is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Defect {
+    /// The kind.
+    pub kind: DefectKind,
+    /// The element at fault.
+    pub first: Element,
+    /// The other element of a pair.
+    pub second: Option<Element>,
+    /// A point at or near the defect (rounded where it is an intersection).
+    pub point: Option<[f64; 3]>,
+}
+
+/// A failure: its class, a message for people, and all elements at fault.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Error {
+    /// The class.
+    pub status: Status,
+    /// One line in English.
+    pub message: String,
+    /// The defects, at most as many as [`Options::max_defects`](crate::Options::max_defects) allows.
+    pub defects: Vec<Defect>,
+    /// How many defects were found in all (`defects` may hold fewer).
+    pub defect_count: usize,
+}
+
+impl Error {
+    /// An error without defects.
+    pub fn new(status: Status, message: impl Into<String>) -> Self {
+        Error { status, message: message.into(), defects: Vec::new(), defect_count: 0 }
+    }
+
+    /// An error with one defect.
+    pub fn with_defect(status: Status, message: impl Into<String>, defect: Defect) -> Self {
+        Error { status, message: message.into(), defects: vec![defect], defect_count: 1 }
+    }
+
+    /// A failed invariant of the engine.
+    pub fn internal(message: impl Into<String>) -> Self {
+        Error::new(Status::Internal, message)
+    }
+}
+
+impl From<std::collections::TryReserveError> for Error {
+    fn from(_: std::collections::TryReserveError) -> Self {
+        Error::new(Status::OutOfMemory, "out of memory")
+    }
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Element::Point(i) => write!(f, "point {i}"),
+            Element::Segment(i) => write!(f, "segment {i}"),
+            Element::Facet(i) => write!(f, "facet {i}"),
+            Element::Hole(i) => write!(f, "hole {i}"),
+            Element::Region(i) => write!(f, "region {i}"),
+            Element::Tet(i) => write!(f, "tetrahedron {i}"),
+        }
+    }
+}
+
+impl DefectKind {
+    /// The kind in words, as reports print it.
+    pub fn name(self) -> &'static str {
+        match self {
+            DefectKind::NonFinite => "non-finite coordinate",
+            DefectKind::CoordinateRange => "coordinate out of range",
+            DefectKind::IndexOutOfRange => "index out of range",
+            DefectKind::DegenerateSegment => "degenerate segment",
+            DefectKind::DegenerateFacet => "degenerate facet",
+            DefectKind::RingIntersection => "ring intersection",
+            DefectKind::RingNesting => "ring nesting",
+            DefectKind::NonPlanarFacet => "non-planar facet",
+            DefectKind::DuplicateFacet => "duplicate facet",
+            DefectKind::SegmentSegment => "segment crosses segment",
+            DefectKind::SegmentFacet => "segment pierces facet",
+            DefectKind::FacetFacet => "facet crosses facet",
+            DefectKind::Overlap => "overlap",
+            DefectKind::SeedOnFacet => "seed on facet",
+            DefectKind::SeedOutside => "seed outside",
+            DefectKind::OpenEdge => "open edge",
+            DefectKind::Rounding => "no valid position in doubles",
+            DefectKind::NotPositive => "tetrahedron not positive",
+            DefectKind::NotConforming => "not conforming",
+            DefectKind::PointMoved => "point moved",
+            DefectKind::SegmentMissing => "segment missing",
+            DefectKind::FacetMissing => "facet missing",
+            DefectKind::NotDelaunay => "not locally Delaunay",
+            DefectKind::HullOffFacets => "boundary face on no facet",
+        }
+    }
+}
+
+impl fmt::Display for Defect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.kind.name(), self.first)?;
+        if let Some(second) = self.second {
+            write!(f, " and {second}")?;
+        }
+        if let Some([x, y, z]) = self.point {
+            write!(f, " at ({x}, {y}, {z})")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Error {}

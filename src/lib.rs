@@ -1,0 +1,43 @@
+//! Exact three-dimensional constrained Delaunay tetrahedralization.
+//!
+//! A [`Plc`] (piecewise linear complex: points, segments, facets, holes, regions) goes in, a [`TetMesh`] comes out
+//! whose boundary is exactly the input's. Every topological decision is taken from an exact sign: there is no
+//! tolerance, and no valid input fails. The same input and options give the same bytes.
+//!
+//! # Module graph
+//!
+//! Arrows point at what is imported; `capi-tests/architecture.rs` holds the code to it.
+//!
+//! ```text
+//! ffi ──► tetrahedralize ──► region ──► constrain ──► delaunay ──► mesh ──► (nothing)
+//!  │            │               │           │             └──────► predicates ──► (robust)
+//!  │            ├──► output     └───────────┴──► plc ──► predicates
+//!  │            └──► check ──► output, plc, predicates
+//!  └──► plc, options, output, check, io
+//! io ──► plc, output
+//! main (the command line) ──► everything above through the public API
+//! error, options, progress: leaves, imported anywhere
+//! ```
+//!
+//! # Conventions
+//!
+//! * A tetrahedron `(a, b, c, d)` is *positive* when `det(b − a, c − a, d − a) > 0`: the unit corner (origin, x, y, z) is
+//!   positive, as in VTK, Gmsh and MEDIT.
+//! * Face `i` of a tetrahedron is opposite its vertex `i`. Indices are 0-based `u32`; [`INVALID`] means "none".
+#![warn(clippy::all)]
+
+pub mod error;
+pub mod options;
+pub mod output;
+pub mod plc;
+pub mod predicates;
+pub mod progress;
+
+pub use error::{Defect, DefectKind, Element, Error, Status};
+pub use options::{Mode, Options};
+pub use output::{FacetFlip, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh};
+pub use plc::{Facet, Interior, Plc, RegionSeed, Segment};
+pub use progress::{Observer, Phase, Silent};
+
+/// The index that means "none": no neighbour, no parent.
+pub const INVALID: u32 = u32::MAX;

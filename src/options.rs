@@ -1,0 +1,50 @@
+//! What the caller may choose, with the defaults.
+
+/// What is made of the input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Mode {
+    /// The Delaunay tetrahedralization of the points; segments and facets are ignored.
+    Delaunay,
+    /// The constrained Delaunay tetrahedralization: segments and facets are unions of edges and faces, with Steiner points
+    /// on segments only.
+    #[default]
+    Constrained,
+}
+
+/// Settings of one run. `Options::default()` gives what the field docs call default.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// What is made. Default: [`Mode::Constrained`].
+    pub mode: Mode,
+    /// Keep every tetrahedron of the convex hull, holes and outside included (holes given by seeds are still carved). Default: false.
+    pub keep_hull: bool,
+    /// Take facets with equal markers that meet above this angle (degrees, 90 to 180) as one smooth patch, and flip its
+    /// triangles to be Delaunay on the surface first. Default: None (off).
+    pub merge_facets: Option<f64>,
+    /// Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may end in
+    /// [`Status::Internal`](crate::Status::Internal).
+    pub validate: bool,
+    /// How many defects a report lists at most. Default: 1000.
+    pub max_defects: usize,
+    /// Worker threads, at least 1. The result does not depend on it. Default: 1.
+    pub threads: usize,
+    /// Give up with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None.
+    pub steiner_limit: Option<u64>,
+    /// The points are already in a spatially coherent order: skip sorting. Default: false.
+    pub points_sorted: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            mode: Mode::Constrained,
+            keep_hull: false,
+            merge_facets: None,
+            validate: true,
+            max_defects: 1000,
+            threads: 1,
+            steiner_limit: None,
+            points_sorted: false,
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! The result: flat arrays in doubles, input points first, with the origin of everything.
+use crate::progress::Phase;
+
+/// A Steiner point and where it lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteinerPoint {
+    /// Ends of the input edge (input point indices) that the point was put on: exactly `a + t (b − a)`.
+    pub ends: [u32; 2],
+    /// The parameter.
+    pub t: f64,
+    /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only.
+    pub segment: u32,
+    /// The double coordinates in `points` are exactly `a + t (b − a)`; false: they are rounded (or moved by the rounding step).
+    pub exact: bool,
+}
+
+/// A piece of a facet: a triangle that is a face of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Subface {
+    /// The corners.
+    pub corners: [u32; 3],
+    /// The input facet it lies on.
+    pub facet: u32,
+    /// That facet's marker.
+    pub marker: i32,
+    /// The tetrahedra on both sides: first the one on the side that the corners' normal `(b − a) × (c − a)` points away from,
+    /// then the other; [`INVALID`](crate::INVALID) where carved.
+    pub tets: [u32; 2],
+}
+
+/// A piece of a segment or of a facet's edge: an edge of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Subsegment {
+    /// The ends.
+    pub ends: [u32; 2],
+    /// The input segment it lies on, or [`INVALID`](crate::INVALID) for an edge of facets.
+    pub segment: u32,
+    /// The segment's marker, 0 for an edge of facets.
+    pub marker: i32,
+}
+
+/// A region of the mesh: tetrahedra that are connected through unconstrained faces and share a seed (or have none).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    /// The attribute of the seed; for unseeded regions a number of its own, not used by any seed.
+    pub attribute: f64,
+    /// Index of the region seed, or [`INVALID`](crate::INVALID).
+    pub seed: u32,
+    /// The volume bound of the seed (kept for refinement), if positive.
+    pub max_volume: Option<f64>,
+}
+
+/// A flip of two facets' triangles that facet merging made before meshing: edge `old` became edge `new`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FacetFlip {
+    /// The removed edge (input point indices).
+    pub old: [u32; 2],
+    /// The edge in its place.
+    pub new: [u32; 2],
+    /// The two facets (input facet indices).
+    pub facets: [u32; 2],
+}
+
+/// Counts and costs of a run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Steiner points on segments and facet edges.
+    pub steiner: u64,
+    /// Those whose double coordinates are exact.
+    pub steiner_exact: u64,
+    /// Those whose nearest double was not valid and that were moved to another position.
+    pub steiner_moved: u64,
+    /// Input points that equal an earlier one.
+    pub duplicate_points: u64,
+    /// Segments missing from the Delaunay tetrahedralization of the points.
+    pub missing_segments: u64,
+    /// Missing regions that facet recovery filled.
+    pub missing_regions: u64,
+    /// Largest number of bytes that the kernel's arrays held.
+    pub peak_bytes: u64,
+    /// Seconds per phase, indexed by [`Phase`].
+    pub seconds: [f64; Phase::COUNT],
+}
+
+/// A tetrahedral mesh in doubles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TetMesh {
+    /// All points: the input points first, bit for bit and in input order, then the Steiner points.
+    pub points: Vec<[f64; 3]>,
+    /// How many of `points` are input points.
+    pub input_point_count: u32,
+    /// For each input point the first input point equal to it (itself, if there is none): tetrahedra use only that one.
+    pub point_alias: Vec<u32>,
+    /// The tetrahedra, all positive.
+    pub tets: Vec<[u32; 4]>,
+    /// Per tetrahedron and face (opposite each vertex) the tetrahedron beyond, or [`INVALID`](crate::INVALID).
+    pub neighbors: Vec<[u32; 4]>,
+    /// Per tetrahedron an index into `regions`.
+    pub tet_region: Vec<u32>,
+    /// The regions.
+    pub regions: Vec<Region>,
+    /// Faces on facets.
+    pub subfaces: Vec<Subface>,
+    /// Edges on segments and facet edges.
+    pub subsegments: Vec<Subsegment>,
+    /// One per Steiner point, in the order of `points`.
+    pub steiner: Vec<SteinerPoint>,
+    /// The facet flips made by merging, in order.
+    pub facet_flips: Vec<FacetFlip>,
+    /// The mesh is the convex hull's (nothing outside was carved).
+    pub hull_kept: bool,
+    /// Counts and costs.
+    pub statistics: Statistics,
+}

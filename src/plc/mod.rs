@@ -1,0 +1,88 @@
+//! The input: a piecewise linear complex (PLC). Pure data;.
+//!
+//! Si & Gärtner 2011, section 2: a PLC is a set of vertices, segments and facets such that the intersection of any two is a
+//! union of others of the set. We are more lenient on input: a vertex exactly on a segment or facet splits it.
+
+/// How the polygons of a facet bound its interior.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Interior {
+    /// The first ring is the outer boundary, all further rings (three corners or more) are holes in it.
+    #[default]
+    FirstMinusOthers,
+    /// TetGen's rule: everything that cannot be reached from outside without crossing an edge of a polygon belongs to the
+    /// facet, except what can be reached from a hole seed of the facet. Inner polygons and 2-point polygons constrain only.
+    Seeds,
+}
+
+/// A facet: a planar polygonal region, given by corner indices.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Facet {
+    /// Polygons: corner indices in order, not repeated at the end. One or two corners: an isolated vertex or edge in the facet.
+    pub polygons: Vec<Vec<u32>>,
+    /// Points in holes of the facet (used with [`Interior::Seeds`]).
+    pub holes: Vec<[f64; 3]>,
+    /// What is inside.
+    pub interior: Interior,
+    /// The caller's marker (facets with unequal markers are never merged).
+    pub marker: i32,
+}
+
+/// A segment between two points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Segment {
+    /// The ends.
+    pub ends: [u32; 2],
+    /// The caller's marker.
+    pub marker: i32,
+}
+
+/// A region seed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RegionSeed {
+    /// A point inside the region.
+    pub point: [f64; 3],
+    /// The attribute given to its tetrahedra.
+    pub attribute: f64,
+    /// Largest volume of a tetrahedron there (kept for refinement), none if not positive.
+    pub max_volume: Option<f64>,
+}
+
+/// A piecewise linear complex, as given.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Plc {
+    /// The points: x, y, z.
+    pub points: Vec<[f64; 3]>,
+    /// How many attributes each point has.
+    pub point_attribute_count: usize,
+    /// `point_attribute_count` numbers per point.
+    pub point_attributes: Vec<f64>,
+    /// One marker per point, or empty.
+    pub point_markers: Vec<i32>,
+    /// Segments that are not (only) edges of facets, or that carry a marker.
+    pub segments: Vec<Segment>,
+    /// Triangular facets: three corners each. They come first in the numbering of facets.
+    pub triangles: Vec<[u32; 3]>,
+    /// One marker per triangle, or empty (all 0).
+    pub triangle_markers: Vec<i32>,
+    /// General facets, numbered after the triangles: facet `i` here is facet `triangles.len() + i`.
+    pub facets: Vec<Facet>,
+    /// Hole seeds.
+    pub holes: Vec<[f64; 3]>,
+    /// Region seeds.
+    pub regions: Vec<RegionSeed>,
+}
+
+impl Plc {
+    /// How many facets there are: triangles and general ones.
+    pub fn facet_count(&self) -> usize {
+        self.triangles.len() + self.facets.len()
+    }
+
+    /// The marker of a facet (general numbering).
+    pub fn facet_marker(&self, facet: usize) -> i32 {
+        match facet.checked_sub(self.triangles.len()) {
+            None => self.triangle_markers.get(facet).copied().unwrap_or(0),
+            Some(general) => self.facets[general].marker,
+        }
+    }
+}
