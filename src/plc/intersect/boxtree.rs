@@ -82,10 +82,16 @@ impl BoxTree {
         Ok(BoxTree { order, bounds: sorted, nodes, leaves })
     }
 
-    /// Calls `visit(i, j, done)` once for each pair of input boxes that meet, until it fails; `done` grows from 0 to 1.
+    /// The input index of each box in the order of the curve.
+    pub(super) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// Calls `visit(i, j, done)` once for each pair of boxes that meet, given by their places in the curve's order, until it
+    /// fails; `done` grows from 0 to 1.
     pub(super) fn for_each_pair(
         &self,
-        mut visit: impl FnMut(u32, u32, f64) -> Result<(), Error>,
+        mut visit: impl FnMut(usize, usize, f64) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let first_leaf = self.leaves - 1;
         let mut finished = 0usize;
@@ -125,13 +131,13 @@ impl BoxTree {
         &self,
         leaf: usize,
         done: f64,
-        visit: &mut impl FnMut(u32, u32, f64) -> Result<(), Error>,
+        visit: &mut impl FnMut(usize, usize, f64) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let range = self.leaf(leaf);
         for i in range.clone() {
             for j in i + 1..range.end {
                 if self.bounds[i].meets(&self.bounds[j]) {
-                    visit(self.order[i], self.order[j], done)?;
+                    visit(i, j, done)?;
                 }
             }
         }
@@ -143,7 +149,7 @@ impl BoxTree {
         x: usize,
         y: usize,
         done: f64,
-        visit: &mut impl FnMut(u32, u32, f64) -> Result<(), Error>,
+        visit: &mut impl FnMut(usize, usize, f64) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let other = &self.nodes[self.leaves - 1 + y];
         for i in self.leaf(x) {
@@ -153,7 +159,7 @@ impl BoxTree {
             }
             for j in self.leaf(y) {
                 if bounds.meets(&self.bounds[j]) {
-                    visit(self.order[i], self.order[j], done)?;
+                    visit(i, j, done)?;
                 }
             }
         }

@@ -8,7 +8,7 @@ use crate::predicates::Sign;
 
 /// Classifies two triangles of one plane that do not have all corners in common.
 pub(super) fn classify(a: &Triangle, b: &Triangle, out: &mut Collector) -> Result<(), Error> {
-    let (Some(in_a), Some(in_b)) = (Projection::of(&a.corners), Projection::of(&b.corners)) else {
+    let (Some(in_a), Some(in_b)) = (a.projection, b.projection) else {
         return Ok(());
     };
     vertex_contacts(a, &in_a, b, out)?;

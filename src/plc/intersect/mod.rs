@@ -16,6 +16,8 @@ use locate_point::Triangle;
 mod boxtree;
 mod collector;
 mod coplanar;
+#[cfg(test)]
+mod corpus_tests;
 mod locate_point;
 mod segment_segment;
 mod segment_triangle;
@@ -71,6 +73,8 @@ pub fn find_intersections(
     report(observer, Phase::Validate, 0.0)?;
     let (elements, bounds) = list_elements(input)?;
     let tree = BoxTree::new(&bounds)?;
+    drop(bounds);
+    let scene = Scene::new(input, &elements, tree.order())?;
     let mut collector = Collector::new(max_defects);
     let mut countdown = PAIRS_PER_REPORT;
     tree.for_each_pair(|i, j, done| {
@@ -79,7 +83,7 @@ pub fn find_intersections(
             countdown = PAIRS_PER_REPORT;
             report(observer, Phase::Validate, done)?;
         }
-        classify(input, elements[i as usize], elements[j as usize], &mut collector)
+        scene.classify(i, j, &mut collector)
     })?;
     collector.finish()
 }
@@ -132,26 +136,57 @@ fn list_elements(input: &IntersectInput) -> Result<(Vec<Item>, Vec<Bounds>), Err
     Ok((elements, bounds))
 }
 
-/// Classifies the contact of two elements whose boxes meet.
-fn classify(input: &IntersectInput, x: Item, y: Item, out: &mut Collector) -> Result<(), Error> {
-    let points = input.points;
-    let triangle =
-        |i: u32| Triangle::new(points, i, input.triangle_facet[i as usize], input.triangles[i as usize]);
-    let segment = |i: u32| (i, input.segments[i as usize]);
-    match if x <= y { (x, y) } else { (y, x) } {
-        (Item::Triangle(i), Item::Triangle(j)) => {
-            triangle_triangle::classify(&triangle(i), &triangle(j), out)
+/// All elements in the order of the tree, so that neighbours in space are neighbours in memory.
+struct Scene<'a> {
+    input: &'a IntersectInput<'a>,
+    /// A triangle is given by its place in `triangles`.
+    items: Vec<Item>,
+    triangles: Vec<Triangle>,
+}
+
+impl<'a> Scene<'a> {
+    fn new(input: &'a IntersectInput<'a>, elements: &[Item], order: &[u32]) -> Result<Scene<'a>, Error> {
+        let (mut items, mut triangles) = (Vec::new(), Vec::new());
+        items.try_reserve_exact(elements.len())?;
+        triangles.try_reserve_exact(input.triangles.len())?;
+        for &i in order {
+            let mut item = elements[i as usize];
+            if let Item::Triangle(t) = item {
+                item = Item::Triangle(triangles.len() as u32);
+                let (facet, corners) = (input.triangle_facet[t as usize], input.triangles[t as usize]);
+                triangles.push(Triangle::new(input.points, t, facet, corners));
+            }
+            items.push(item);
         }
-        (Item::Segment(i), Item::Triangle(j)) => {
-            segment_triangle::classify(points, segment(i), &triangle(j), out)
+        Ok(Scene { input, items, triangles })
+    }
+
+    /// Classifies the contact of two elements, given by their places in the tree's order, whose boxes meet.
+    #[inline]
+    fn classify(&self, x: usize, y: usize, out: &mut Collector) -> Result<(), Error> {
+        let points = self.input.points;
+        let triangle = |i: u32| &self.triangles[i as usize];
+        let segment = |i: u32| (i, self.input.segments[i as usize]);
+        let (x, y) = (self.items[x], self.items[y]);
+        match if x <= y { (x, y) } else { (y, x) } {
+            (Item::Triangle(i), Item::Triangle(j)) => {
+                let (a, b) = (triangle(i), triangle(j));
+                let (a, b) = if a.index <= b.index { (a, b) } else { (b, a) };
+                triangle_triangle::classify(a, b, out)
+            }
+            (Item::Segment(i), Item::Triangle(j)) => {
+                segment_triangle::classify(points, segment(i), triangle(j), out)
+            }
+            (Item::Segment(i), Item::Segment(j)) => {
+                segment_segment::classify(points, segment(i), segment(j), out)
+            }
+            (Item::Vertex(v), Item::Triangle(i)) => {
+                segment_triangle::classify_vertex(points, v, triangle(i), out)
+            }
+            (Item::Vertex(v), Item::Segment(i)) => {
+                segment_segment::classify_vertex(points, v, segment(i), out)
+            }
+            _ => Ok(()),
         }
-        (Item::Segment(i), Item::Segment(j)) => {
-            segment_segment::classify(points, segment(i), segment(j), out)
-        }
-        (Item::Vertex(v), Item::Triangle(i)) => {
-            segment_triangle::classify_vertex(points, v, &triangle(i), out)
-        }
-        (Item::Vertex(v), Item::Segment(i)) => segment_segment::classify_vertex(points, v, segment(i), out),
-        _ => Ok(()),
     }
 }

@@ -4,7 +4,7 @@
 //! on the same side (Segura & Feito 2001).
 use super::collector::Collector;
 use super::coplanar::{line_contact, opposite, record_vertex};
-use super::locate_point::{locate_in_plane, strictly_between, Location, Projection, Triangle};
+use super::locate_point::{locate_in_plane, strictly_between, Location, Triangle};
 use crate::error::Error;
 use crate::predicates::{orient3d, Sign};
 
@@ -61,7 +61,7 @@ fn classify_coplanar(
     triangle: &Triangle,
     out: &mut Collector,
 ) -> Result<(), Error> {
-    let Some(projection) = Projection::of(&triangle.corners) else {
+    let Some(projection) = triangle.projection else {
         return Ok(());
     };
     let [p, q] = ends.map(|v| &points[v as usize]);
@@ -108,7 +108,7 @@ pub(super) fn classify_vertex(
     if triangle.ids.contains(&vertex) || triangle.side(p) != Sign::Zero {
         return Ok(());
     }
-    if let Some(projection) = Projection::of(&triangle.corners) {
+    if let Some(projection) = triangle.projection {
         record_vertex(triangle, vertex, locate_in_plane(triangle, &projection, p), out)?;
     }
     Ok(())

@@ -6,27 +6,78 @@
 //! ends in vertices, and is legal if it is a point or runs along an edge of both.
 use super::collector::Collector;
 use super::coplanar::{self, centroid, opposite, record_vertex};
-use super::locate_point::{locate_in_plane, Location, Projection, Triangle};
+use super::locate_point::{locate_in_plane, Location, Triangle};
 use super::segment_triangle::{pierce, piercing_point};
 use crate::error::{DefectKind, Error};
 use crate::predicates::Sign;
 
 /// Classifies two triangles.
+#[inline]
 pub(super) fn classify(a: &Triangle, b: &Triangle, out: &mut Collector) -> Result<(), Error> {
     let b_shared = b.ids.map(|v| a.ids.contains(&v));
     let shared = b_shared.iter().filter(|&&s| s).count();
     if shared == 3 {
         return out.triangles(DefectKind::DuplicateFacet, a, b, centroid(a));
     }
-    let b_sides = sides(b, &b_shared, a);
+    let a_shared = a.ids.map(|v| b.ids.contains(&v));
+    if one_side_by_filter(b, &b_shared, a) || (shared < 2 && one_side_by_filter(a, &a_shared, b)) {
+        return Ok(());
+    }
+    if separated_in_projection(a, b, &b_shared) || separated_in_projection(b, a, &a_shared) {
+        return Ok(());
+    }
+    classify_exactly(a, &a_shared, b, &b_shared, out)
+}
+
+/// Whether rounded arithmetic can tell that all corners of `t` that are not common to both lie strictly on one side of `of`.
+#[inline(always)]
+fn one_side_by_filter(t: &Triangle, shared: &[bool; 3], of: &Triangle) -> bool {
+    let mut seen = None;
+    for k in (0..3).filter(|&k| !shared[k]) {
+        match of.side_by_filter(&t.corners[k]) {
+            Some(Sign::Zero) | None => return false,
+            side if seen.is_none() => seen = side,
+            side if seen != side => return false,
+            _ => {}
+        }
+    }
+    true
+}
+
+/// Whether in `a`'s projection the line of one of `a`'s edges has all corners of `b` on its outer side, and those on the line are
+/// common corners. Then nothing else is common, in space either. This spares exact signs in flat patches.
+fn separated_in_projection(a: &Triangle, b: &Triangle, b_shared: &[bool; 3]) -> bool {
+    let Some(projection) = a.projection else {
+        return false;
+    };
+    (0..3).any(|k| {
+        let ([p, q], ends) = (a.edge_points(k), a.edge(k));
+        (0..3).all(|i| {
+            if b_shared[i] {
+                ends.contains(&b.ids[i])
+            } else {
+                projection.turn(p, q, &b.corners[i]) == Sign::Negative
+            }
+        })
+    })
+}
+
+fn classify_exactly(
+    a: &Triangle,
+    a_shared: &[bool; 3],
+    b: &Triangle,
+    b_shared: &[bool; 3],
+    out: &mut Collector,
+) -> Result<(), Error> {
+    let shared = b_shared.iter().filter(|&&s| s).count();
+    let b_sides = sides(b, b_shared, a);
     if apart(&b_sides, shared) {
         return Ok(());
     }
     if b_sides == [Sign::Zero; 3] {
         return coplanar::classify(a, b, out);
     }
-    let a_shared = a.ids.map(|v| b.ids.contains(&v));
-    let a_sides = sides(a, &a_shared, b);
+    let a_sides = sides(a, a_shared, b);
     if apart(&a_sides, shared) {
         return Ok(());
     }
@@ -95,7 +146,7 @@ fn vertices_on(
 ) -> Result<OnTriangle, Error> {
     let mut found = OnTriangle { count: 0, first: None, last: None };
     for k in (0..3).filter(|&k| sides[k] == Sign::Zero && !of.ids.contains(&t.ids[k])) {
-        let Some(projection) = Projection::of(&of.corners) else {
+        let Some(projection) = of.projection else {
             return Ok(found);
         };
         let location = locate_in_plane(of, &projection, &t.corners[k]);
