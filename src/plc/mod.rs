@@ -10,6 +10,7 @@ pub mod prepare;
 pub mod surface;
 #[cfg(test)]
 mod tests;
+pub mod intersect;
 
 /// How the polygons of a facet bound its interior.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
