@@ -4,13 +4,14 @@
 //! union of others of the set. We are more lenient on input: a vertex exactly on a segment or facet splits it.
 
 pub mod duplicates;
+pub mod intersect;
 pub mod patch;
 pub mod polygon;
 pub mod prepare;
+pub mod split;
 pub mod surface;
 #[cfg(test)]
 mod tests;
-pub mod intersect;
 
 /// How the polygons of a facet bound its interior.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]

@@ -3,8 +3,10 @@
 //! Indices and coordinates first, since nothing else can be looked at while they are wrong; then equal points, facets one by
 //! one, then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
 use super::duplicates::first_equal;
+use super::intersect::{find_intersections, IntersectInput, Intersections};
 use super::patch::{connect, FixedEdge};
 use super::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
+use super::split::split;
 use super::surface::Surface;
 use super::{Facet, Interior, Plc};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
@@ -41,6 +43,10 @@ impl Defects {
         if self.list.len() < self.limit && self.list.try_reserve(1).is_ok() {
             self.list.push(Defect { kind, first, second, point });
         }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.count == 0
     }
 
     /// An error if there are defects.
@@ -96,14 +102,96 @@ pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Res
     scale_points(plc, &mut surface, &mut defects)?;
     surface.alias = first_equal(&surface.points)?;
     report(observer, Phase::Validate, 0.05)?;
-    let mut fixed = Vec::new();
+    let mut fixed = Fixed::default();
     alias_segments(plc, &surface, &mut fixed, &mut defects)?;
     triangulate_facets(plc, &mut surface, &mut fixed, &mut defects, observer)?;
-    find_duplicates(&surface, &mut defects)?;
+    let marker = |facet: u32| plc.facet_marker(facet as usize);
+    if options.validate {
+        let mut part = Part { observer: &mut *observer, from: 0.3, to: 0.9 };
+        let found = intersect(&surface, &fixed, &mut defects, &mut part)?;
+        if defects.is_empty() {
+            let may_join = |f: u32, g: u32| f == g || marker(f) == marker(g);
+            let crossings = split(&mut surface, &mut fixed.edges, &found, may_join)?;
+            for (edge, triangle) in crossings {
+                let facet = Element::Facet(surface.triangle_facet[triangle as usize]);
+                defects.push(DefectKind::SegmentSegment, fixed.owner[edge as usize], Some(facet), None);
+            }
+        }
+    } else {
+        find_duplicates(&surface, &mut defects)?;
+    }
     defects.into_result()?;
-    connect(&mut surface, &fixed, |facet| plc.facet_marker(facet as usize))?;
+    connect(&mut surface, &fixed.edges, marker)?;
     report(observer, Phase::Validate, 1.0)?;
     Ok(surface)
+}
+
+/// Edges that constrain by themselves, and the elements they come from.
+#[derive(Default)]
+struct Fixed {
+    edges: Vec<FixedEdge>,
+    owner: Vec<Element>,
+}
+
+impl Fixed {
+    fn push(&mut self, ends: [u32; 2], owner: Element) -> Result<(), Error> {
+        self.edges.try_reserve(1)?;
+        self.owner.try_reserve(1)?;
+        let parent = if let Element::Segment(i) = owner { i } else { INVALID };
+        self.edges.push(FixedEdge { ends, parent });
+        self.owner.push(owner);
+        Ok(())
+    }
+}
+
+/// Hands on a part of a phase's progress.
+struct Part<'a> {
+    observer: &'a mut dyn Observer,
+    from: f64,
+    to: f64,
+}
+
+impl Observer for Part<'_> {
+    fn progress(&mut self, phase: Phase, fraction: f64) -> std::ops::ControlFlow<()> {
+        self.observer.progress(phase, self.from + (self.to - self.from) * fraction)
+    }
+
+    fn log(&mut self, message: &str) {
+        self.observer.log(message);
+    }
+}
+
+/// Finds all contacts; those that are defects are added to the others.
+fn intersect(
+    surface: &Surface,
+    fixed: &Fixed,
+    defects: &mut Defects,
+    observer: &mut dyn Observer,
+) -> Result<Intersections, Error> {
+    let mut vertices: Vec<u32> = Vec::new();
+    vertices.try_reserve_exact(surface.points.len())?;
+    vertices.extend((0..).zip(&surface.alias).filter(|(i, alias)| i == *alias).map(|(i, _)| i));
+    let mut segments: Vec<[u32; 2]> = Vec::new();
+    segments.try_reserve_exact(fixed.edges.len())?;
+    segments.extend(fixed.edges.iter().map(|edge| edge.ends));
+    let input = IntersectInput {
+        points: &surface.points,
+        vertices: &vertices,
+        triangles: &surface.triangles,
+        triangle_facet: &surface.triangle_facet,
+        segments: &segments,
+    };
+    let found = find_intersections(&input, defects.limit, observer)?;
+    let owner = |element: Element| match element {
+        Element::Segment(i) => fixed.owner[i as usize],
+        other => other,
+    };
+    for d in &found.defects {
+        let point = d.point.map(|p| p.map(|x| scale(x, -surface.scale)));
+        defects.push(d.kind, owner(d.first), d.second.map(owner), point);
+    }
+    defects.count += found.defect_count - found.defects.len().min(found.defect_count);
+    Ok(found)
 }
 
 /// Reports every defect of a PLC.
@@ -224,17 +312,16 @@ fn scale(x: f64, k: i32) -> f64 {
 fn alias_segments(
     plc: &Plc,
     surface: &Surface,
-    fixed: &mut Vec<FixedEdge>,
+    fixed: &mut Fixed,
     defects: &mut Defects,
 ) -> Result<(), Error> {
-    fixed.try_reserve(plc.segments.len())?;
     for (i, segment) in plc.segments.iter().enumerate() {
         let ends = segment.ends.map(|v| surface.alias[v as usize]);
         if ends[0] == ends[1] {
             let point = plc.points[ends[0] as usize];
             defects.push(DefectKind::DegenerateSegment, Element::Segment(i as u32), None, Some(point));
         } else {
-            fixed.push(FixedEdge { ends, parent: i as u32 });
+            fixed.push(ends, Element::Segment(i as u32))?;
         }
     }
     Ok(())
@@ -244,7 +331,7 @@ fn alias_segments(
 fn triangulate_facets(
     plc: &Plc,
     surface: &mut Surface,
-    fixed: &mut Vec<FixedEdge>,
+    fixed: &mut Fixed,
     defects: &mut Defects,
     observer: &mut dyn Observer,
 ) -> Result<(), Error> {
@@ -273,10 +360,11 @@ fn triangulate_facets(
             Ok(()) => {
                 surface.triangles.try_reserve(triangulator.triangles.len())?;
                 surface.triangle_facet.try_reserve(triangulator.triangles.len())?;
-                fixed.try_reserve(triangulator.edges.len())?;
                 surface.triangles.extend_from_slice(&triangulator.triangles);
                 surface.triangle_facet.resize(surface.triangles.len(), number);
-                fixed.extend(triangulator.edges.iter().map(|&ends| FixedEdge { ends, parent: INVALID }));
+                for &ends in &triangulator.edges {
+                    fixed.push(ends, Element::Facet(number))?;
+                }
             }
             Err(fault) => {
                 let Some(kind) = defect_kind(fault.kind) else {

@@ -36,6 +36,40 @@ fn assert_consistent(s: &Surface) {
     let used = s.triangles.iter().flatten().chain(s.segments.iter().flatten());
     assert!(used.into_iter().all(|&v| s.alias[v as usize] == v));
     assert!(s.triangle_patch.iter().all(|&p| p < s.patch_count));
+    if s.points.len() * s.triangles.len() < 100_000 {
+        assert_conforming(s);
+    }
+}
+
+/// No vertex lies in a segment or in the closure of a triangle, but its own.
+fn assert_conforming(s: &Surface) {
+    use crate::predicates::{orient2d, orient3d, Sign};
+    let at = |v: u32| &s.points[v as usize];
+    let flat = |v: u32, axis: usize| super::polygon::project(at(v), axis);
+    let vertices = || (0..s.points.len() as u32).filter(|&v| s.alias[v as usize] == v);
+    for &[a, b] in &s.segments {
+        for v in vertices().filter(|v| ![a, b].contains(v) && super::polygon::collinear(&s.points, a, b, *v))
+        {
+            assert!(
+                (0..3).any(|k| at(v)[k] < at(a)[k].min(at(b)[k]) || at(v)[k] > at(a)[k].max(at(b)[k])),
+                "{v} in segment {a} {b}"
+            );
+        }
+    }
+    for &[a, b, c] in &s.triangles {
+        let axis = (0..3).find(|&axis| orient2d(flat(a, axis), flat(b, axis), flat(c, axis)) != Sign::Zero);
+        let axis = axis.expect("a triangle with area");
+        let turn = |a, b, c| orient2d(flat(a, axis), flat(b, axis), flat(c, axis));
+        let sense = turn(a, b, c);
+        for v in vertices().filter(|v| ![a, b, c].contains(v)) {
+            if orient3d(at(a), at(b), at(c), at(v)) == Sign::Zero {
+                assert!(
+                    [(a, b), (b, c), (c, a)].iter().any(|&(p, q)| turn(p, q, v) == -sense),
+                    "{v} in triangle {a} {b} {c}"
+                );
+            }
+        }
+    }
 }
 
 fn ring_facet(rings: &[&[u32]]) -> Facet {
@@ -434,4 +468,167 @@ fn the_callers_cancel_stops() {
         }
     }
     assert_eq!(prepare(&cube_quads(), &Options::default(), &mut Stop).unwrap_err().status, Status::Cancelled);
+}
+
+#[test]
+fn vertices_on_edges_and_in_facets_split_them() {
+    for mut plc in [cube_triangles(), cube_quads()] {
+        // On edges of the cube, on the diagonals of two squares or inside their triangles, and off the surface.
+        plc.points.extend([[0.5, 0., 0.], [0.25, 0., 0.], [0.875, 0., 0.], [0., 0., 0.5]]);
+        plc.points.extend([
+            [0.5, 0.5, 0.],
+            [0.25, 0.25, 0.],
+            [0.5, 0.25, 0.],
+            [0.25, 0.125, 1.],
+            [0.125, 0.25, 1.],
+            [0.5; 3],
+        ]);
+        let s = run(&plc).unwrap();
+        assert_eq!((s.segments.len(), s.patch_count), (16, 6));
+        // Euler: a closed surface with 17 vertices on it.
+        assert_eq!(s.triangles.len(), 2 * 17 - 4);
+        assert!(
+            s.segments.contains(&[8, 9]) && s.segments.contains(&[8, 10]) && s.segments.contains(&[1, 10])
+        );
+        let normal = |t: &[u32; 3]| {
+            let [a, b, c] = t.map(|v| s.points[v as usize]);
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        };
+        for (t, &facet) in s.triangles.iter().zip(&s.triangle_facet) {
+            let bottom = facet < plc.facet_count() as u32 / 6;
+            let level = t.iter().all(|&v| s.points[v as usize][2] == 0.0);
+            assert_eq!(bottom, level);
+            assert!(!bottom || normal(t) < 0.0);
+        }
+    }
+}
+
+#[test]
+fn a_segment_in_a_facet_becomes_an_edge_of_it() {
+    // Across the diagonal between two input triangles; with an end inside the facet; through the whole square.
+    let mut plc = cube_triangles();
+    plc.points.extend([[0.5, 0.75, 1.], [0., 0.25, 0.], [1., 0.5, 0.]]);
+    plc.segments = [[5, 7], [4, 8], [9, 10]].map(|ends| Segment { ends, marker: 0 }).to_vec();
+    let error = run(&plc).unwrap_err();
+    assert_eq!(error.defects[0].kind, DefectKind::SegmentSegment, "the first two cross");
+    plc.segments[1].ends = [7, 8];
+    let s = run(&plc).unwrap();
+    for (parent, edge) in [[5, 7], [7, 8], [9, 10]].into_iter().enumerate() {
+        let at = s.segments.iter().position(|e| *e == edge).unwrap();
+        assert_eq!(s.segment_parent[at], parent as u32);
+        let sheets = s.triangles.iter().filter(|t| edge.iter().all(|v| t.contains(v))).count();
+        assert_eq!(sheets, 2);
+    }
+    assert_eq!(s.triangles.len(), 2 * 11 - 4);
+    assert_eq!(s.patch_count, 8);
+    // The same with squares of two markers: the diagonal between them stays, and is crossed.
+    plc.triangle_markers = (0..12).collect();
+    let error = run(&plc).unwrap_err();
+    assert_eq!(error.status, Status::SelfIntersection);
+    let pairs: Vec<_> = error.defects.iter().map(|d| (d.kind, d.first, d.second)).collect();
+    assert!(pairs.iter().all(|p| p.0 == DefectKind::SegmentSegment));
+    assert_eq!(pairs.iter().map(|p| p.1).collect::<Vec<_>>(), [Element::Segment(0), Element::Segment(2)]);
+}
+
+#[test]
+fn segments_that_overlap_split_each_other() {
+    let points = vec![[0., 0., 0.], [4., 0., 0.], [1., 0., 0.], [3., 0., 0.], [0., 1., 1.]];
+    let segments = [[1, 0], [2, 3], [3, 4]].map(|ends| Segment { ends, marker: 0 }).to_vec();
+    let s = run(&Plc { points, segments, ..Plc::default() }).unwrap();
+    assert_eq!(s.segments, [[0, 2], [1, 3], [2, 3], [3, 4]]);
+    assert_eq!(s.segment_parent, [0, 0, 0, 2]);
+}
+
+#[test]
+fn facets_that_meet_in_a_t() {
+    // A wall stands on the middle of a floor that has no edge there: its foot is a segment in the floor.
+    let points = vec![
+        [0., 0., 0.],
+        [4., 0., 0.],
+        [4., 4., 0.],
+        [0., 4., 0.],
+        [1., 2., 0.],
+        [3., 2., 0.],
+        [3., 2., 2.],
+        [1., 2., 2.],
+    ];
+    let mut plc = Plc {
+        points,
+        facets: vec![ring_facet(&[&[0, 1, 2, 3]]), ring_facet(&[&[4, 5, 6, 7]])],
+        ..Plc::default()
+    };
+    match run(&plc) {
+        Ok(s) => assert_eq!(s.triangles.iter().filter(|t| t.contains(&4) && t.contains(&5)).count(), 3),
+        Err(error) => assert_eq!(error.status, Status::SelfIntersection),
+    }
+    // With the foot as an edge of the floor it is always fine.
+    plc.facets[0].polygons.push(vec![4, 5]);
+    let s = run(&plc).unwrap();
+    assert_eq!(s.triangles.iter().filter(|t| t.contains(&4) && t.contains(&5)).count(), 3);
+    assert_eq!((s.segments.len(), s.patch_count), (8, 2));
+}
+
+#[test]
+fn all_defects_are_reported_together() {
+    let mut plc = cube_triangles();
+    plc.points.extend([[0.5, 0.25, -1.], [0.5, 0.25, 0.5], [2., 0.25, 0.5], [9., 9., 9.]]);
+    plc.triangles.push([8, 9, 10]);
+    plc.triangles.push([8, 8, 9]);
+    plc.segments.push(Segment { ends: [11, 11], marker: 0 });
+    plc.segments.push(Segment { ends: [8, 4], marker: 0 });
+    let error = run(&plc).unwrap_err();
+    assert_eq!(error.status, Status::SelfIntersection);
+    assert!(error
+        .defects
+        .iter()
+        .any(|d| d.kind == DefectKind::DegenerateSegment && d.first == Element::Segment(0)));
+    assert!(error
+        .defects
+        .iter()
+        .any(|d| d.kind == DefectKind::DegenerateFacet && d.first == Element::Facet(13)));
+    assert!(error
+        .defects
+        .iter()
+        .any(|d| d.kind == DefectKind::FacetFacet && d.second == Some(Element::Facet(12))));
+    // Segment 0 is left out of the test, and yet its follower keeps its number.
+    assert!(error.defects.iter().any(|d| d.first == Element::Segment(1)));
+    assert_eq!(error.defect_count, error.defects.len());
+}
+
+#[test]
+fn random_vertices_on_a_lattice_conform() {
+    let mut random = Random(3);
+    for round in 0..60 {
+        let size = 4 + round % 9;
+        let mut plc = flat(&[], &[]);
+        let corner = size as f64;
+        plc.points = vec![[0., 0., 0.], [corner, 0., corner], [corner, corner, corner], [0., corner, 0.]];
+        plc.facets[0].polygons = vec![vec![0, 1, 2, 3]];
+        for _ in 0..3 * size {
+            let [x, y] = [0; 2].map(|_: u64| random.below(size + 1) as f64);
+            plc.points.push([x, y, x]);
+        }
+        let s = run(&plc).unwrap();
+        assert_eq!(area(&s), 2 * i128::from(size * size));
+        assert_eq!(s.patch_count, 1);
+        // Segments from vertex to vertex, as long as they do not cross.
+        for _ in 0..6 {
+            let ends = [0; 2].map(|_: u64| random.below(plc.points.len() as u64) as u32);
+            plc.segments.push(Segment { ends, marker: 0 });
+            match run(&plc) {
+                Ok(s) => {
+                    assert_eq!(area(&s), 2 * i128::from(size * size));
+                    let edges: Vec<[u32; 2]> =
+                        s.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
+                    for &[u, v] in &s.segments {
+                        assert!(edges.contains(&[u, v]) || edges.contains(&[v, u]));
+                    }
+                }
+                Err(error) => {
+                    assert!(matches!(error.status, Status::SelfIntersection | Status::DegenerateFacet));
+                    plc.segments.pop();
+                }
+            }
+        }
+    }
 }

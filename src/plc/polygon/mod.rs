@@ -106,6 +106,11 @@ impl Triangulator {
         Ok(self.local[v as usize])
     }
 
+    /// The vertices of the facet so far.
+    pub fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
     /// Adds a polygon without edges; returns its number.
     pub fn add_polygon(&mut self, role: Role) -> Result<u32, Error> {
         self.roles.try_reserve(1)?;
