@@ -26,12 +26,17 @@
 //! * Face `i` of a tetrahedron is opposite its vertex `i`. Indices are 0-based `u32`; [`INVALID`] means "none".
 #![warn(clippy::all)]
 
+pub mod constrain;
+pub mod delaunay;
 pub mod error;
+pub mod mesh;
 pub mod options;
 pub mod output;
 pub mod plc;
 pub mod predicates;
 pub mod progress;
+pub mod region;
+pub mod rounding;
 
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, Options};
