@@ -120,3 +120,10 @@ pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
     let coord = |p: [f64; 2]| robust::Coord { x: p[0], y: p[1] };
     Sign::of(robust::orient2d(coord(a), coord(b), coord(c)))
 }
+
+/// Positive when `d` is inside the circle through the counter-clockwise `a`, `b`, `c`; odd in its first three arguments.
+#[inline]
+pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Sign {
+    let coord = |p: [f64; 2]| robust::Coord { x: p[0], y: p[1] };
+    Sign::of(robust::incircle(coord(a), coord(b), coord(c), coord(d)))
+}
