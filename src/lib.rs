@@ -26,6 +26,7 @@
 //! * Face `i` of a tetrahedron is opposite its vertex `i`. Indices are 0-based `u32`; [`INVALID`] means "none".
 #![warn(clippy::all)]
 
+pub mod check;
 pub mod error;
 pub mod options;
 pub mod output;
@@ -33,6 +34,7 @@ pub mod plc;
 pub mod predicates;
 pub mod progress;
 
+pub use check::check_mesh;
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, Options};
 pub use output::{FacetFlip, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh};
