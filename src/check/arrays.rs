@@ -6,6 +6,9 @@ use crate::output::TetMesh;
 use crate::plc::Plc;
 use crate::INVALID;
 
+/// Parameters of Steiner points are at least `2^-60`: the exact predicates count on it.
+const SMALLEST_PARAMETER: f64 = 1.0 / (1u64 << 60) as f64;
+
 /// Reports every index that refers to nothing, every non-finite coordinate and every array of the wrong length.
 pub(super) fn check_arrays(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     check_plc(plc, report);
@@ -55,7 +58,8 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     }
     for (i, steiner) in mesh.steiner.iter().enumerate() {
         let ends_ok = steiner.ends.iter().all(|&v| (v as usize) < plc.points.len());
-        if !ends_ok || !segment_or_none(steiner.segment) || !(steiner.t > 0.0 && steiner.t < 1.0) {
+        let t_ok = steiner.t >= SMALLEST_PARAMETER && steiner.t < 1.0;
+        if !ends_ok || !segment_or_none(steiner.segment) || !t_ok {
             bad_index(report, Element::Point((plc.points.len() + i) as u32));
         }
     }

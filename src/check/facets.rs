@@ -5,6 +5,7 @@
 //! not kept their common edge.
 use super::chains::Chains;
 use super::context::Context;
+use super::overlaps;
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::plc::Interior;
@@ -115,7 +116,10 @@ fn flipped_triangles(context: &Context, report: &mut Report) -> Result<Vec<[u32;
 }
 
 /// All facets' edges in pieces, sorted by ends, then facet.
-pub(super) fn pieces(facets: &[Facet], chains: &Chains) -> Result<Vec<Piece>, Error> {
+///
+/// An edge that is no chain of mesh edges may have been retriangulated away inside a group; where the neighbour's edges on the same
+/// line end elsewhere, the edges split each other, so that equal pieces meet.
+pub(super) fn pieces(context: &Context, facets: &[Facet], chains: &Chains) -> Result<Vec<Piece>, Error> {
     let mut edges: Vec<([u32; 2], u32)> = Vec::new();
     for (i, facet) in facets.iter().enumerate() {
         for polygon in &facet.polygons {
@@ -130,22 +134,47 @@ pub(super) fn pieces(facets: &[Facet], chains: &Chains) -> Result<Vec<Piece>, Er
     }
     edges.sort_unstable();
     let mut out = Vec::new();
+    let mut open: Vec<[u32; 2]> = Vec::new();
     let mut chain = Vec::new();
     for run in edges.chunk_by(|x, y| x.0 == y.0) {
         let ends = run[0].0;
         let found = chains.find(ends[0], ends[1], &mut chain)?;
-        if !found {
-            chain.clear();
-            chain.extend(ends);
+        if found {
+            add_pieces(&mut out, run, &chain, true)?;
+        } else if matches!(run, [(_, f), (_, g)] if may_merge(context, facets, *f, *g, false)) {
+            add_pieces(&mut out, run, &ends, false)?;
+        } else {
+            open.try_reserve(1)?;
+            open.push(ends);
         }
-        out.try_reserve(run.len() * (chain.len() - 1))?;
-        for &(_, facet) in run {
-            let piece = |w: &[u32]| Piece { ends: [w[0].min(w[1]), w[0].max(w[1])], facet, found };
-            out.extend(chain.windows(2).map(piece));
+    }
+    for corners in overlaps::split_at_each_other(context, open)? {
+        let ends = [corners[0], corners[corners.len() - 1]];
+        let ends = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let from = edges.partition_point(|e| e.0 < ends);
+        let to = edges.partition_point(|e| e.0 <= ends);
+        for w in corners.windows(2) {
+            let found = chains.find(w[0], w[1], &mut chain)?;
+            add_pieces(&mut out, &edges[from..to], if found { &chain } else { w }, found)?;
         }
     }
     out.sort_unstable();
     Ok(out)
+}
+
+/// The pieces between consecutive vertices of `chain`, for every facet that has the edge.
+fn add_pieces(
+    out: &mut Vec<Piece>,
+    run: &[([u32; 2], u32)],
+    chain: &[u32],
+    found: bool,
+) -> Result<(), Error> {
+    out.try_reserve(run.len() * chain.len())?;
+    for &(_, facet) in run {
+        let piece = |w: &[u32]| Piece { ends: [w[0].min(w[1]), w[0].max(w[1])], facet, found };
+        out.extend(chain.windows(2).map(piece));
+    }
+    Ok(())
 }
 
 /// For each facet the group it belongs to, named by the smallest facet in it.
@@ -156,7 +185,7 @@ pub(super) fn groups(context: &Context, facets: &[Facet], pieces: &[Piece]) -> R
     for run in pieces.chunk_by(|x, y| x.ends == y.ends) {
         for (i, p) in run.iter().enumerate() {
             for q in &run[i + 1..] {
-                if p.facet != q.facet && may_merge(context, facets, p, q) {
+                if p.facet != q.facet && may_merge(context, facets, p.facet, q.facet, p.found) {
                     let (a, b) = (root(&mut group, p.facet), root(&mut group, q.facet));
                     group[a.max(b) as usize] = a.min(b);
                 }
@@ -179,8 +208,9 @@ fn root(group: &mut [u32], mut i: u32) -> u32 {
     i
 }
 
-fn may_merge(context: &Context, facets: &[Facet], p: &Piece, q: &Piece) -> bool {
-    let (f, g) = (&facets[p.facet as usize], &facets[q.facet as usize]);
+/// Whether two facets with a common piece of edge belong to one group; `found`: the piece is an edge of the mesh.
+fn may_merge(context: &Context, facets: &[Facet], f: u32, g: u32, found: bool) -> bool {
+    let (f, g) = (&facets[f as usize], &facets[g as usize]);
     if f.marker != g.marker {
         return false;
     }
@@ -188,6 +218,6 @@ fn may_merge(context: &Context, facets: &[Facet], p: &Piece, q: &Piece) -> bool 
         (Some([a, b, c]), Some(other)) if f.planar && g.planar => other
             .iter()
             .all(|&v| [a, b, c].contains(&v) || context.geometry.orient3d([a, b, c, v]) == Sign::Zero),
-        _ => !p.found,
+        _ => !found,
     }
 }

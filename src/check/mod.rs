@@ -25,6 +25,7 @@ mod faces;
 mod facets;
 mod geometry;
 mod orientation;
+mod overlaps;
 mod points;
 mod report;
 mod segments;
@@ -80,7 +81,7 @@ fn check_conformity(context: &Context, report: &mut Report) -> Result<(), Error>
     segments::check_segments(context, &chains, report)?;
     let facets = facets::facets(context, report)?;
     coverage::check_inner_edges(context, &facets, &chains, report)?;
-    let pieces = facets::pieces(&facets, &chains)?;
+    let pieces = facets::pieces(context, &facets, &chains)?;
     let group = facets::groups(context, &facets, &pieces)?;
     coverage::check_coverage(context, &facets, &pieces, &group, report)
 }

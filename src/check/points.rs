@@ -51,10 +51,11 @@ fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
     }
     for (t, tet) in context.mesh.tets.iter().enumerate() {
         let corner = tet.map(|v| points[v as usize]);
+        let wide = |x: f64| x.abs() * f64::EPSILON + f64::MIN_POSITIVE;
         let low: [f64; 3] =
-            std::array::from_fn(|k| corner.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min).next_down());
+            std::array::from_fn(|k| corner.iter().map(|p| p[k] - wide(p[k])).fold(f64::INFINITY, f64::min));
         let high: [f64; 3] =
-            std::array::from_fn(|k| corner.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max).next_up());
+            std::array::from_fn(|k| corner.iter().map(|p| p[k] + wide(p[k])).fold(-f64::INFINITY, f64::max));
         let from = unused.partition_point(|&i| points[i as usize][0] < low[0]);
         for &i in unused[from..].iter().take_while(|&&i| points[i as usize][0] <= high[0]) {
             let p = points[i as usize];

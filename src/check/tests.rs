@@ -233,7 +233,7 @@ fn indices_out_of_range() {
 fn moved_and_lost_points() {
     let (plc, mesh) = cube(kuhn());
     let mut moved = mesh.clone();
-    moved.points[3][0] = 1.0f64.next_up();
+    moved.points[3][0] = 1.0 + f64::EPSILON;
     assert_eq!(kinds(check_mesh(&plc, &moved, false, 100)), vec![DefectKind::PointMoved]);
     let mut zero = mesh.clone();
     zero.points[0][0] = -0.0;
