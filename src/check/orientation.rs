@@ -9,8 +9,11 @@ use crate::predicates::Sign;
 /// Reports flat and inverted tetrahedra.
 pub(super) fn check_orientation(context: &Context, report: &mut Report) {
     for (t, &tet) in context.mesh.tets.iter().enumerate() {
-        let exact = || context.geometry.orient3d(tet) == Sign::Positive;
-        if context.geometry.orient3d_rounded(tet) != Sign::Positive || !exact() {
+        // Where no vertex was rounded the two are one question.
+        let rounded = tet.iter().any(|&v| !context.geometry.is_exact(v));
+        let positive = context.geometry.orient3d_rounded(tet) == Sign::Positive
+            && (!rounded || context.geometry.orient3d(tet) == Sign::Positive);
+        if !positive {
             let at = context.mesh.points[tet[0] as usize];
             report.add(DefectKind::NotPositive, Element::Tet(t as u32), None, Some(at));
         }

@@ -1,5 +1,6 @@
 //! Points: the input points come first, bit for bit; equal ones are mapped to the first of them; each is a vertex of the mesh
-//! unless it lies outside of it; each Steiner point is one.
+//! unless it lies outside of it; each Steiner point is one,
+//! and those called exact are where they say.
 use super::context::Context;
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
@@ -24,7 +25,8 @@ pub(super) fn check_points(context: &Context, report: &mut Report) -> Result<(),
         }
     }
     for v in plc.points.len() as u32..mesh.points.len() as u32 {
-        if !context.stars.used(v) {
+        let steiner = mesh.steiner.get(v as usize - plc.points.len());
+        if !context.stars.used(v) || steiner.is_some_and(|s| s.exact) && !context.geometry.is_exact(v) {
             report.add(DefectKind::PointMoved, Element::Point(v), None, context.position(v));
         }
     }

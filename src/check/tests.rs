@@ -1,7 +1,7 @@
 //! Hand-made meshes, all valid; then each kind of defect, made by one change to a valid mesh, must be found.
 use super::check_mesh;
 use crate::error::{DefectKind, Error, Status};
-use crate::output::{Region, Subface, Subsegment, TetMesh};
+use crate::output::{Region, SteinerPoint, Subface, Subsegment, TetMesh};
 use crate::plc::{Facet, Plc, Segment};
 use crate::predicates::{orient3d, Sign};
 use crate::INVALID;
@@ -381,4 +381,69 @@ fn the_list_is_cut_but_not_the_count() {
     mesh.neighbors = vec![[5; 4]; 6];
     let error = check_mesh(&plc, &mesh, false, 2).unwrap_err();
     assert_eq!((error.defects.len(), error.defect_count), (2, 6));
+}
+
+/// A tetrahedron with a Steiner point on one edge, `a + t (b − a)`, and so two tetrahedra and six subfaces.
+fn split_edge(scale: f64, t: f64) -> (Plc, TetMesh) {
+    let points: Vec<[f64; 3]> = [0u32, 1, 2, 4].map(|i| corner(i).map(|x| (0.1 + 0.7 * x) * scale)).to_vec();
+    let segments = vec![Segment { ends: [2, 3], marker: 4 }];
+    let plc = Plc { triangles: boundary(&[[0, 1, 2, 3]]), segments, points, ..Plc::default() };
+    let mut all = plc.points.clone();
+    all.push(std::array::from_fn(|k| all[2][k] + t * (all[3][k] - all[2][k])));
+    let mut mesh = mesh(&plc, all, vec![[0, 1, 2, 4], [0, 1, 4, 3]]);
+    mesh.subfaces.clear();
+    for (f, corners) in plc.triangles.iter().enumerate() {
+        if corners.contains(&2) && corners.contains(&3) {
+            for end in [2, 3] {
+                let split = corners.map(|v| if v == end { 4 } else { v });
+                add_subface(&plc, &mut mesh, split, f as u32);
+            }
+        } else {
+            add_subface(&plc, &mut mesh, *corners, f as u32);
+        }
+    }
+    let piece = |ends| Subsegment { ends, segment: 0, marker: 4 };
+    mesh.subsegments = vec![piece([2, 4]), piece([4, 3])];
+    mesh.steiner = vec![SteinerPoint { ends: [2, 3], t, segment: 0, exact: false }];
+    (plc, mesh)
+}
+
+#[test]
+fn steiner_points_are_judged_where_they_are_exactly() {
+    for (scale, t) in [(1.0, 0.3), (1.0, 0.5), (1e-300, 0.7), (1e300, 0.1)] {
+        let (plc, mesh) = split_edge(scale, t);
+        assert_eq!(check(&plc, &mesh), vec![], "scale {scale}");
+    }
+    let (plc, mesh) = split_edge(1.0, 0.3);
+    // Moved, but valid: the exact position is what conforms. Not if it was called exact.
+    let mut moved = mesh.clone();
+    moved.points[4][0] += 1e-9;
+    assert_eq!(check(&plc, &moved), vec![]);
+    moved.steiner[0].exact = true;
+    assert_eq!(check(&plc, &moved), vec![DefectKind::PointMoved]);
+    // The doubles are flat, the exact tetrahedra are not.
+    let mut flat = mesh.clone();
+    flat.points[4] = flat.points[2];
+    assert_eq!(check(&plc, &flat), vec![DefectKind::NotPositive]);
+    // On another edge.
+    let mut wrong = mesh.clone();
+    wrong.steiner[0].ends = [1, 3];
+    let found = check(&plc, &wrong);
+    assert!(found.contains(&DefectKind::SegmentMissing) && found.contains(&DefectKind::FacetMissing));
+    let mut lost = mesh.clone();
+    lost.points.push([0.0; 3]);
+    lost.steiner.push(SteinerPoint { ends: [0, 1], t: 0.5, segment: INVALID, exact: false });
+    assert_eq!(check(&plc, &lost), vec![DefectKind::PointMoved]);
+    let mut tiny = mesh;
+    tiny.steiner[0].t = 1e-30;
+    assert_eq!(check(&plc, &tiny), vec![DefectKind::IndexOutOfRange]);
+}
+
+#[test]
+fn coordinates_out_of_the_exact_range() {
+    let (mut plc, mut mesh) = two();
+    for points in [&mut plc.points, &mut mesh.points] {
+        points[0][0] = -1e-300;
+    }
+    assert_eq!(check_mesh(&plc, &mesh, true, 9).unwrap_err().status, Status::CoordinateRange);
 }
