@@ -28,6 +28,7 @@
 
 pub mod constrain;
 pub mod delaunay;
+pub mod check;
 pub mod error;
 pub mod mesh;
 pub mod options;
@@ -38,6 +39,7 @@ pub mod progress;
 pub mod region;
 pub mod rounding;
 
+pub use check::check_mesh;
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, Options};
 pub use output::{FacetFlip, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh};
