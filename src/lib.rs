@@ -27,6 +27,8 @@
 #![warn(clippy::all)]
 
 pub mod error;
+#[cfg(feature = "io")]
+pub mod io;
 pub mod options;
 pub mod output;
 pub mod plc;
