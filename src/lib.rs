@@ -31,6 +31,8 @@ pub mod delaunay;
 pub mod check;
 pub mod error;
 pub mod mesh;
+#[cfg(feature = "io")]
+pub mod io;
 pub mod options;
 pub mod output;
 pub mod plc;
@@ -38,6 +40,7 @@ pub mod predicates;
 pub mod progress;
 pub mod region;
 pub mod rounding;
+pub mod tetrahedralize;
 
 pub use check::check_mesh;
 pub use error::{Defect, DefectKind, Element, Error, Status};
@@ -45,6 +48,7 @@ pub use options::{Mode, Options};
 pub use output::{FacetFlip, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh};
 pub use plc::{Facet, Interior, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
+pub use tetrahedralize::tetrahedralize;
 
 /// The index that means "none": no neighbour, no parent.
 pub const INVALID: u32 = u32::MAX;

@@ -80,7 +80,7 @@ impl Subfaces {
 
     /// Links triangles across edges that are no segments; returns the segment of each constrained edge.
     fn connect(&mut self, segments: &Segments) -> Result<Vec<[u32; 3]>, Error> {
-        /// Marks an entry as a segment's: sorts it before the triangles' entries of the same edge.
+        // (edge, 0, segment) sorts before (edge, 1, edge code) of the triangles with that edge.
         let mut entries: Vec<([u32; 2], u32, u32)> = Vec::new();
         entries.try_reserve(3 * self.verts.len() + segments.ends.len())?;
         for (s, e) in segments.ends.iter().enumerate() {
@@ -171,7 +171,6 @@ impl Subfaces {
     /// follows edge `k` in `t`, which moved to the last piece.
     fn split_edge(&mut self, t: usize, k: usize, chain: &[u32]) -> Result<u32, Error> {
         let (start_slot, end_slot) = ((k + 1) % 3, (k + 2) % 3);
-        let _ = start_slot;
         let apex = self.verts[t][k];
         let end = self.verts[t][end_slot];
         let following = self.adj[t][start_slot];

@@ -8,6 +8,8 @@ pub mod patch;
 pub mod polygon;
 pub mod prepare;
 pub mod surface;
+
+pub use prepare::{check, prepare};
 #[cfg(test)]
 mod tests;
 pub mod intersect;
