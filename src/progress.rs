@@ -32,7 +32,8 @@ impl Phase {
 
     /// The name as statistics print it.
     pub fn name(self) -> &'static str {
-        ["read", "validate", "delaunay", "segments", "facets", "regions", "round", "audit", "write"][self as usize]
+        ["read", "validate", "delaunay", "segments", "facets", "regions", "round", "audit", "write"]
+            [self as usize]
     }
 }
 

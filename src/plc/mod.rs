@@ -10,6 +10,8 @@ pub mod polygon;
 pub mod prepare;
 pub mod split;
 pub mod surface;
+
+pub use prepare::{check, prepare};
 #[cfg(test)]
 mod tests;
 

@@ -1,6 +1,26 @@
-//! Exact signs. The one place that calls `robust`.
+//! Exact signs of explicit points and of implicit Steiner points on segments. The one place that calls `robust`.
 //!
-//! Orientation: [`orient3d`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and `robust`'s sign.
+//! Levels: a static error bound from the box of all points, inlined; a semi-static bound from the points at hand; exact
+//! arithmetic: `robust` for explicit points, expansions (or big integers, see `range`) otherwise.
+//!
+//! Orientation: [`orient3d()`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and `robust`'s sign.
+
+mod big;
+mod exact;
+mod expansion;
+mod filter;
+mod insphere;
+mod orient;
+mod plane;
+mod points;
+mod range;
+#[cfg(test)]
+mod tests;
+
+pub use expansion::Expansion;
+pub use orient::dot_sign;
+pub use points::Points;
+pub use range::{in_range, range_scale, scale};
 
 /// The sign of a determinant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -45,19 +65,56 @@ fn coord3(p: &[f64; 3]) -> robust::Coord3D<f64> {
     robust::Coord3D { x: p[0], y: p[1], z: p[2] }
 }
 
-/// Sign of `det(b − a, c − a, d − a)`: positive when the tetrahedron `(a, b, c, d)` is.
-#[inline]
-pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
+fn robust_orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
     -Sign::of(robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)))
 }
 
-/// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`; odd in its first four arguments.
-#[inline]
-pub fn insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
+fn robust_insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
     -Sign::of(robust::insphere(coord3(a), coord3(b), coord3(c), coord3(d), coord3(e)))
 }
 
-/// Positive when `a`, `b`, `c` make a left turn.
+/// Bounds of the differences to the last of some explicit points.
+#[inline(always)]
+fn spread<const N: usize>(points: [&[f64; 3]; N], last: &[f64; 3]) -> filter::Spread {
+    let mut size = [0.0f64; 3];
+    for p in points {
+        for axis in 0..3 {
+            size[axis] = size[axis].max((p[axis] - last[axis]).abs());
+        }
+    }
+    filter::Spread { size, error: [0.0; 3] }
+}
+
+/// Sign of `det(b − a, c − a, d − a)`: positive when the tetrahedron `(a, b, c, d)` is. Points in the exact range.
+#[inline]
+pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
+    let det = filter::orient3d_det(a, b, c, d);
+    let spread = spread([a, b, c], d);
+    if det.abs() > spread.orient3d_bound() {
+        return Sign::of(det);
+    }
+    if spread.flat() {
+        return Sign::Zero;
+    }
+    robust_orient3d(a, b, c, d)
+}
+
+/// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`; odd in its first four arguments.
+/// Points in the exact range.
+#[inline]
+pub fn insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
+    let det = filter::insphere_det(a, b, c, d, e);
+    let spread = spread([a, b, c, d], e);
+    if det.abs() > spread.insphere_bound() {
+        return Sign::of(det);
+    }
+    if spread.flat() {
+        return Sign::Zero;
+    }
+    robust_insphere(a, b, c, d, e)
+}
+
+/// Positive when `a`, `b`, `c` make a left turn. Points in the exact range.
 #[inline]
 pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
     let coord = |p: [f64; 2]| robust::Coord { x: p[0], y: p[1] };

@@ -1,0 +1,118 @@
+//! Array shapes and index ranges. A mesh from a file may hold anything: all later checks rely on what is asked here, and
+//! do not run if this one finds something.
+use super::report::Report;
+use crate::error::{DefectKind, Element};
+use crate::output::TetMesh;
+use crate::plc::Plc;
+use crate::INVALID;
+
+/// Parameters of Steiner points are at least `2^-60`: the exact predicates count on it.
+const SMALLEST_PARAMETER: f64 = 1.0 / (1u64 << 60) as f64;
+
+/// Reports every index that refers to nothing, every non-finite coordinate and every array of the wrong length.
+pub(super) fn check_arrays(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
+    check_plc(plc, report);
+    check_lengths(plc, mesh, report);
+    let points = mesh.points.len();
+    for (i, p) in mesh.points.iter().enumerate() {
+        if p.iter().any(|x| !x.is_finite()) {
+            report.add(DefectKind::NonFinite, Element::Point(i as u32), None, None);
+        }
+    }
+    let tets = mesh.tets.len();
+    let tet_or_none = |t: u32| t == INVALID || (t as usize) < tets;
+    for (t, tet) in mesh.tets.iter().enumerate() {
+        if tet.iter().any(|&v| v as usize >= points) {
+            bad_index(report, Element::Tet(t as u32));
+        }
+    }
+    for (t, near) in mesh.neighbors.iter().enumerate() {
+        if !near.iter().all(|&n| tet_or_none(n)) {
+            bad_index(report, Element::Tet(t as u32));
+        }
+    }
+    for (t, &region) in mesh.tet_region.iter().enumerate() {
+        if region as usize >= mesh.regions.len() {
+            bad_index(report, Element::Tet(t as u32));
+        }
+    }
+    check_parents(plc, mesh, report);
+}
+
+/// Subfaces, subsegments and Steiner points: their corners, and what they say they lie on.
+fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
+    let (points, tets) = (mesh.points.len(), mesh.tets.len());
+    let tet_or_none = |t: u32| t == INVALID || (t as usize) < tets;
+    for face in &mesh.subfaces {
+        let corners_ok = face.corners.iter().all(|&v| (v as usize) < points);
+        let facet_ok = (face.facet as usize) < plc.facet_count();
+        if !corners_ok || !facet_ok || !face.tets.iter().all(|&t| tet_or_none(t)) {
+            bad_index(report, Element::Facet(face.facet));
+        }
+    }
+    let segment_or_none = |s: u32| s == INVALID || (s as usize) < plc.segments.len();
+    for edge in &mesh.subsegments {
+        if edge.ends.iter().any(|&v| v as usize >= points) || !segment_or_none(edge.segment) {
+            bad_index(report, Element::Segment(edge.segment));
+        }
+    }
+    for (i, steiner) in mesh.steiner.iter().enumerate() {
+        let ends_ok = steiner.ends.iter().all(|&v| (v as usize) < plc.points.len());
+        let t_ok = steiner.t >= SMALLEST_PARAMETER && steiner.t < 1.0;
+        if !ends_ok || !segment_or_none(steiner.segment) || !t_ok {
+            bad_index(report, Element::Point((plc.points.len() + i) as u32));
+        }
+    }
+}
+
+/// The indices of the PLC itself: the check may be asked about an input that was never validated.
+fn check_plc(plc: &Plc, report: &mut Report) {
+    let points = plc.points.len();
+    for (i, segment) in plc.segments.iter().enumerate() {
+        if segment.ends.iter().any(|&v| v as usize >= points) {
+            bad_index(report, Element::Segment(i as u32));
+        }
+    }
+    for (i, triangle) in plc.triangles.iter().enumerate() {
+        if triangle.iter().any(|&v| v as usize >= points) {
+            bad_index(report, Element::Facet(i as u32));
+        }
+    }
+    for (i, facet) in plc.facets.iter().enumerate() {
+        if facet.polygons.iter().flatten().any(|&v| v as usize >= points) {
+            bad_index(report, Element::Facet((plc.triangles.len() + i) as u32));
+        }
+    }
+}
+
+/// Arrays that go with others must be as long as they.
+fn check_lengths(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
+    let (inputs, points, tets) = (plc.points.len(), mesh.points.len(), mesh.tets.len());
+    // The first input point that the mesh has no room for.
+    if points < inputs {
+        report.add(DefectKind::PointMoved, Element::Point(points as u32), None, None);
+        report.note(format!("the mesh has {points} points, the input {inputs}"));
+    }
+    let pairs = [
+        ("neighbors", mesh.neighbors.len(), tets),
+        ("tet_region", mesh.tet_region.len(), tets),
+        ("point_alias", mesh.point_alias.len(), inputs),
+        ("steiner", mesh.steiner.len(), points.saturating_sub(inputs)),
+    ];
+    for (name, length, wanted) in pairs {
+        if length != 0 && length != wanted {
+            report.add(DefectKind::IndexOutOfRange, Element::Tet(length.min(wanted) as u32), None, None);
+            report.note(format!("{name} has {length} entries instead of {wanted}"));
+        }
+    }
+    for (what, length) in [("points", points), ("tetrahedra", tets)] {
+        if length >= (1 << 30) {
+            report.add(DefectKind::IndexOutOfRange, Element::Tet(1 << 30), None, None);
+            report.note(format!("more than 2^30 {what}"));
+        }
+    }
+}
+
+fn bad_index(report: &mut Report, element: Element) {
+    report.add(DefectKind::IndexOutOfRange, element, None, None);
+}

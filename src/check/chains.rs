@@ -1,0 +1,88 @@
+//! Chains: the mesh edges that an input edge consists of.
+//!
+//! An input edge is subdivided by its Steiner points (known by parents and parameter) and by input vertices that lie exactly on
+//! it. The first are looked up in order; where two consecutive ones are not joined by an edge of the mesh, the mesh is walked:
+//! from a vertex of the edge there is at most one mesh edge along it.
+use super::context::Context;
+use crate::error::Error;
+
+/// The Steiner points of every input edge, in order along it.
+pub(super) struct Chains<'a, 'b> {
+    context: &'a Context<'b>,
+    /// (smaller end, larger end, parameter from the smaller end, vertex): sorted.
+    steiner: Vec<([u32; 2], f64, u32)>,
+}
+
+impl<'a, 'b> Chains<'a, 'b> {
+    pub(super) fn new(context: &'a Context<'b>) -> Result<Self, Error> {
+        let inputs = context.plc.points.len();
+        let mut steiner = Vec::new();
+        steiner.try_reserve_exact(context.mesh.steiner.len())?;
+        for (i, s) in context.mesh.steiner.iter().enumerate() {
+            let [a, b] = s.ends.map(|v| context.alias(v));
+            let (ends, t) = if a < b { ([a, b], s.t) } else { ([b, a], 1.0 - s.t) };
+            steiner.push((ends, t, (inputs + i) as u32));
+        }
+        // 1 - t may round two parameters of an edge given in both directions to one: then the walk decides.
+        steiner.sort_unstable_by(|x, y| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1)).then(x.2.cmp(&y.2)));
+        Ok(Chains { context, steiner })
+    }
+
+    /// Steiner points of the edge `ab` (representatives, `a < b`), from `a` to `b`.
+    fn of_edge(&self, a: u32, b: u32) -> impl Iterator<Item = u32> + '_ {
+        let from = self.steiner.partition_point(|s| s.0 < [a, b]);
+        self.steiner[from..].iter().take_while(move |s| s.0 == [a, b]).map(|s| s.2)
+    }
+
+    /// Replaces `chain` by the vertices from `a` to `b` (representatives) along mesh edges; false if there is no such chain.
+    pub(super) fn find(&self, a: u32, b: u32, chain: &mut Vec<u32>) -> Result<bool, Error> {
+        chain.clear();
+        let (low, high) = (a.min(b), a.max(b));
+        chain.try_reserve(2)?;
+        chain.push(low);
+        let mut joined = self.context.has_edge(low, high);
+        if !joined {
+            joined = true;
+            for s in self.of_edge(low, high) {
+                joined &= self.context.has_edge(chain[chain.len() - 1], s);
+                chain.try_reserve(2)?;
+                chain.push(s);
+            }
+            joined &= self.context.has_edge(chain[chain.len() - 1], high);
+        }
+        if joined {
+            chain.push(high);
+        } else {
+            chain.truncate(1);
+            if !self.walk(high, chain)? {
+                return Ok(false);
+            }
+        }
+        if a != low {
+            chain.reverse();
+        }
+        Ok(true)
+    }
+
+    /// Extends `chain` (of one vertex) to `end` over mesh edges that lie on the line; each step gets nearer to `end`.
+    fn walk(&self, end: u32, chain: &mut Vec<u32>) -> Result<bool, Error> {
+        let context = self.context;
+        let mut current = chain[0];
+        while current != end {
+            let next = if context.has_edge(current, end) {
+                Some(end)
+            } else {
+                let star = context.stars.of(current).iter();
+                let mut corners = star.flat_map(|&t| context.mesh.tets[t as usize]);
+                corners.find(|&v| context.geometry.strictly_between(v, current, end))
+            };
+            match next {
+                Some(v) => current = v,
+                None => return Ok(false),
+            }
+            chain.try_reserve(1)?;
+            chain.push(current);
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,75 @@
+//! What all checks share: the mesh, its exact coordinates, its faces and stars, and the representatives of equal points.
+use super::faces::{FaceTable, Stars};
+use super::geometry::Geometry;
+use crate::error::Error;
+use crate::output::TetMesh;
+use crate::plc::Plc;
+
+/// Shared, read-only tables. Built only after the arrays have been found sound.
+pub(super) struct Context<'a> {
+    pub(super) plc: &'a Plc,
+    pub(super) mesh: &'a TetMesh,
+    pub(super) geometry: Geometry,
+    pub(super) faces: FaceTable,
+    pub(super) stars: Stars,
+    /// For each input point the first one equal to it.
+    pub(super) alias: Vec<u32>,
+    /// Every point that is not an input point says where on which input edge it lies. False for meshes from files that have
+    /// such points: conformity is then judged only where all corners are input points.
+    pub(super) parents_known: bool,
+}
+
+impl<'a> Context<'a> {
+    pub(super) fn new(plc: &'a Plc, mesh: &'a TetMesh) -> Result<Self, Error> {
+        let alias = first_equal(&plc.points)?;
+        Ok(Context {
+            geometry: Geometry::new(plc, mesh)?,
+            faces: FaceTable::new(&mesh.tets, mesh.points.len())?,
+            stars: Stars::new(&mesh.tets, mesh.points.len())?,
+            parents_known: mesh.steiner.len() == mesh.points.len() - plc.points.len(),
+            alias,
+            plc,
+            mesh,
+        })
+    }
+
+    /// The representative of a vertex: the first input point equal to it, or itself.
+    pub(super) fn alias(&self, v: u32) -> u32 {
+        self.alias.get(v as usize).copied().unwrap_or(v)
+    }
+
+    pub(super) fn is_input(&self, v: u32) -> bool {
+        (v as usize) < self.plc.points.len()
+    }
+
+    pub(super) fn has_edge(&self, a: u32, b: u32) -> bool {
+        self.stars.has_edge(&self.mesh.tets, a, b)
+    }
+
+    /// Whether the mesh names the facets of its subfaces (or has no facet to name).
+    pub(super) fn subfaces_known(&self) -> bool {
+        self.parents_known && (!self.mesh.subfaces.is_empty() || self.plc.facet_count() == 0)
+    }
+
+    pub(super) fn position(&self, v: u32) -> Option<[f64; 3]> {
+        self.mesh.points.get(v as usize).copied()
+    }
+}
+
+/// For each point the first one with equal coordinates (0 and −0 are equal).
+fn first_equal(points: &[[f64; 3]]) -> Result<Vec<u32>, Error> {
+    let key = |i: u32| points[i as usize].map(|x| (x + 0.0).to_bits());
+    let mut order: Vec<u32> = Vec::new();
+    order.try_reserve_exact(points.len())?;
+    order.extend(0..points.len() as u32);
+    order.sort_unstable_by_key(|&i| (key(i), i));
+    let mut alias = Vec::new();
+    alias.try_reserve_exact(points.len())?;
+    alias.resize(points.len(), 0);
+    for run in order.chunk_by(|&i, &j| key(i) == key(j)) {
+        for &i in run {
+            alias[i as usize] = run[0];
+        }
+    }
+    Ok(alias)
+}

@@ -1,0 +1,201 @@
+//! Coverage: the subfaces of each group of facets tile exactly the group's union.
+//!
+//! In the group's plane, take every subface counter-clockwise. If each edge is used at most twice, and then in both directions,
+//! and the edges used once are exactly the boundary (modulo 2) of the union of the input polygons, then the number of
+//! subfaces over a point of the plane changes by one at that boundary and nowhere else, and is 0 far away: even outside of the
+//! union, odd inside. Distinct faces of a valid complex do not overlap, so it is 0 and 1.
+use super::chains::Chains;
+use super::context::Context;
+use super::facets::{Facet, Piece};
+use super::report::Report;
+use crate::error::{DefectKind, Element, Error};
+use crate::predicates::Sign;
+
+/// One use of a mesh edge by a subface: ends ascending, whether it runs from the larger to the smaller, which subface.
+type Use = ([u32; 2], bool, u32);
+
+/// A group of facets and the subfaces that name one of them.
+struct Group<'a> {
+    context: &'a Context<'a>,
+    facets: &'a [Facet],
+    /// Facets of the group, ascending.
+    members: Vec<u32>,
+    /// Indices of subfaces.
+    subfaces: Vec<u32>,
+    /// Edge pieces of the members that can be in the mesh, sorted.
+    pieces: Vec<Piece>,
+    planar: bool,
+}
+
+/// Reports facets that are not covered exactly.
+pub(super) fn check_coverage<'a>(
+    context: &'a Context<'a>,
+    facets: &'a [Facet],
+    pieces: &[Piece],
+    group: &[u32],
+    report: &mut Report,
+) -> Result<(), Error> {
+    // Counting sorts would do; these are small next to the tetrahedra.
+    let mut members: Vec<(u32, u32)> = Vec::new();
+    members.try_reserve_exact(group.len())?;
+    members.extend(group.iter().enumerate().map(|(facet, &g)| (g, facet as u32)));
+    members.sort_unstable();
+    let mut subfaces: Vec<(u32, u32)> = Vec::new();
+    subfaces.try_reserve_exact(context.mesh.subfaces.len())?;
+    let numbered = context.mesh.subfaces.iter().enumerate();
+    subfaces.extend(numbered.map(|(i, face)| (group[face.facet as usize], i as u32)));
+    subfaces.sort_unstable();
+    let mut edges: Vec<(u32, Piece)> = Vec::new();
+    edges.try_reserve_exact(pieces.len())?;
+    edges.extend(pieces.iter().map(|p| (group[p.facet as usize], *p)));
+    edges.sort_unstable();
+    let (mut s, mut e) = (0, 0);
+    for run in members.chunk_by(|x, y| x.0 == y.0) {
+        let g = run[0].0;
+        let (s0, e0) = (s, e);
+        s += subfaces[s..].partition_point(|x| x.0 == g);
+        e += edges[e..].partition_point(|x| x.0 == g);
+        let group = Group {
+            context,
+            facets,
+            members: run.iter().map(|x| x.1).collect(),
+            subfaces: subfaces[s0..s].iter().map(|x| x.1).collect(),
+            pieces: edges[e0..e].iter().map(|x| x.1).filter(|p| !excused(context, facets, p.facet)).collect(),
+            planar: run.iter().all(|x| facets[x.1 as usize].planar),
+        };
+        group.check(report);
+    }
+    Ok(())
+}
+
+/// A facet with a corner that is no vertex of the mesh lies outside: the point check has seen that this corner does, and no
+/// facet changes sides but at the edges of others.
+fn excused(context: &Context, facets: &[Facet], facet: u32) -> bool {
+    let facet = &facets[facet as usize];
+    facet.polygons.iter().flatten().any(|&v| !context.stars.used(v))
+}
+
+impl Group<'_> {
+    fn check(&self, report: &mut Report) {
+        self.check_corners(report);
+        // A plane has one projection that keeps all orientations; a folded polygon must have one of the three.
+        let axes: Vec<usize> = match self.members.iter().find_map(|&f| self.facets[f as usize].plane) {
+            Some(plane) if self.planar => (0..3)
+                .filter(|&axis| self.context.geometry.orient_in_plane(axis, plane) != Sign::Zero)
+                .take(1)
+                .collect(),
+            _ => vec![0, 1, 2],
+        };
+        let mut best: Option<Vec<(u32, [u32; 2])>> = None;
+        for axis in axes {
+            let wrong = self.mismatches(axis);
+            if best.as_ref().is_none_or(|b| wrong.len() < b.len()) {
+                best = Some(wrong);
+            }
+        }
+        for (facet, [a, b]) in best.unwrap_or_default() {
+            let at = self.context.position(a);
+            report.add(DefectKind::FacetMissing, Element::Facet(facet), Some(Element::Point(b)), at);
+        }
+    }
+
+    /// Edges where subfaces and polygons disagree, seen along `axis`, each with a facet.
+    fn mismatches(&self, axis: usize) -> Vec<(u32, [u32; 2])> {
+        let mut wrong = Vec::new();
+        let uses = self.uses(axis, &mut wrong);
+        let any_enclosed = self.members.iter().any(|&f| self.facets[f as usize].enclosed);
+        let any_seeded = self.members.iter().any(|&f| self.facets[f as usize].seeded);
+        let mut pieces = self.pieces.chunk_by(|x, y| x.ends == y.ends).peekable();
+        let mut runs = uses.chunk_by(|x, y| x.0 == y.0).peekable();
+        loop {
+            let next = match (pieces.peek(), runs.peek()) {
+                (None, None) => return wrong,
+                (Some(p), None) => p[0].ends,
+                (None, Some(u)) => u[0].0,
+                (Some(p), Some(u)) => p[0].ends.min(u[0].0),
+            };
+            let p = pieces.next_if(|p| p[0].ends == next).unwrap_or(&[]);
+            let u = runs.next_if(|u| u[0].0 == next).unwrap_or(&[]);
+            let good = if any_enclosed {
+                // Inside and outside are not known edge by edge: the boundary may be anywhere on the polygons.
+                (u.len() != 1 || !p.is_empty()) && (any_seeded || p.is_empty() || !u.is_empty())
+            } else {
+                p.len() % 2 == u.len() % 2
+            };
+            let opposite = u.len() < 2 || u.len() == 2 && u[0].1 != u[1].1;
+            if !good || !opposite {
+                let facet = match u.first() {
+                    Some(edge) => self.context.mesh.subfaces[edge.2 as usize].facet,
+                    None => p[0].facet,
+                };
+                wrong.push((facet, next));
+            }
+        }
+    }
+
+    /// The edges of all subfaces, taken counter-clockwise along `axis`; flat ones go to `wrong`.
+    fn uses(&self, axis: usize, wrong: &mut Vec<(u32, [u32; 2])>) -> Vec<Use> {
+        let mut uses = Vec::with_capacity(3 * self.subfaces.len());
+        for &i in &self.subfaces {
+            let face = &self.context.mesh.subfaces[i as usize];
+            let corners = face.corners;
+            let sign = self.context.geometry.orient_in_plane(axis, corners);
+            if sign == Sign::Zero {
+                wrong.push((face.facet, [corners[0], corners[1]]));
+            }
+            for k in 0..3 {
+                let (a, b) = (corners[k], corners[(k + 1) % 3]);
+                uses.push(([a.min(b), a.max(b)], (a > b) != (sign == Sign::Negative), i));
+            }
+        }
+        uses.sort_unstable();
+        uses
+    }
+
+    /// Corners of subfaces lie on the group: exactly in its plane; or, if it has none, on edges of its polygons.
+    fn check_corners(&self, report: &mut Report) {
+        let mut known: Vec<u32> = self.pieces.iter().flat_map(|p| p.ends).collect();
+        known.sort_unstable();
+        known.dedup();
+        let plane = self.members.iter().find_map(|&f| self.facets[f as usize].plane);
+        for &i in &self.subfaces {
+            let face = &self.context.mesh.subfaces[i as usize];
+            for &v in &face.corners {
+                let on = known.binary_search(&v).is_ok()
+                    || self.planar
+                        && plane.is_some_and(|[a, b, c]| {
+                            self.context.geometry.orient3d([a, b, c, v]) == Sign::Zero
+                        });
+                if !on {
+                    let at = self.context.position(v);
+                    report.add(
+                        DefectKind::FacetMissing,
+                        Element::Facet(face.facet),
+                        Some(Element::Point(v)),
+                        at,
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Edges given inside of facets (polygons of two corners) are chains of mesh edges.
+pub(super) fn check_inner_edges(
+    context: &Context,
+    facets: &[Facet],
+    chains: &Chains,
+    report: &mut Report,
+) -> Result<(), Error> {
+    let mut chain = Vec::new();
+    for (i, facet) in facets.iter().enumerate() {
+        for &[a, b] in &facet.inner_edges {
+            let used = context.stars.used(a) && context.stars.used(b);
+            if a != b && used && !chains.find(a, b, &mut chain)? {
+                let at = context.position(a);
+                report.add(DefectKind::SegmentMissing, Element::Facet(i as u32), Some(Element::Point(a)), at);
+            }
+        }
+    }
+    Ok(())
+}

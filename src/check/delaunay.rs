@@ -1,0 +1,49 @@
+//! Local Delaunay property: across every interior face that is no subface, the vertex beyond is not strictly inside the
+//! circumsphere. Cospherical vertices (which the mesher decides by symbolic perturbation) are no violation.
+//!
+//! By the constrained Delaunay lemma (Shewchuk 2008, "General-dimensional constrained Delaunay and constrained regular
+//! triangulations", section 3) this local property of all faces is the global one.
+use super::context::Context;
+use super::report::Report;
+use crate::error::{DefectKind, Element};
+use crate::predicates::Sign;
+use crate::INVALID;
+
+/// Reports faces that are not locally Delaunay; `subfaces` has a bit per face of each tetrahedron.
+pub(super) fn check_delaunay(
+    context: &Context,
+    adjacency: &[[u32; 4]],
+    subfaces: &[u8],
+    report: &mut Report,
+) {
+    let tets = &context.mesh.tets;
+    let mut rounded = 0usize;
+    for (t, near) in adjacency.iter().enumerate() {
+        for (face, &n) in near.iter().enumerate() {
+            if n == INVALID || n as usize / 4 < t || subfaces[t] >> face & 1 == 1 {
+                continue;
+            }
+            let apex = tets[n as usize / 4][n as usize % 4];
+            if context.geometry.insphere(tets[t], apex) != Sign::Positive {
+                continue;
+            }
+            if context.parents_known || tets[t].iter().all(|&v| context.is_input(v)) && context.is_input(apex)
+            {
+                let at = context.mesh.points[apex as usize];
+                report.add(
+                    DefectKind::NotDelaunay,
+                    Element::Tet(t as u32),
+                    Some(Element::Tet(n / 4)),
+                    Some(at),
+                );
+            } else {
+                rounded += 1;
+            }
+        }
+    }
+    if rounded > 0 {
+        report.note(format!(
+            "{rounded} faces at points of unknown parents are not locally Delaunay on their rounded coordinates"
+        ));
+    }
+}

@@ -1,0 +1,223 @@
+//! The input facets as the check sees them: flips applied, with their planes, edges subdivided as in the mesh, and grouped.
+//!
+//! A mesher may retriangulate facets across their common edges where they are exactly coplanar and have one marker. So
+//! coverage is a question for such a *group*, not for a facet. Facets that are not planar join a group only where the mesh has
+//! not kept their common edge.
+use super::chains::Chains;
+use super::context::Context;
+use super::overlaps;
+use super::report::Report;
+use crate::error::{DefectKind, Element, Error};
+use crate::plc::Interior;
+use crate::predicates::Sign;
+use std::collections::HashMap;
+
+/// A facet: its polygons of three corners or more, as representatives.
+pub(super) struct Facet {
+    pub(super) polygons: Vec<Vec<u32>>,
+    /// Pairs of corners that must be joined in the mesh, but bound nothing.
+    pub(super) inner_edges: Vec<[u32; 2]>,
+    /// Three corners that are not collinear.
+    pub(super) plane: Option<[u32; 3]>,
+    /// All corners lie exactly in `plane`.
+    pub(super) planar: bool,
+    /// The interior is what polygons enclose (TetGen's rule), not their sum modulo 2.
+    pub(super) enclosed: bool,
+    /// There are hole seeds.
+    pub(super) seeded: bool,
+    pub(super) marker: i32,
+}
+
+/// A piece of a facet's edge, between two consecutive vertices of the mesh on it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Piece {
+    /// Ends, ascending.
+    pub(super) ends: [u32; 2],
+    pub(super) facet: u32,
+    /// It is an edge of the mesh.
+    pub(super) found: bool,
+}
+
+/// All facets, in the PLC's numbering.
+pub(super) fn facets(context: &Context, report: &mut Report) -> Result<Vec<Facet>, Error> {
+    let plc = context.plc;
+    let triangles = flipped_triangles(context, report)?;
+    let mut out = Vec::new();
+    out.try_reserve_exact(plc.facet_count())?;
+    for (i, corners) in triangles.into_iter().enumerate() {
+        let polygon = corners.to_vec();
+        out.push(facet(context, vec![polygon], false, false, plc.facet_marker(i)));
+    }
+    for (i, general) in plc.facets.iter().enumerate() {
+        let polygon = |p: &Vec<u32>| {
+            let mut corners: Vec<u32> = p.iter().map(|&v| context.alias(v)).collect();
+            corners.dedup();
+            corners
+        };
+        let polygons = general.polygons.iter().map(polygon).collect();
+        let enclosed = general.interior == Interior::Seeds;
+        let marker = plc.facet_marker(plc.triangles.len() + i);
+        out.push(facet(context, polygons, enclosed, !general.holes.is_empty(), marker));
+    }
+    Ok(out)
+}
+
+fn facet(context: &Context, all: Vec<Vec<u32>>, enclosed: bool, seeded: bool, marker: i32) -> Facet {
+    let inner_edges = all.iter().filter(|p| p.len() == 2).map(|p| [p[0], p[1]]).collect();
+    let polygons: Vec<Vec<u32>> = all.into_iter().filter(|p| p.len() > 2).collect();
+    let corners = || polygons.iter().flatten().copied();
+    let mut plane = None;
+    if let Some(a) = corners().next() {
+        if let Some(b) = corners().find(|&v| v != a) {
+            plane = corners().find(|&c| !context.geometry.collinear([a, b, c])).map(|c| [a, b, c]);
+        }
+    }
+    let in_plane = |[a, b, c]: [u32; 3], v| {
+        v == a || v == b || v == c || context.geometry.orient3d([a, b, c, v]) == Sign::Zero
+    };
+    let planar = plane.is_some_and(|p| corners().all(|v| in_plane(p, v)));
+    Facet { polygons, inner_edges, plane, planar, enclosed, seeded, marker }
+}
+
+/// The input triangles after the flips of facet merging: each takes two triangles with a common edge and makes the two others of
+/// the same quadrilateral. The triangle with the first end of the old edge keeps the first facet's number.
+fn flipped_triangles(context: &Context, report: &mut Report) -> Result<Vec<[u32; 3]>, Error> {
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    triangles.try_reserve_exact(context.plc.triangles.len())?;
+    triangles.extend(context.plc.triangles.iter().map(|t| t.map(|v| context.alias(v))));
+    let key = |mut c: [u32; 3]| {
+        c.sort_unstable();
+        c
+    };
+    // Looked up only, never iterated: its order decides nothing.
+    let mut numbers: HashMap<[u32; 3], usize> = HashMap::new();
+    if !context.mesh.facet_flips.is_empty() {
+        numbers.try_reserve(triangles.len())?;
+        numbers.extend(triangles.iter().enumerate().map(|(i, &c)| (key(c), i)));
+    }
+    for flip in &context.mesh.facet_flips {
+        let [a, b] = flip.old.map(|v| context.alias(v));
+        let [c, d] = flip.new.map(|v| context.alias(v));
+        let pair = (numbers.remove(&key([a, b, c])), numbers.remove(&key([a, b, d])));
+        let (Some(f), Some(g)) = pair else {
+            report.add(DefectKind::FacetMissing, Element::Facet(flip.facets[0]), None, context.position(a));
+            continue;
+        };
+        let (f, g) = if g as u32 == flip.facets[0] { (g, f) } else { (f, g) };
+        if context.plc.facet_marker(f) != context.plc.facet_marker(g) {
+            report.add(DefectKind::FacetMissing, Element::Facet(f as u32), None, context.position(a));
+        }
+        for (slot, corners) in [(f, [a, c, d]), (g, [b, c, d])] {
+            triangles[slot] = corners;
+            numbers.insert(key(corners), slot);
+        }
+    }
+    Ok(triangles)
+}
+
+/// All facets' edges in pieces, sorted by ends, then facet.
+///
+/// An edge that is no chain of mesh edges may have been retriangulated away inside a group; where the neighbour's edges on the same
+/// line end elsewhere, the edges split each other, so that equal pieces meet.
+pub(super) fn pieces(context: &Context, facets: &[Facet], chains: &Chains) -> Result<Vec<Piece>, Error> {
+    let mut edges: Vec<([u32; 2], u32)> = Vec::new();
+    for (i, facet) in facets.iter().enumerate() {
+        for polygon in &facet.polygons {
+            edges.try_reserve(polygon.len())?;
+            for (k, &a) in polygon.iter().enumerate() {
+                let b = polygon[(k + 1) % polygon.len()];
+                if a != b {
+                    edges.push(([a.min(b), a.max(b)], i as u32));
+                }
+            }
+        }
+    }
+    edges.sort_unstable();
+    let mut out = Vec::new();
+    let mut open: Vec<[u32; 2]> = Vec::new();
+    let mut chain = Vec::new();
+    for run in edges.chunk_by(|x, y| x.0 == y.0) {
+        let ends = run[0].0;
+        let found = chains.find(ends[0], ends[1], &mut chain)?;
+        if found {
+            add_pieces(&mut out, run, &chain, true)?;
+        } else if matches!(run, [(_, f), (_, g)] if may_merge(context, facets, *f, *g, false)) {
+            add_pieces(&mut out, run, &ends, false)?;
+        } else {
+            open.try_reserve(1)?;
+            open.push(ends);
+        }
+    }
+    for corners in overlaps::split_at_each_other(context, open)? {
+        let ends = [corners[0], corners[corners.len() - 1]];
+        let ends = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let from = edges.partition_point(|e| e.0 < ends);
+        let to = edges.partition_point(|e| e.0 <= ends);
+        for w in corners.windows(2) {
+            let found = chains.find(w[0], w[1], &mut chain)?;
+            add_pieces(&mut out, &edges[from..to], if found { &chain } else { w }, found)?;
+        }
+    }
+    out.sort_unstable();
+    Ok(out)
+}
+
+/// The pieces between consecutive vertices of `chain`, for every facet that has the edge.
+fn add_pieces(
+    out: &mut Vec<Piece>,
+    run: &[([u32; 2], u32)],
+    chain: &[u32],
+    found: bool,
+) -> Result<(), Error> {
+    out.try_reserve(run.len() * chain.len())?;
+    for &(_, facet) in run {
+        let piece = |w: &[u32]| Piece { ends: [w[0].min(w[1]), w[0].max(w[1])], facet, found };
+        out.extend(chain.windows(2).map(piece));
+    }
+    Ok(())
+}
+
+/// For each facet the group it belongs to, named by the smallest facet in it.
+pub(super) fn groups(context: &Context, facets: &[Facet], pieces: &[Piece]) -> Result<Vec<u32>, Error> {
+    let mut group: Vec<u32> = Vec::new();
+    group.try_reserve_exact(facets.len())?;
+    group.extend(0..facets.len() as u32);
+    for run in pieces.chunk_by(|x, y| x.ends == y.ends) {
+        for (i, p) in run.iter().enumerate() {
+            for q in &run[i + 1..] {
+                if p.facet != q.facet && may_merge(context, facets, p.facet, q.facet, p.found) {
+                    let (a, b) = (root(&mut group, p.facet), root(&mut group, q.facet));
+                    group[a.max(b) as usize] = a.min(b);
+                }
+            }
+        }
+    }
+    for i in 0..group.len() as u32 {
+        group[i as usize] = root(&mut group, i);
+    }
+    Ok(group)
+}
+
+/// The end of a chain of parents, halving the path on the way.
+fn root(group: &mut [u32], mut i: u32) -> u32 {
+    while group[i as usize] != i {
+        let up = group[group[i as usize] as usize];
+        group[i as usize] = up;
+        i = up;
+    }
+    i
+}
+
+/// Whether two facets with a common piece of edge belong to one group; `found`: the piece is an edge of the mesh.
+fn may_merge(context: &Context, facets: &[Facet], f: u32, g: u32, found: bool) -> bool {
+    let (f, g) = (&facets[f as usize], &facets[g as usize]);
+    if f.marker != g.marker {
+        return false;
+    }
+    match (f.plane, g.plane) {
+        (Some([a, b, c]), Some(other)) if f.planar && g.planar => other
+            .iter()
+            .all(|&v| [a, b, c].contains(&v) || context.geometry.orient3d([a, b, c, v]) == Sign::Zero),
+        _ => !found,
+    }
+}

@@ -1,0 +1,87 @@
+//! The coordinates that the checks ask: the exact positions (input points, and Steiner points as `a + t (b − a)`), and the doubles
+//! that were handed out for them.
+//!
+//! Both are scaled by one power of two into the range in which all signs are exact. Points without parents (in meshes from
+//! files) are taken where their doubles are.
+use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::output::TetMesh;
+use crate::plc::Plc;
+use crate::predicates::{self, Points, Sign};
+use std::cmp::Ordering;
+
+/// Coordinates of all vertices of the mesh.
+pub(super) struct Geometry {
+    exact: Points,
+    rounded: Vec<[f64; 3]>,
+    inputs: usize,
+}
+
+impl Geometry {
+    /// Indices and finiteness have been checked. Steiner points must be given for all points beyond the input's, or for none.
+    pub(super) fn new(plc: &Plc, mesh: &TetMesh) -> Result<Self, Error> {
+        let k = predicates::range_scale(&mesh.points).map_err(|i| out_of_range(mesh, i))?;
+        let mut rounded = Vec::new();
+        rounded.try_reserve_exact(mesh.points.len())?;
+        rounded.extend(mesh.points.iter().map(|p| p.map(|x| predicates::scale(x, k))));
+        let explicit = mesh.points.len() - mesh.steiner.len();
+        let mut xyz = Vec::new();
+        xyz.try_reserve_exact(mesh.points.len())?;
+        xyz.extend_from_slice(&rounded[..explicit]);
+        let mut exact = Points::new(xyz);
+        for s in &mesh.steiner {
+            exact.push_on_segment(s.ends[0], s.ends[1], s.t)?;
+        }
+        Ok(Geometry { exact, rounded, inputs: plc.points.len() })
+    }
+
+    /// Whether the double that was handed out is the exact position.
+    pub(super) fn is_exact(&self, v: u32) -> bool {
+        (v as usize) < self.inputs
+            || self.exact.is_explicit(v) && *self.exact.xyz(v) == self.rounded[v as usize]
+    }
+
+    /// Orientation of the exact positions.
+    pub(super) fn orient3d(&self, [a, b, c, d]: [u32; 4]) -> Sign {
+        self.exact.orient3d(a, b, c, d)
+    }
+
+    /// Orientation of the doubles handed out.
+    pub(super) fn orient3d_rounded(&self, tet: [u32; 4]) -> Sign {
+        let [a, b, c, d] = tet.map(|v| &self.rounded[v as usize]);
+        predicates::orient3d(a, b, c, d)
+    }
+
+    /// Positive when `e` is inside the circumsphere of the positive tetrahedron; exact positions.
+    pub(super) fn insphere(&self, [a, b, c, d]: [u32; 4], e: u32) -> Sign {
+        self.exact.insphere(a, b, c, d, e)
+    }
+
+    /// Orientation of a triangle seen along coordinate `axis`; exact positions.
+    pub(super) fn orient_in_plane(&self, axis: usize, [a, b, c]: [u32; 3]) -> Sign {
+        self.exact.orient_in_plane(axis, a, b, c)
+    }
+
+    /// Whether three exact positions lie on one line.
+    pub(super) fn collinear(&self, [a, b, c]: [u32; 3]) -> bool {
+        self.exact.collinear(a, b, c)
+    }
+
+    /// Whether `v` lies on the open segment `ab`; exact positions.
+    pub(super) fn strictly_between(&self, v: u32, a: u32, b: u32) -> bool {
+        if v == a || v == b || !self.exact.collinear(a, b, v) {
+            return false;
+        }
+        let (before, after) = (self.exact.compare_lex(a, v), self.exact.compare_lex(v, b));
+        before == after && before != Ordering::Equal
+    }
+}
+
+fn out_of_range(mesh: &TetMesh, i: usize) -> Error {
+    let defect = Defect {
+        kind: DefectKind::CoordinateRange,
+        first: Element::Point(i as u32),
+        second: None,
+        point: mesh.points.get(i).copied(),
+    };
+    Error::with_defect(Status::CoordinateRange, "the coordinates span too many orders of magnitude", defect)
+}

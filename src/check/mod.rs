@@ -1,0 +1,87 @@
+//! The exact checker: is a mesh what was promised for an input?
+//!
+//! Independent of how the mesh was built: it reads the input and the output and asks exact signs, nothing of the engine. In order:
+//!
+//! 1. array shapes, index ranges, finite coordinates (if this fails, nothing else is asked);
+//! 2. points: the input's first, bit for bit; none lost;
+//! 3. orientation: every tetrahedron strictly positive;
+//! 4. topology: faces shared by two tetrahedra at most, on opposite sides; neighbours; regions;
+//! 5. conformity: segments are chains of edges, facets are tiled exactly by their subfaces, the boundary lies on facets;
+//! 6. on request: every face that is no subface is locally Delaunay.
+//!
+//! What follows from these: the mesh's boundary is the input's. What does not: that no two layers of tetrahedra without a
+//! common vertex cover the same space.
+//!
+//! A mesh read from files does not know the parents of its Steiner points. Then only doubles are judged: topology, orientation,
+//! points; of faces that have such points the Delaunay property is only counted (their rounding may break it), and conformity
+//! is not judged.
+mod arrays;
+mod boundary;
+mod chains;
+mod context;
+mod coverage;
+mod delaunay;
+mod faces;
+mod facets;
+mod geometry;
+mod orientation;
+mod overlaps;
+mod points;
+mod report;
+mod segments;
+mod subfaces;
+#[cfg(test)]
+mod tests;
+mod topology;
+
+use crate::error::Error;
+use crate::output::TetMesh;
+use crate::plc::Plc;
+use context::Context;
+use report::Report;
+
+/// Checks `mesh` against the input it was made from; `constrained_delaunay` asks for the Delaunay property too.
+///
+/// # Errors
+/// [`Status::CheckFailed`](crate::Status::CheckFailed) with all defects, of which at most `max_defects` are listed;
+/// [`Status::CoordinateRange`](crate::Status::CoordinateRange) if exact arithmetic cannot carry the coordinates;
+/// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+pub fn check_mesh(
+    plc: &Plc,
+    mesh: &TetMesh,
+    constrained_delaunay: bool,
+    max_defects: usize,
+) -> Result<(), Error> {
+    let mut report = Report::new(max_defects);
+    arrays::check_arrays(plc, mesh, &mut report);
+    if report.count() > 0 {
+        return report.finish();
+    }
+    let context = Context::new(plc, mesh)?;
+    points::check_points(&context, &mut report)?;
+    orientation::check_orientation(&context, &mut report);
+    let adjacency = topology::check_topology(&context, &mut report)?;
+    let subfaces = subfaces::check_subfaces(&context, &mut report)?;
+    topology::check_regions(&context, &adjacency, &subfaces, &mut report);
+    check_conformity(&context, &mut report)?;
+    boundary::check_boundary(&context, &adjacency, &subfaces, &mut report);
+    if constrained_delaunay {
+        delaunay::check_delaunay(&context, &adjacency, &subfaces, &mut report);
+    }
+    report.finish()
+}
+
+/// Segments and facets, as far as the mesh says where its points and faces come from.
+fn check_conformity(context: &Context, report: &mut Report) -> Result<(), Error> {
+    if !context.parents_known {
+        report.note("the mesh does not say where its added points lie: conformity was not judged".into());
+        return Ok(());
+    }
+    let chains = chains::Chains::new(context)?;
+    segments::check_segments(context, &chains, report)?;
+    let facets = facets::facets(context, report)?;
+    coverage::check_inner_edges(context, &facets, &chains, report)?;
+    let pieces = facets::pieces(context, &facets, &chains)?;
+    let group = facets::groups(context, &facets, &pieces)?;
+    coverage::check_coverage(context, &facets, &pieces, &group, report)
+}

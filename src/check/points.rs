@@ -1,0 +1,85 @@
+//! Points: the input points come first, bit for bit; equal ones are mapped to the first of them; each is a vertex of the mesh
+//! unless it lies outside of it; each Steiner point is one,
+//! and those called exact are where they say.
+use super::context::Context;
+use super::report::Report;
+use crate::error::{DefectKind, Element, Error};
+use crate::predicates::Sign;
+
+/// Reports input points that were moved, mapped wrongly, or lost.
+pub(super) fn check_points(context: &Context, report: &mut Report) -> Result<(), Error> {
+    let (plc, mesh) = (context.plc, context.mesh);
+    for (i, (p, q)) in plc.points.iter().zip(&mesh.points).enumerate() {
+        if p.map(f64::to_bits) != q.map(f64::to_bits) {
+            report.add(DefectKind::PointMoved, Element::Point(i as u32), None, Some(*q));
+        }
+    }
+    for (i, (given, found)) in mesh.point_alias.iter().zip(&context.alias).enumerate() {
+        if given != found {
+            report.add(
+                DefectKind::PointMoved,
+                Element::Point(i as u32),
+                Some(Element::Point(*found)),
+                plc.points.get(i).copied(),
+            );
+        }
+    }
+    for v in plc.points.len() as u32..mesh.points.len() as u32 {
+        let steiner = mesh.steiner.get(v as usize - plc.points.len());
+        if !context.stars.used(v) || steiner.is_some_and(|s| s.exact) && !context.geometry.is_exact(v) {
+            report.add(DefectKind::PointMoved, Element::Point(v), None, context.position(v));
+        }
+    }
+    check_unused(context, report)
+}
+
+/// An input point that is no vertex must lie outside of every closed tetrahedron.
+///
+/// The unused points are sorted by x, so each tetrahedron asks only those in its range. The filter by bounding box takes the
+/// doubles; it is widened to the neighbouring doubles, since a Steiner point's exact position may be beyond its rounding.
+fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
+    let points = &context.mesh.points;
+    let mut unused: Vec<u32> = Vec::new();
+    for i in 0..context.plc.points.len() as u32 {
+        if context.alias(i) == i && !context.stars.used(i) {
+            unused.try_reserve(1)?;
+            unused.push(i);
+        }
+    }
+    unused.sort_unstable_by(|&i, &j| points[i as usize][0].total_cmp(&points[j as usize][0]).then(i.cmp(&j)));
+    let mut inside: Vec<(u32, u32)> = Vec::new();
+    if unused.is_empty() {
+        return Ok(());
+    }
+    for (t, tet) in context.mesh.tets.iter().enumerate() {
+        let corner = tet.map(|v| points[v as usize]);
+        let wide = |x: f64| x.abs() * f64::EPSILON + f64::MIN_POSITIVE;
+        let low: [f64; 3] =
+            std::array::from_fn(|k| corner.iter().map(|p| p[k] - wide(p[k])).fold(f64::INFINITY, f64::min));
+        let high: [f64; 3] =
+            std::array::from_fn(|k| corner.iter().map(|p| p[k] + wide(p[k])).fold(-f64::INFINITY, f64::max));
+        let from = unused.partition_point(|&i| points[i as usize][0] < low[0]);
+        for &i in unused[from..].iter().take_while(|&&i| points[i as usize][0] <= high[0]) {
+            let p = points[i as usize];
+            if (1..3).all(|k| low[k] <= p[k] && p[k] <= high[k]) && in_tet(context, *tet, i) {
+                inside.try_reserve(1)?;
+                inside.push((i, t as u32));
+            }
+        }
+    }
+    inside.sort_unstable();
+    inside.dedup_by_key(|pair| pair.0);
+    for (i, t) in inside {
+        let at = Some(points[i as usize]);
+        report.add(DefectKind::PointMoved, Element::Point(i), Some(Element::Tet(t)), at);
+    }
+    Ok(())
+}
+
+fn in_tet(context: &Context, tet: [u32; 4], p: u32) -> bool {
+    (0..4).all(|k| {
+        let mut moved = tet;
+        moved[k] = p;
+        context.geometry.orient3d(moved) != Sign::Negative
+    })
+}

@@ -1,0 +1,449 @@
+//! Hand-made meshes, all valid; then each kind of defect, made by one change to a valid mesh, must be found.
+use super::check_mesh;
+use crate::error::{DefectKind, Error, Status};
+use crate::output::{Region, SteinerPoint, Subface, Subsegment, TetMesh};
+use crate::plc::{Facet, Plc, Segment};
+use crate::predicates::{orient3d, Sign};
+use crate::INVALID;
+
+/// The mesh of these tetrahedra with everything filled in by brute force; faces that equal a PLC triangle are its subfaces.
+fn mesh(plc: &Plc, points: Vec<[f64; 3]>, tets: Vec<[u32; 4]>) -> TetMesh {
+    let face = |t: usize, i: usize| {
+        let mut corners: Vec<u32> = (0..4).filter(|&k| k != i).map(|k| tets[t][k]).collect();
+        corners.sort_unstable();
+        corners
+    };
+    let across = |t: usize, i: usize| {
+        let other = (0..tets.len()).find(|&o| o != t && (0..4).any(|k| face(o, k) == face(t, i)));
+        other.map_or(INVALID, |o| o as u32)
+    };
+    let mut out = TetMesh {
+        input_point_count: plc.points.len() as u32,
+        point_alias: (0..plc.points.len() as u32).collect(),
+        neighbors: (0..tets.len()).map(|t| std::array::from_fn(|i| across(t, i))).collect(),
+        tet_region: vec![0; tets.len()],
+        regions: vec![Region { attribute: 1.0, seed: INVALID, max_volume: None }],
+        points,
+        tets,
+        ..TetMesh::default()
+    };
+    for (f, corners) in plc.triangles.iter().enumerate() {
+        add_subface(plc, &mut out, *corners, f as u32);
+    }
+    let edge = |(i, s): (usize, &Segment)| Subsegment { ends: s.ends, segment: i as u32, marker: s.marker };
+    out.subsegments = plc.segments.iter().enumerate().map(edge).collect();
+    out
+}
+
+fn add_subface(plc: &Plc, mesh: &mut TetMesh, corners: [u32; 3], facet: u32) {
+    let mut tets = [INVALID; 2];
+    for (t, tet) in mesh.tets.iter().enumerate() {
+        if corners.iter().all(|v| tet.contains(v)) {
+            if let Some(&apex) = tet.iter().find(|v| !corners.contains(v)) {
+                let p = |v: u32| &mesh.points[v as usize];
+                let sign = orient3d(p(corners[0]), p(corners[1]), p(corners[2]), p(apex));
+                tets[usize::from(sign == Sign::Positive)] = t as u32;
+            }
+        }
+    }
+    let marker = plc.facet_marker(facet as usize);
+    mesh.subfaces.push(Subface { corners, facet, marker, tets });
+}
+
+fn kinds(result: Result<(), Error>) -> Vec<DefectKind> {
+    match result {
+        Ok(()) => Vec::new(),
+        Err(error) => {
+            assert_eq!(error.status, Status::CheckFailed, "{error}");
+            assert!(error.defect_count > 0);
+            let mut kinds: Vec<DefectKind> = error.defects.iter().map(|d| d.kind).collect();
+            kinds.sort_unstable();
+            kinds.dedup();
+            kinds
+        }
+    }
+}
+
+fn check(plc: &Plc, mesh: &TetMesh) -> Vec<DefectKind> {
+    kinds(check_mesh(plc, mesh, true, 100))
+}
+
+fn corner(i: u32) -> [f64; 3] {
+    [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2 & 1)]
+}
+
+/// The unit cube's corners, its 12 edges as segments, and a surface triangulation.
+fn cube_plc(triangles: Vec<[u32; 3]>) -> Plc {
+    let mut segments = Vec::new();
+    for a in 0..8u32 {
+        for b in [a | 1, a | 2, a | 4].into_iter().filter(|&b| b != a) {
+            segments.push(Segment { ends: [a, b], marker: 7 });
+        }
+    }
+    Plc { points: (0..8).map(corner).collect(), segments, triangles, ..Plc::default() }
+}
+
+/// The boundary faces of some tetrahedra, outward.
+fn boundary(tets: &[[u32; 4]]) -> Vec<[u32; 3]> {
+    let mut faces: Vec<[u32; 3]> = Vec::new();
+    for t in tets {
+        for f in [[t[1], t[2], t[3]], [t[0], t[3], t[2]], [t[0], t[1], t[3]], [t[0], t[2], t[1]]] {
+            let same = |g: &[u32; 3]| f.iter().all(|v| g.contains(v));
+            match faces.iter().position(same) {
+                Some(i) => {
+                    faces.remove(i);
+                }
+                None => faces.push(f),
+            }
+        }
+    }
+    faces
+}
+
+fn kuhn() -> Vec<[u32; 4]> {
+    vec![[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]]
+}
+
+fn five() -> Vec<[u32; 4]> {
+    vec![[0, 3, 5, 6], [1, 0, 3, 5], [2, 3, 0, 6], [4, 5, 6, 0], [7, 6, 5, 3]]
+        .into_iter()
+        .map(positive)
+        .collect()
+}
+
+fn positive(mut t: [u32; 4]) -> [u32; 4] {
+    let p = t.map(corner);
+    if orient3d(&p[0], &p[1], &p[2], &p[3]) == Sign::Negative {
+        t.swap(2, 3);
+    }
+    t
+}
+
+fn cube(tets: Vec<[u32; 4]>) -> (Plc, TetMesh) {
+    let plc = cube_plc(boundary(&tets));
+    let points = plc.points.clone();
+    let mesh = mesh(&plc, points, tets);
+    (plc, mesh)
+}
+
+/// Two tetrahedra on a common face, which is an inner facet with a marker of its own.
+fn two() -> (Plc, TetMesh) {
+    let points = vec![[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0.2, 0.2, 1.], [0.2, 0.2, -1.]];
+    let tets = vec![[0, 1, 2, 3], [0, 2, 1, 4]];
+    let mut triangles = boundary(&tets);
+    triangles.push([0, 1, 2]);
+    let triangle_markers = vec![0, 0, 0, 0, 0, 0, 5];
+    let plc = Plc { points: points.clone(), triangles, triangle_markers, ..Plc::default() };
+    let mesh = mesh(&plc, points, tets);
+    (plc, mesh)
+}
+
+#[test]
+fn valid_meshes_pass() {
+    for (plc, mesh) in [cube(kuhn()), cube(five()), two()] {
+        assert_eq!(check(&plc, &mesh), vec![]);
+    }
+    let points: Vec<[f64; 3]> = [0u32, 1, 2, 4].map(corner).to_vec();
+    let plc = Plc { triangles: boundary(&[[0, 1, 2, 3]]), points: points.clone(), ..Plc::default() };
+    assert_eq!(check(&plc, &mesh(&plc, points, vec![[0, 1, 2, 3]])), vec![]);
+    assert_eq!(check(&Plc::default(), &TetMesh::default()), vec![]);
+}
+
+/// Facets may be retriangulated across edges between exactly coplanar ones: six tetrahedra against the surface of five.
+#[test]
+fn coplanar_facets_may_be_retriangulated() {
+    let (_, mut mesh) = cube(kuhn());
+    let (plc, _) = cube(five());
+    mesh.subfaces.clear();
+    for corners in boundary(&kuhn()) {
+        let side = |a: &[u32]| {
+            (0..3).find(|k| a.iter().all(|v| v >> k & 1 == a[0] >> k & 1)).map(|k| (k, a[0] >> k & 1))
+        };
+        let facet = plc.triangles.iter().position(|t| side(t) == side(&corners)).unwrap();
+        add_subface(&plc, &mut mesh, corners, facet as u32);
+    }
+    assert_eq!(check(&plc, &mesh), vec![]);
+    // Not across unequal markers.
+    let mut marked = plc.clone();
+    marked.triangle_markers = (0..12).collect();
+    for face in &mut mesh.subfaces {
+        face.marker = marked.facet_marker(face.facet as usize);
+    }
+    assert_eq!(check(&marked, &mesh), vec![DefectKind::FacetMissing]);
+}
+
+/// The cube's sides as square facets.
+#[test]
+fn polygons_are_covered() {
+    let (triangles, mut mesh) = cube(kuhn());
+    let mut plc = Plc { triangles: vec![], ..triangles };
+    for (k, high) in (0..3).flat_map(|k| [(k, 0u32), (k, 1)]) {
+        let (i, j) = (1 << ((k + 1) % 3), 1 << ((k + 2) % 3));
+        let base = high << k;
+        plc.facets
+            .push(Facet { polygons: vec![vec![base, base + i, base + i + j, base + j]], ..Facet::default() });
+    }
+    mesh.subfaces.clear();
+    for corners in boundary(&kuhn()) {
+        let holds = |f: &Facet| corners.iter().all(|v| f.polygons[0].contains(v));
+        let facet = plc.facets.iter().position(holds).unwrap();
+        add_subface(&plc, &mut mesh, corners, facet as u32);
+    }
+    assert_eq!(check(&plc, &mesh), vec![]);
+    let mut missing = mesh.clone();
+    missing.subfaces.pop();
+    assert!(check(&plc, &missing).contains(&DefectKind::FacetMissing));
+    // A hole in the facet that the mesh does not have.
+    let ring = plc.facets[0].polygons[0][..3].to_vec();
+    plc.facets[0].polygons.push(ring);
+    assert!(check(&plc, &mesh).contains(&DefectKind::FacetMissing));
+}
+
+#[test]
+fn indices_out_of_range() {
+    let (plc, mesh) = cube(kuhn());
+    let wrong: [fn(&mut TetMesh); 9] = [
+        |m| m.tets[0][0] = 8,
+        |m| m.neighbors[0][0] = 6,
+        |m| m.tet_region[0] = 1,
+        |m| m.subfaces[0].corners[0] = INVALID,
+        |m| m.subfaces[0].facet = 12,
+        |m| m.subsegments[0].ends[1] = 9,
+        |m| m.subsegments[0].segment = 12,
+        |m| m.neighbors.truncate(5),
+        |m| m.point_alias.truncate(7),
+    ];
+    for (i, change) in wrong.iter().enumerate() {
+        let mut mesh = mesh.clone();
+        change(&mut mesh);
+        assert_eq!(check(&plc, &mesh), vec![DefectKind::IndexOutOfRange], "change {i}");
+    }
+    let mut bad = plc.clone();
+    bad.triangles[3][1] = 8;
+    assert_eq!(check(&bad, &mesh), vec![DefectKind::IndexOutOfRange]);
+    let mut bad = plc.clone();
+    bad.segments[3].ends[1] = 8;
+    assert_eq!(check(&bad, &mesh), vec![DefectKind::IndexOutOfRange]);
+    let mut nan = mesh.clone();
+    nan.points[2][1] = f64::NAN;
+    assert_eq!(check(&plc, &nan), vec![DefectKind::NonFinite]);
+}
+
+#[test]
+fn moved_and_lost_points() {
+    let (plc, mesh) = cube(kuhn());
+    let mut moved = mesh.clone();
+    moved.points[3][0] = 1.0 + f64::EPSILON;
+    assert_eq!(kinds(check_mesh(&plc, &moved, false, 100)), vec![DefectKind::PointMoved]);
+    let mut zero = mesh.clone();
+    zero.points[0][0] = -0.0;
+    assert_eq!(check(&plc, &zero), vec![DefectKind::PointMoved]);
+    let mut short = mesh.clone();
+    short.points.pop();
+    assert!(check(&plc, &short).contains(&DefectKind::PointMoved));
+    // A point inside that is no vertex; then one outside, which may be carved.
+    for (p, expected) in [([0.5, 0.25, 0.75], vec![DefectKind::PointMoved]), ([2., 2., 2.], vec![])] {
+        let (mut plc, mut mesh) = (plc.clone(), mesh.clone());
+        plc.points.push(p);
+        mesh.points.push(p);
+        mesh.point_alias.push(8);
+        assert_eq!(check(&plc, &mesh), expected);
+    }
+    // A duplicate is mapped to the first.
+    let (mut plc, mut mesh) = (plc, mesh);
+    plc.points.push([1.0, -0.0, 0.0]);
+    mesh.points.push([1.0, -0.0, 0.0]);
+    mesh.point_alias.push(1);
+    assert_eq!(check(&plc, &mesh), vec![]);
+    mesh.point_alias[8] = 8;
+    assert_eq!(check(&plc, &mesh), vec![DefectKind::PointMoved]);
+}
+
+#[test]
+fn flat_and_inverted_tets() {
+    let (plc, mut mesh) = two();
+    mesh.tets[1].swap(0, 1);
+    mesh.neighbors[1].swap(0, 1);
+    assert!(check(&plc, &mesh).contains(&DefectKind::NotPositive));
+    let (mut plc, mut mesh) = two();
+    for points in [&mut plc.points, &mut mesh.points] {
+        points[4][2] = 0.0;
+    }
+    assert!(check(&plc, &mesh).contains(&DefectKind::NotPositive));
+}
+
+#[test]
+fn broken_topology() {
+    let (plc, mesh) = cube(kuhn());
+    let mut wrong = mesh.clone();
+    let n = wrong.neighbors[0].iter().position(|&n| n == INVALID).unwrap();
+    wrong.neighbors[0][n] = 3;
+    assert_eq!(check(&plc, &wrong), vec![DefectKind::NotConforming]);
+    let mut twice = mesh.clone();
+    twice.tets.push(twice.tets[0]);
+    twice.neighbors.clear();
+    twice.tet_region.clear();
+    assert!(check(&plc, &twice).contains(&DefectKind::NotConforming));
+    // Two positive tetrahedra on one side of their common face.
+    let (plc, mut same) = two();
+    same.points[4] = [0.3, 0.3, 2.0];
+    same.tets[1] = [0, 1, 2, 4];
+    assert!(check(&plc, &same).contains(&DefectKind::NotConforming));
+    // A region border without a facet.
+    let (plc, mut regions) = cube(kuhn());
+    regions.regions.push(regions.regions[0]);
+    regions.tet_region[2] = 1;
+    assert_eq!(check(&plc, &regions), vec![DefectKind::NotConforming]);
+    // Subfaces and subsegments that claim what is not so.
+    let changes: [fn(&mut TetMesh); 6] = [
+        |m| m.subfaces[0].marker = 3,
+        |m| m.subfaces[0].tets.swap(0, 1),
+        |m| m.subfaces.push(m.subfaces[0]),
+        |m| m.subsegments[0].marker = 0,
+        |m| m.subsegments[0].segment = 5,
+        |m| m.subsegments[0].ends = [1, 6],
+    ];
+    for (i, change) in changes.iter().enumerate() {
+        let mut mesh = mesh.clone();
+        change(&mut mesh);
+        assert!(check(&plc, &mesh).contains(&DefectKind::NotConforming), "change {i}");
+    }
+}
+
+#[test]
+fn missing_segments() {
+    let (plc, mesh) = cube(kuhn());
+    let mut diagonal = plc.clone();
+    diagonal.segments.push(Segment { ends: [1, 6], marker: 0 });
+    assert_eq!(check(&diagonal, &mesh), vec![DefectKind::SegmentMissing]);
+    let mut short = mesh.clone();
+    short.subsegments.remove(4);
+    assert_eq!(check(&plc, &short), vec![DefectKind::SegmentMissing]);
+}
+
+#[test]
+fn missing_facets() {
+    let (plc, mesh) = cube(kuhn());
+    // An inner facet across the mesh.
+    let mut cut = plc.clone();
+    cut.triangles.push([1, 2, 4]);
+    assert_eq!(check(&cut, &mesh), vec![DefectKind::FacetMissing]);
+    // A subface that is no face; one on another facet's plane.
+    let mut wrong = mesh.clone();
+    wrong.subfaces[0].corners = [1, 2, 4];
+    assert!(check(&plc, &wrong).contains(&DefectKind::FacetMissing));
+    let mut wrong = mesh.clone();
+    let other = wrong.subfaces.iter().position(|s| s.corners.iter().all(|v| v >> 2 & 1 == 1)).unwrap();
+    let facet = wrong.subfaces.iter().position(|s| s.corners.iter().all(|v| v >> 2 & 1 == 0)).unwrap();
+    wrong.subfaces[other].facet = facet as u32;
+    assert_eq!(check(&plc, &wrong), vec![DefectKind::FacetMissing]);
+    let mut wrong = mesh.clone();
+    wrong.subfaces.remove(0);
+    let found = check(&plc, &wrong);
+    assert_eq!(found, vec![DefectKind::FacetMissing, DefectKind::HullOffFacets]);
+}
+
+#[test]
+fn boundary_off_facets() {
+    let (mut plc, mut mesh) = cube(kuhn());
+    plc.triangles.clear();
+    plc.segments.clear();
+    mesh.subfaces.clear();
+    mesh.subsegments.clear();
+    assert_eq!(check(&plc, &mesh), vec![DefectKind::HullOffFacets]);
+    mesh.hull_kept = true;
+    assert_eq!(check(&plc, &mesh), vec![]);
+    // A mesh with a notch is no hull.
+    mesh.tets.pop();
+    mesh.tet_region.pop();
+    mesh.neighbors.clear();
+    assert_eq!(check(&plc, &mesh), vec![DefectKind::HullOffFacets]);
+}
+
+#[test]
+fn not_delaunay() {
+    // A flat bipyramid: the two tetrahedra see each other's apex, unless their common face is a facet.
+    let (mut plc, mut mesh) = two();
+    for points in [&mut plc.points, &mut mesh.points] {
+        points[3] = [0.3, 0.3, 0.1];
+        points[4] = [0.3, 0.3, -0.1];
+    }
+    assert_eq!(check(&plc, &mesh), vec![]);
+    plc.triangles.pop();
+    mesh.subfaces.pop();
+    assert_eq!(check(&plc, &mesh), vec![DefectKind::NotDelaunay]);
+    assert_eq!(kinds(check_mesh(&plc, &mesh, false, 100)), vec![]);
+}
+
+#[test]
+fn the_list_is_cut_but_not_the_count() {
+    let (plc, mut mesh) = cube(kuhn());
+    mesh.neighbors = vec![[5; 4]; 6];
+    let error = check_mesh(&plc, &mesh, false, 2).unwrap_err();
+    assert_eq!((error.defects.len(), error.defect_count), (2, 6));
+}
+
+/// A tetrahedron with a Steiner point on one edge, `a + t (b − a)`, and so two tetrahedra and six subfaces.
+fn split_edge(scale: f64, t: f64) -> (Plc, TetMesh) {
+    let points: Vec<[f64; 3]> = [0u32, 1, 2, 4].map(|i| corner(i).map(|x| (0.1 + 0.7 * x) * scale)).to_vec();
+    let segments = vec![Segment { ends: [2, 3], marker: 4 }];
+    let plc = Plc { triangles: boundary(&[[0, 1, 2, 3]]), segments, points, ..Plc::default() };
+    let mut all = plc.points.clone();
+    all.push(std::array::from_fn(|k| all[2][k] + t * (all[3][k] - all[2][k])));
+    let mut mesh = mesh(&plc, all, vec![[0, 1, 2, 4], [0, 1, 4, 3]]);
+    mesh.subfaces.clear();
+    for (f, corners) in plc.triangles.iter().enumerate() {
+        if corners.contains(&2) && corners.contains(&3) {
+            for end in [2, 3] {
+                let split = corners.map(|v| if v == end { 4 } else { v });
+                add_subface(&plc, &mut mesh, split, f as u32);
+            }
+        } else {
+            add_subface(&plc, &mut mesh, *corners, f as u32);
+        }
+    }
+    let piece = |ends| Subsegment { ends, segment: 0, marker: 4 };
+    mesh.subsegments = vec![piece([2, 4]), piece([4, 3])];
+    mesh.steiner = vec![SteinerPoint { ends: [2, 3], t, segment: 0, exact: false }];
+    (plc, mesh)
+}
+
+#[test]
+fn steiner_points_are_judged_where_they_are_exactly() {
+    for (scale, t) in [(1.0, 0.3), (1.0, 0.5), (1e-300, 0.7), (1e300, 0.1)] {
+        let (plc, mesh) = split_edge(scale, t);
+        assert_eq!(check(&plc, &mesh), vec![], "scale {scale}");
+    }
+    let (plc, mesh) = split_edge(1.0, 0.3);
+    // Moved, but valid: the exact position is what conforms. Not if it was called exact.
+    let mut moved = mesh.clone();
+    moved.points[4][0] += 1e-9;
+    assert_eq!(check(&plc, &moved), vec![]);
+    moved.steiner[0].exact = true;
+    assert_eq!(check(&plc, &moved), vec![DefectKind::PointMoved]);
+    // The doubles are flat, the exact tetrahedra are not.
+    let mut flat = mesh.clone();
+    flat.points[4] = flat.points[2];
+    assert_eq!(check(&plc, &flat), vec![DefectKind::NotPositive]);
+    // On another edge.
+    let mut wrong = mesh.clone();
+    wrong.steiner[0].ends = [1, 3];
+    let found = check(&plc, &wrong);
+    assert!(found.contains(&DefectKind::SegmentMissing) && found.contains(&DefectKind::FacetMissing));
+    let mut lost = mesh.clone();
+    lost.points.push([0.0; 3]);
+    lost.steiner.push(SteinerPoint { ends: [0, 1], t: 0.5, segment: INVALID, exact: false });
+    assert_eq!(check(&plc, &lost), vec![DefectKind::PointMoved]);
+    let mut tiny = mesh;
+    tiny.steiner[0].t = 1e-30;
+    assert_eq!(check(&plc, &tiny), vec![DefectKind::IndexOutOfRange]);
+}
+
+#[test]
+fn coordinates_out_of_the_exact_range() {
+    let (mut plc, mut mesh) = two();
+    for points in [&mut plc.points, &mut mesh.points] {
+        points[0][0] = -1e-300;
+    }
+    assert_eq!(check_mesh(&plc, &mesh, true, 9).unwrap_err().status, Status::CoordinateRange);
+}

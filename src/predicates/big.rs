@@ -1,0 +1,108 @@
+//! Big integers, for the signs that leave the exponent range of doubles.
+//!
+//! Only for Steiner points whose coordinates have bits below the exact range (see `range`): their exact determinants
+//! would underflow as expansions. Slow and simple on purpose: schoolbook arithmetic on 32-bit digits, lowest first,
+//! no leading zero digit, zero has no digits and is not negative.
+
+use super::{expansion::Expansion, range, Sign};
+use std::cmp::Ordering;
+
+/// The unit is `2^-UNIT`: below the lowest bit of any point (bits of the exact range, and of t from 2^-60 in 53 bits).
+const UNIT: i32 = -range::LOWEST_EXPONENT + 60 + 53;
+
+#[derive(Clone, Debug)]
+pub(crate) struct Big {
+    negative: bool,
+    digits: Vec<u32>,
+}
+
+fn compare(a: &[u32], b: &[u32]) -> Ordering {
+    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
+}
+
+fn add(a: &[u32], b: &[u32]) -> Vec<u32> {
+    let (long, short) = if a.len() >= b.len() { (a, b) } else { (b, a) };
+    let mut out = Vec::with_capacity(long.len() + 1);
+    let mut carry = 0u64;
+    for (i, &digit) in long.iter().enumerate() {
+        let s = u64::from(digit) + u64::from(short.get(i).copied().unwrap_or(0)) + carry;
+        out.push(s as u32);
+        carry = s >> 32;
+    }
+    if carry != 0 {
+        out.push(carry as u32);
+    }
+    out
+}
+
+/// `a − b` where `a >= b`.
+fn subtract(a: &[u32], b: &[u32]) -> Vec<u32> {
+    let mut out = Vec::with_capacity(a.len());
+    let mut borrow = 0i64;
+    for (i, &digit) in a.iter().enumerate() {
+        let s = i64::from(digit) - i64::from(b.get(i).copied().unwrap_or(0)) + borrow;
+        out.push(s as u32);
+        borrow = s >> 32;
+    }
+    trim(out)
+}
+
+fn trim(mut digits: Vec<u32>) -> Vec<u32> {
+    while digits.last() == Some(&0) {
+        digits.pop();
+    }
+    digits
+}
+
+impl Big {
+    /// The value of an expansion, in units.
+    pub(crate) fn of(value: &Expansion) -> Big {
+        let zero = Big { negative: false, digits: Vec::new() };
+        value.components().iter().fold(zero, |sum, &x| sum.combine(&Big::of_double(x), false))
+    }
+
+    fn of_double(x: f64) -> Big {
+        let (mantissa, exponent) = range::decompose(x);
+        let shift = (exponent + UNIT).max(0) as usize;
+        let mut digits = vec![0u32; shift / 32];
+        let wide = u128::from(mantissa) << (shift % 32);
+        digits.extend([wide as u32, (wide >> 32) as u32, (wide >> 64) as u32]);
+        Big { negative: x < 0.0, digits: trim(digits) }
+    }
+
+    pub(crate) fn combine(&self, other: &Big, negate: bool) -> Big {
+        let other_negative = other.negative != negate;
+        if self.negative == other_negative {
+            return Big { negative: self.negative, digits: add(&self.digits, &other.digits) };
+        }
+        match compare(&self.digits, &other.digits) {
+            Ordering::Equal => Big { negative: false, digits: Vec::new() },
+            Ordering::Greater => {
+                Big { negative: self.negative, digits: subtract(&self.digits, &other.digits) }
+            }
+            Ordering::Less => Big { negative: other_negative, digits: subtract(&other.digits, &self.digits) },
+        }
+    }
+
+    pub(crate) fn product(&self, other: &Big) -> Big {
+        let mut digits = vec![0u32; self.digits.len() + other.digits.len()];
+        for (i, &a) in self.digits.iter().enumerate() {
+            let mut carry = 0u64;
+            for (j, &b) in other.digits.iter().enumerate() {
+                let s = u64::from(a) * u64::from(b) + u64::from(digits[i + j]) + carry;
+                digits[i + j] = s as u32;
+                carry = s >> 32;
+            }
+            digits[i + other.digits.len()] = carry as u32;
+        }
+        Big { negative: self.negative != other.negative, digits: trim(digits) }
+    }
+
+    pub(crate) fn sign(&self) -> Sign {
+        match (self.digits.is_empty(), self.negative) {
+            (true, _) => Sign::Zero,
+            (false, false) => Sign::Positive,
+            (false, true) => Sign::Negative,
+        }
+    }
+}

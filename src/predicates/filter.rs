@@ -1,0 +1,112 @@
+//! Determinants in plain doubles and bounds of their errors.
+//!
+//! Notation: u = 2^-53. A determinant evaluated as below is a sum of monomials, each of which passes through at most k
+//! roundings, so the error is at most `γ_k P`, `γ_k = k u / (1 − k u)`, P the sum of the monomials' sizes (Higham; the same count is in
+//! Shewchuk 1997, section 4.3). Counts: a difference of coordinates rounds once.
+//! * orient3d: 3 differences, product, subtraction, product, two sums: k = 8.
+//! * insphere: 5 differences, product, subtraction, product, two sums, square, two sums, product, two sums: k = 16.
+//! * 2D orientation: 2 differences, product, subtraction: k = 4. Dot product: 2, product, two sums: k = 5.
+//! * incircle in a plane: 4 differences, product, subtraction, square, two sums, product, two sums: k = 12.
+//!
+//! With X, Y, Z bounds of the differences per axis, L = X² + Y² + Z²: P is at most 6 XYZ, 24 XYZL, 2 UV, L, 6 UVL (Devillers &
+//! Pion 2003 call such a bound static or semi-static, after whether X, Y, Z come from the box or from the points at hand).
+//! No underflow can spoil these counts in the exact range: products are multiples of 2^-1070. The bounds themselves may underflow and
+//! get the smallest normal number added; their own rounding is covered by the factor `SLACK`.
+//!
+//! *Implicit points* enter by their nearest doubles. Where a difference is off by at most δx in x (the errors of both points), the exact
+//! determinant differs from the one of the nearest doubles by at most the sum over columns of (number of monomials) (δ of this
+//! column) (bounds of the other columns), X, Y, Z being enlarged by δ: replace the columns one after the other. The column of squares has
+//! δL = 2 (X δx + Y δy + Z δz).
+
+const U: f64 = f64::EPSILON / 2.0;
+const SLACK: f64 = 1.0 + 1.0 / 1_099_511_627_776.0;
+const TINY: f64 = f64::MIN_POSITIVE;
+
+/// `det(b − a, c − a, d − a)`, rounded; evaluated relative to `d`.
+#[inline(always)]
+pub(crate) fn orient3d_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> f64 {
+    let [ax, ay, az] = [a[0] - d[0], a[1] - d[1], a[2] - d[2]];
+    let [bx, by, bz] = [b[0] - d[0], b[1] - d[1], b[2] - d[2]];
+    let [cx, cy, cz] = [c[0] - d[0], c[1] - d[1], c[2] - d[2]];
+    // −det(a − d, b − d, c − d)
+    az * (cx * by - bx * cy) + bz * (ax * cy - cx * ay) + cz * (bx * ay - ax * by)
+}
+
+/// The insphere determinant relative to `e`, rounded: positive inside for a positive tetrahedron.
+#[inline(always)]
+pub(crate) fn insphere_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> f64 {
+    let [ax, ay, az] = [a[0] - e[0], a[1] - e[1], a[2] - e[2]];
+    let [bx, by, bz] = [b[0] - e[0], b[1] - e[1], b[2] - e[2]];
+    let [cx, cy, cz] = [c[0] - e[0], c[1] - e[1], c[2] - e[2]];
+    let [dx, dy, dz] = [d[0] - e[0], d[1] - e[1], d[2] - e[2]];
+    let ab = ax * by - bx * ay;
+    let bc = bx * cy - cx * by;
+    let cd = cx * dy - dx * cy;
+    let da = dx * ay - ax * dy;
+    let ac = ax * cy - cx * ay;
+    let bd = bx * dy - dx * by;
+    let abc = az * bc - bz * ac + cz * ab;
+    let bcd = bz * cd - cz * bd + dz * bc;
+    let cda = cz * da + dz * ac + az * cd;
+    let dab = dz * ab + az * bd + bz * da;
+    let al = ax * ax + ay * ay + az * az;
+    let bl = bx * bx + by * by + bz * bz;
+    let cl = cx * cx + cy * cy + cz * cz;
+    let dl = dx * dx + dy * dy + dz * dz;
+    (cl * dab - dl * abc) + (al * bcd - bl * cda)
+}
+
+/// Bounds of coordinate differences: `size` of the exact ones per axis, `error` of those of the nearest doubles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spread {
+    pub(crate) size: [f64; 3],
+    pub(crate) error: [f64; 3],
+}
+
+impl Spread {
+    /// Whether all points agree exactly in some coordinate.
+    #[inline(always)]
+    pub(crate) fn flat(&self) -> bool {
+        self.size[0] == 0.0 || self.size[1] == 0.0 || self.size[2] == 0.0
+    }
+
+    #[inline(always)]
+    pub(crate) fn max(&self) -> f64 {
+        self.size[0].max(self.size[1]).max(self.size[2])
+    }
+
+    /// The bound of a squared distance and of its error.
+    fn lift(&self) -> (f64, f64) {
+        let ([x, y, z], [ex, ey, ez]) = (self.size, self.error);
+        (x * x + y * y + z * z, 2.0 * (x * ex + y * ey + z * ez))
+    }
+
+    pub(crate) fn orient3d_bound(&self) -> f64 {
+        let ([x, y, z], [ex, ey, ez]) = (self.size, self.error);
+        6.0 * (9.0 * U * (x * y * z) + ex * y * z + x * ey * z + x * y * ez) * SLACK + TINY
+    }
+
+    pub(crate) fn insphere_bound(&self) -> f64 {
+        let ([x, y, z], [ex, ey, ez]) = (self.size, self.error);
+        let (l, el) = self.lift();
+        let moved = (ex * y * z + x * ey * z + x * y * ez) * l + x * y * z * el;
+        24.0 * (17.0 * U * (x * y * z * l) + moved) * SLACK + TINY
+    }
+
+    pub(crate) fn orient2d_bound(&self, u: usize, v: usize) -> f64 {
+        let (s, e) = (self.size, self.error);
+        2.0 * (5.0 * U * (s[u] * s[v]) + e[u] * s[v] + s[u] * e[v]) * SLACK + TINY
+    }
+
+    pub(crate) fn dot_bound(&self) -> f64 {
+        let (l, el) = self.lift();
+        (6.0 * U * l + el) * SLACK + TINY
+    }
+
+    pub(crate) fn incircle_bound(&self, u: usize, v: usize) -> f64 {
+        let (s, e) = (self.size, self.error);
+        let (l, el) = self.lift();
+        let moved = (e[u] * s[v] + s[u] * e[v]) * l + s[u] * s[v] * el;
+        6.0 * (13.0 * U * (s[u] * s[v] * l) + moved) * SLACK + TINY
+    }
+}

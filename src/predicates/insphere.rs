@@ -1,0 +1,92 @@
+//! The insphere sign by index, plain and perturbed.
+//!
+//! Perturbation: the lift of the vertex with the lowest id is lowered infinitesimally, that of the next one by infinitely
+//! less, and so on. The insphere determinant's derivative by a lift is the orientation of the other four points, so the first
+//! non-zero one in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting only).
+
+use super::{exact, filter, robust_insphere, Points, Sign};
+
+impl Points {
+    /// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`, zero if the five are
+    /// cospherical (or coplanar); odd under swaps of the first four.
+    #[inline(always)]
+    pub fn insphere(&self, a: u32, b: u32, c: u32, d: u32, e: u32) -> Sign {
+        let det = filter::insphere_det(self.xyz(a), self.xyz(b), self.xyz(c), self.xyz(d), self.xyz(e));
+        if det > self.insphere_bound {
+            Sign::Positive
+        } else if det < -self.insphere_bound {
+            Sign::Negative
+        } else {
+            self.insphere_close(det, [a, b, c, d, e])
+        }
+    }
+
+    /// The semi-static filter, then exact arithmetic.
+    #[cold]
+    #[inline(never)]
+    fn insphere_close(&self, det: f64, ids: [u32; 5]) -> Sign {
+        let spread = self.spread(ids);
+        if spread.flat() {
+            return Sign::Zero;
+        }
+        let fine = self.any_fine(&ids);
+        if !fine && det.abs() > spread.insphere_bound() {
+            return Sign::of(det);
+        }
+        if !self.any_implicit(&ids) {
+            // Differences are integers up to 2^9 in units of the grid: at most 72 monomials below 2^45, nothing rounds.
+            if spread.max() <= self.grid() * 512.0 {
+                return Sign::of(det);
+            }
+            let [a, b, c, d, e] = ids.map(|i| self.xyz(i));
+            return robust_insphere(a, b, c, d, e);
+        }
+        if fine {
+            return exact::insphere(&self.big(ids));
+        }
+        exact::insphere(&self.expansions(ids))
+    }
+
+    /// [`insphere`](Points::insphere), with ties broken by the perturbation: never zero for five distinct points that
+    /// are not all coplanar.
+    #[inline(always)]
+    pub fn insphere_perturbed(&self, a: u32, b: u32, c: u32, d: u32, e: u32) -> Sign {
+        match self.insphere(a, b, c, d, e) {
+            Sign::Zero => self.insphere_tie([a, b, c, d, e]),
+            sign => sign,
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn insphere_tie(&self, mut ids: [u32; 5]) -> Sign {
+        let mut odd = sort_parity(&mut ids);
+        for skipped in 0..5 {
+            let mut rest = [0; 4];
+            let others = (0..5).filter(|&i| i != skipped);
+            for (to, from) in rest.iter_mut().zip(others) {
+                *to = ids[from];
+            }
+            let sign = self.orient3d(rest[0], rest[1], rest[2], rest[3]);
+            if sign != Sign::Zero {
+                return if odd { -sign } else { sign };
+            }
+            odd = !odd;
+        }
+        Sign::Zero
+    }
+}
+
+/// Sorts, and tells whether the permutation was odd.
+fn sort_parity<const N: usize>(ids: &mut [u32; N]) -> bool {
+    let mut odd = false;
+    for end in (1..N).rev() {
+        for i in 0..end {
+            if ids[i] > ids[i + 1] {
+                ids.swap(i, i + 1);
+                odd = !odd;
+            }
+        }
+    }
+    odd
+}

@@ -1,0 +1,127 @@
+//! Orientation in space, and signs of low degree: order, dot product, collinearity.
+
+use super::{exact, filter, robust_orient3d, Expansion, Points, Sign};
+use crate::predicates::big::Big;
+use std::cmp::Ordering;
+
+impl Points {
+    /// Exact coordinates of several points as big integers.
+    pub(super) fn big<const N: usize>(&self, ids: [u32; N]) -> [[Big; 3]; N] {
+        ids.map(|i| self.exact_coordinates(i).map(|e| Big::of(&e)))
+    }
+
+    /// Exact coordinates of several points as expansions.
+    pub(super) fn expansions<const N: usize>(&self, ids: [u32; N]) -> [[Expansion; 3]; N] {
+        ids.map(|i| self.exact_coordinates(i))
+    }
+
+    /// Sign of `det(b − a, c − a, d − a)`: positive when the tetrahedron `(a, b, c, d)` is.
+    #[inline(always)]
+    pub fn orient3d(&self, a: u32, b: u32, c: u32, d: u32) -> Sign {
+        let det = filter::orient3d_det(self.xyz(a), self.xyz(b), self.xyz(c), self.xyz(d));
+        if det > self.orient3d_bound {
+            Sign::Positive
+        } else if det < -self.orient3d_bound {
+            Sign::Negative
+        } else {
+            self.orient3d_close(det, [a, b, c, d])
+        }
+    }
+
+    /// The semi-static filter, then exact arithmetic.
+    #[cold]
+    #[inline(never)]
+    fn orient3d_close(&self, det: f64, ids: [u32; 4]) -> Sign {
+        let spread = self.spread(ids);
+        if spread.flat() {
+            return Sign::Zero;
+        }
+        let fine = self.any_fine(&ids);
+        if !fine && det.abs() > spread.orient3d_bound() {
+            return Sign::of(det);
+        }
+        if !self.any_implicit(&ids) {
+            // Differences are integers below 2^16 in units of the grid: no operation of the determinant rounds.
+            if spread.max() <= self.grid() * 65536.0 {
+                return Sign::of(det);
+            }
+            let [a, b, c, d] = ids.map(|i| self.xyz(i));
+            return robust_orient3d(a, b, c, d);
+        }
+        if fine {
+            return exact::orient3d(&self.big(ids));
+        }
+        exact::orient3d(&self.expansions(ids))
+    }
+
+    /// Sign of `(b − a)·(c − a)`.
+    pub fn dot_sign(&self, a: u32, b: u32, c: u32) -> Sign {
+        let ids = [b, c, a];
+        let (pa, pb, pc) = (self.xyz(a), self.xyz(b), self.xyz(c));
+        let dot: f64 = (0..3).map(|i| (pb[i] - pa[i]) * (pc[i] - pa[i])).sum();
+        if self.any_fine(&ids) {
+            return exact::dot_sign(&self.big([a, b, c]));
+        }
+        if dot.abs() > self.spread(ids).dot_bound() {
+            return Sign::of(dot);
+        }
+        exact::dot_sign(&self.expansions([a, b, c]))
+    }
+
+    /// Whether three points lie on one line.
+    pub fn collinear(&self, a: u32, b: u32, c: u32) -> bool {
+        (0..3).all(|axis| self.orient_in_plane(axis, a, b, c) == Sign::Zero)
+    }
+
+    /// Lexicographic order of the exact coordinates.
+    pub fn compare_lex(&self, a: u32, b: u32) -> Ordering {
+        // Rounding to nearest is monotone: different doubles decide.
+        if !self.any_implicit(&[a, b]) {
+            let (p, q) = (self.xyz(a), self.xyz(b));
+            return (0..3).map(|i| compare(p[i], q[i])).find(|o| o.is_ne()).unwrap_or(Ordering::Equal);
+        }
+        let (p, q) = (self.exact_coordinates(a), self.exact_coordinates(b));
+        for axis in 0..3 {
+            let mut order = compare(self.xyz(a)[axis], self.xyz(b)[axis]);
+            if order.is_eq() {
+                // Sums of expansions only need the range of doubles itself, also for points with fine bits.
+                order = match p[axis].difference(&q[axis]).sign() {
+                    Sign::Negative => Ordering::Less,
+                    Sign::Zero => Ordering::Equal,
+                    Sign::Positive => Ordering::Greater,
+                };
+            }
+            if order.is_ne() {
+                return order;
+            }
+        }
+        Ordering::Equal
+    }
+
+    /// Whether two points are equal in exact coordinates.
+    pub fn same_position(&self, a: u32, b: u32) -> bool {
+        a == b || (self.xyz(a) == self.xyz(b) && self.compare_lex(a, b).is_eq())
+    }
+}
+
+/// Order of two finite doubles, zeros of both signs being equal.
+fn compare(x: f64, y: f64) -> Ordering {
+    debug_assert!(x.is_finite() && y.is_finite());
+    x.partial_cmp(&y).unwrap_or(Ordering::Equal)
+}
+
+/// Sign of `(b − a)·(c − a)` for explicit points in the exact range.
+pub fn dot_sign(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
+    let mut dot = 0.0;
+    let mut sum = 0.0;
+    for i in 0..3 {
+        let product = (b[i] - a[i]) * (c[i] - a[i]);
+        dot += product;
+        sum += product.abs();
+    }
+    // 5 roundings (see `filter`) and the rounding of the bound.
+    if dot.abs() > 3.5 * f64::EPSILON * sum + f64::MIN_POSITIVE {
+        return Sign::of(dot);
+    }
+    exact::dot_sign(&[a, b, c].map(|p| p.map(Expansion::from)))
+}

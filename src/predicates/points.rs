@@ -1,0 +1,318 @@
+//! The point store: explicit points, and Steiner points `a + t (b − a)` on segments that are no doubles.
+//!
+//! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit points;
+//! the static bounds hold for all differences between stored points; the ends of an implicit point are explicit.
+//! Source: engine notes on implicit points (after Diazzi, Panozzo, Vaxman & Attene 2023), with polynomial parameters:
+//! all coordinates have denominator one, so that expansions carry them exactly.
+
+use super::expansion::Expansion;
+use super::filter::Spread;
+use super::range::{self, in_range};
+use crate::error::Error;
+
+/// An implicit point.
+#[derive(Clone, Debug)]
+struct Implicit {
+    a: u32,
+    b: u32,
+    t: f64,
+    /// Bounds of `|exact − nearest double|` per coordinate; zero where the coordinate is a double.
+    error: [f64; 3],
+    /// Whether a coordinate has bits below the exact range: no expansions then.
+    fine: bool,
+}
+
+/// All points of a triangulation, with exact predicates on them by index.
+#[derive(Clone, Debug)]
+pub struct Points {
+    xyz: Vec<[f64; 3]>,
+    /// The first implicit point; `u32::MAX` if there is none.
+    first_implicit: u32,
+    /// For points from `first_implicit` on: index into `implicit`, or `u32::MAX` for explicit ones.
+    slots: Vec<u32>,
+    implicit: Vec<Implicit>,
+    min: [f64; 3],
+    max: [f64; 3],
+    /// The power of two that divides all explicit coordinates.
+    grid: f64,
+    pub(super) orient3d_bound: f64,
+    pub(super) insphere_bound: f64,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl Points {
+    /// Takes explicit points. All must be finite and in the exact range (see [`range_scale`](super::range_scale)).
+    pub fn new(xyz: Vec<[f64; 3]>) -> Points {
+        debug_assert!(xyz.iter().flatten().all(|&x| in_range(x)));
+        let mut points = Points {
+            xyz: Vec::new(),
+            first_implicit: NONE,
+            slots: Vec::new(),
+            implicit: Vec::new(),
+            min: [f64::INFINITY; 3],
+            max: [f64::NEG_INFINITY; 3],
+            grid: f64::MAX,
+            orient3d_bound: f64::INFINITY,
+            insphere_bound: f64::INFINITY,
+        };
+        let mut lowest = i32::MAX;
+        for p in &xyz {
+            for (axis, &x) in p.iter().enumerate() {
+                points.min[axis] = points.min[axis].min(x);
+                points.max[axis] = points.max[axis].max(x);
+                lowest = lowest.min(range::lowest_exponent(x).unwrap_or(i32::MAX));
+            }
+        }
+        points.grid = range::scale(1.0, lowest.min(1000));
+        points.xyz = xyz;
+        points.update_bounds();
+        points
+    }
+
+    /// Recomputes the static bounds from the box.
+    fn update_bounds(&mut self) {
+        if self.xyz.is_empty() {
+            return;
+        }
+        let mut spread = Spread { size: [0.0; 3], error: [0.0; 3] };
+        for axis in 0..3 {
+            if !self.implicit.is_empty() {
+                // Two points, each off by half an ulp at most.
+                spread.error[axis] = f64::EPSILON * self.min[axis].abs().max(self.max[axis].abs());
+            }
+            spread.size[axis] = self.max[axis] - self.min[axis] + spread.error[axis];
+        }
+        self.orient3d_bound = spread.orient3d_bound();
+        self.insphere_bound = spread.insphere_bound();
+    }
+
+    /// The number of points.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.xyz.len()
+    }
+
+    /// Whether there is no point.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.xyz.is_empty()
+    }
+
+    /// The coordinates of point `i`: exact if it is explicit, the nearest doubles otherwise.
+    #[inline(always)]
+    pub fn xyz(&self, i: u32) -> &[f64; 3] {
+        &self.xyz[i as usize]
+    }
+
+    /// All points as by [`xyz`](Points::xyz).
+    #[inline]
+    pub fn coordinates(&self) -> &[[f64; 3]] {
+        &self.xyz
+    }
+
+    #[inline(always)]
+    fn implicit(&self, i: u32) -> Option<&Implicit> {
+        if i < self.first_implicit {
+            return None;
+        }
+        let slot = *self.slots.get((i - self.first_implicit) as usize)?;
+        self.implicit.get(slot as usize)
+    }
+
+    /// Whether [`xyz`](Points::xyz) is exact.
+    #[inline]
+    pub fn is_explicit(&self, i: u32) -> bool {
+        self.implicit(i).is_none()
+    }
+
+    /// `(a, b, t)` of an implicit point `a + t (b − a)`; `None` for an explicit one.
+    pub fn implicit_parameters(&self, i: u32) -> Option<(u32, u32, f64)> {
+        self.implicit(i).map(|p| (p.a, p.b, p.t))
+    }
+
+    /// Appends an explicit point.
+    ///
+    /// # Errors
+    /// `Internal` if a coordinate is not finite or outside the exact range, `OutOfMemory`, `TooLarge`.
+    pub fn push(&mut self, p: [f64; 3]) -> Result<u32, Error> {
+        if !p.iter().all(|&x| in_range(x)) {
+            return Err(Error::internal("a Steiner point is outside the exact range of coordinates"));
+        }
+        let id = self.append(p, None)?;
+        let lowest = p.iter().filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(1000);
+        self.grid = self.grid.min(range::scale(1.0, lowest));
+        if (0..3).any(|i| p[i] < self.min[i] || p[i] > self.max[i]) {
+            for (i, &x) in p.iter().enumerate() {
+                self.min[i] = self.min[i].min(x);
+                self.max[i] = self.max[i].max(x);
+            }
+            self.update_bounds();
+        }
+        Ok(id)
+    }
+
+    fn append(&mut self, p: [f64; 3], implicit: Option<Implicit>) -> Result<u32, Error> {
+        let id = self.xyz.len();
+        if id >= NONE as usize {
+            return Err(Error::new(
+                crate::error::Status::TooLarge,
+                "more points than 32-bit indices can address",
+            ));
+        }
+        self.xyz.try_reserve(1)?;
+        self.slots.try_reserve(1)?;
+        self.implicit.try_reserve(1)?;
+        self.xyz.push(p);
+        if let Some(implicit) = implicit {
+            if self.first_implicit == NONE {
+                self.first_implicit = id as u32;
+            }
+            self.slots.push(self.implicit.len() as u32);
+            self.implicit.push(implicit);
+            if self.implicit.len() == 1 {
+                self.update_bounds();
+            }
+        } else if self.first_implicit != NONE {
+            self.slots.push(NONE);
+        }
+        Ok(id as u32)
+    }
+
+    /// Appends the point `a + t (b − a)`: explicit if every coordinate is exactly a double, implicit otherwise.
+    ///
+    /// # Errors
+    /// `Internal` unless `a` and `b` are explicit and `2^-60 <= t < 1`; `OutOfMemory`, `TooLarge`.
+    pub fn push_on_segment(&mut self, a: u32, b: u32, t: f64) -> Result<u32, Error> {
+        let known = |i: u32| (i as usize) < self.xyz.len() && self.is_explicit(i);
+        if !known(a) || !known(b) || !(range::scale(1.0, -60)..1.0).contains(&t) {
+            return Err(Error::internal(format!("invalid Steiner point: {a}, {b}, {t}")));
+        }
+        let exact = on_segment(self.xyz(a), self.xyz(b), t);
+        let lowest = exact.iter().filter_map(|e| range::lowest_exponent(*e.components().first()?)).min();
+        let fine = lowest.is_some_and(|e| e < range::LOWEST_EXPONENT);
+        if !fine && exact.iter().all(|e| e.components().len() <= 1) {
+            return self.push([0, 1, 2].map(|i| exact[i].nearest()));
+        }
+        let p = [0, 1, 2].map(|i| exact[i].nearest());
+        // The difference is within an ulp of its largest component; twice that is a safe and still tiny bound.
+        let error = [0, 1, 2].map(|i| {
+            let rest = exact[i].difference(&Expansion::from(p[i])).compressed();
+            rest.components().last().map_or(0.0, |x| x.abs() * (1.0 + 4.0 * f64::EPSILON))
+        });
+        self.append(p, Some(Implicit { a, b, t, error, fine }))
+    }
+
+    /// The largest `n <= 52` such that `a + t (b − a)` is exactly a double for every `t = k / 2^n`; 0 if there is none.
+    /// Both ends must be explicit (0 otherwise).
+    pub fn exact_bits(&self, a: u32, b: u32) -> u32 {
+        if !self.is_explicit(a) || !self.is_explicit(b) {
+            return 0;
+        }
+        let (a, b) = (self.xyz(a), self.xyz(b));
+        (0..3).map(|i| exact_bits_1d(a[i], b[i])).min().unwrap_or(0)
+    }
+
+    /// The exact coordinates as expansions (components smallest first, their sum is the coordinate).
+    pub fn exact_coordinates(&self, i: u32) -> [Expansion; 3] {
+        match self.implicit(i) {
+            None => self.xyz(i).map(Expansion::from),
+            Some(p) => on_segment(self.xyz(p.a), self.xyz(p.b), p.t),
+        }
+    }
+
+    /// Whether a point among these is implicit.
+    #[inline(always)]
+    pub(super) fn any_implicit(&self, ids: &[u32]) -> bool {
+        self.first_implicit != NONE && ids.iter().any(|&i| !self.is_explicit(i))
+    }
+
+    /// Whether a point among these needs big integers.
+    pub(super) fn any_fine(&self, ids: &[u32]) -> bool {
+        ids.iter().any(|&i| self.implicit(i).is_some_and(|p| p.fine))
+    }
+
+    /// The power of two that divides all explicit coordinates.
+    #[inline(always)]
+    pub(super) fn grid(&self) -> f64 {
+        self.grid
+    }
+
+    /// Bounds of the differences to the last of these points.
+    #[inline(always)]
+    pub(super) fn spread<const N: usize>(&self, ids: [u32; N]) -> Spread {
+        let last = self.xyz(ids[N - 1]);
+        let mut size = [0.0f64; 3];
+        for &i in &ids[..N - 1] {
+            let p = self.xyz(i);
+            for axis in 0..3 {
+                size[axis] = size[axis].max((p[axis] - last[axis]).abs());
+            }
+        }
+        let mut error = [0.0f64; 3];
+        if self.any_implicit(&ids) {
+            let of = |i: u32| self.implicit(i).map_or([0.0; 3], |p| p.error);
+            for &i in &ids[..N - 1] {
+                let e = of(i);
+                for axis in 0..3 {
+                    error[axis] = error[axis].max(e[axis]);
+                }
+            }
+            let e = of(ids[N - 1]);
+            for axis in 0..3 {
+                error[axis] += e[axis];
+                size[axis] += error[axis];
+            }
+        }
+        Spread { size, error }
+    }
+
+    /// Forgets all points but the first `n`. (The static bounds stay as they are: they only could be tighter.)
+    pub fn truncate(&mut self, n: usize) {
+        self.xyz.truncate(n);
+        if self.first_implicit == NONE {
+            return;
+        }
+        self.slots.truncate(n.saturating_sub(self.first_implicit as usize));
+        let kept = self.slots.iter().filter(|&&slot| slot != NONE).count();
+        self.implicit.truncate(kept);
+        if kept == 0 {
+            self.first_implicit = NONE;
+            self.slots.clear();
+            self.update_bounds();
+        }
+    }
+}
+
+/// The exact `a + t (b − a)`.
+fn on_segment(a: &[f64; 3], b: &[f64; 3], t: f64) -> [Expansion; 3] {
+    [0, 1, 2].map(|i| Expansion::of_difference(b[i], a[i]).scale(t).sum(&Expansion::from(a[i])).compressed())
+}
+
+/// [`Points::exact_bits`] for one coordinate.
+///
+/// Let d = b − a and g = 2^(low(d) − n), low the exponent of the lowest set bit. Even k belong to smaller n. For odd k and
+/// low(d) − n < low(a) the lowest bit of v = a + k d / 2^n is g exactly, so v is a double if and only if |v| <= 2^53 g; |v| is
+/// largest at k = 1 or k = 2^n − 1. Otherwise all v are multiples of 2^min(low(a), low(b)) no larger than the ends, and so
+/// doubles. Hence: doubles for all k up to n if the two outermost points of every level up to n are. |a|, |b| <= 2^53 g suffices, from there
+/// on level by level.
+fn exact_bits_1d(a: f64, b: f64) -> u32 {
+    const MOST: u32 = 52;
+    let d = Expansion::of_difference(b, a);
+    let Some(low) = d.components().first().and_then(|&x| range::lowest_exponent(x)) else {
+        return MOST;
+    };
+    let high = range::highest_exponent(a).max(range::highest_exponent(b)).unwrap_or(low);
+    // |a|, |b| < 2^(high + 1) <= 2^53 g.
+    let mut n = (low + 52 - high).clamp(0, MOST as i32) as u32;
+    let is_double =
+        |from: f64, step: f64| d.scale(step).sum(&Expansion::from(from)).compressed().components().len() <= 1;
+    while n < MOST {
+        let step = range::scale(1.0, -(n as i32) - 1);
+        if !is_double(a, step) || !is_double(b, -step) {
+            break;
+        }
+        n += 1;
+    }
+    n
+}

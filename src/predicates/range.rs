@@ -1,0 +1,90 @@
+//! The range of coordinates in which all signs are exact, and scaling by powers of two into it.
+//!
+//! Coordinates are multiples of `2^-214`, at most `2^200` in size. The insphere determinant has degree 5, so every product
+//! and every rounding error in it is a multiple of `2^-1070`: above the smallest double, `2^-1074`, nothing underflows.
+//! Differences are at most `2^201`, the determinant's sums below `2^1015`: nothing overflows, and no factor of a product that is
+//! split (degree at most 4, below `2^815`) comes near `2^996` where splitting would. A Steiner point `a + t (b − a)` lies in
+//! the same box, but may have bits below `2^-214`: the store marks these and evaluates their signs in big integers.
+
+/// All coordinates in range are multiples of two to this.
+pub(crate) const LOWEST_EXPONENT: i32 = -214;
+/// No coordinate in range is larger than two to this.
+pub(crate) const HIGHEST_EXPONENT: i32 = 200;
+/// Where scaling brings the largest coordinate.
+const TARGET_EXPONENT: i32 = 195;
+
+/// `|x| = mantissa 2^exponent`, the mantissa odd or zero; x finite.
+pub(crate) fn decompose(x: f64) -> (u64, i32) {
+    let bits = x.to_bits();
+    let biased = ((bits >> 52) & 0x7ff) as i32;
+    let fraction = bits & ((1 << 52) - 1);
+    let (mantissa, exponent) =
+        if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
+    if mantissa == 0 {
+        return (0, 0);
+    }
+    let zeros = mantissa.trailing_zeros();
+    (mantissa >> zeros, exponent + zeros as i32)
+}
+
+/// Exponent of the lowest set bit; `None` for zero.
+pub(crate) fn lowest_exponent(x: f64) -> Option<i32> {
+    let (mantissa, exponent) = decompose(x);
+    (mantissa != 0).then_some(exponent)
+}
+
+/// Exponent of the highest set bit; `None` for zero.
+pub(crate) fn highest_exponent(x: f64) -> Option<i32> {
+    let (mantissa, exponent) = decompose(x);
+    (mantissa != 0).then(|| exponent + 63 - mantissa.leading_zeros() as i32)
+}
+
+/// Whether a coordinate is in the exact range.
+pub fn in_range(x: f64) -> bool {
+    x.is_finite()
+        && x.abs() <= scale(1.0, HIGHEST_EXPONENT)
+        && lowest_exponent(x).is_none_or(|e| e >= LOWEST_EXPONENT)
+}
+
+/// The power of two `k` such that all points times `2^k` are in the exact range; 0 if they are already.
+///
+/// # Errors
+/// The index of the first point that has a coordinate which is not finite, or is too small beside the largest one.
+pub fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
+    let mut highest = i32::MIN;
+    let mut inside = true;
+    for (i, p) in points.iter().enumerate() {
+        for &x in p {
+            if !x.is_finite() {
+                return Err(i);
+            }
+            highest = highest.max(highest_exponent(x).unwrap_or(i32::MIN));
+            inside &= in_range(x);
+        }
+    }
+    if inside {
+        return Ok(0);
+    }
+    let k = TARGET_EXPONENT - highest;
+    let fits = |x: f64| lowest_exponent(x).is_none_or(|e| e + k >= LOWEST_EXPONENT);
+    match points.iter().position(|p| !p.iter().all(|&x| fits(x))) {
+        Some(i) => Err(i),
+        None => Ok(k),
+    }
+}
+
+/// `x 2^k`, rounded once; exact where the result is a double, subnormal ones included.
+pub fn scale(x: f64, k: i32) -> f64 {
+    let power = |k: i32| f64::from_bits(((k + 1023) as u64) << 52);
+    // Steps down leave 53 bits of room, so that only the last one can round.
+    let (mut x, mut k) = (x, k.clamp(-3000, 3000));
+    while k > 1023 {
+        x *= power(1023);
+        k -= 1023;
+    }
+    while k < -1022 {
+        x *= power(-969);
+        k += 969;
+    }
+    x * power(k)
+}

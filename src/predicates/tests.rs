@@ -1,0 +1,524 @@
+//! All signs against big integers: grids, cospherical and nearly degenerate sets, Steiner points, the ends of the range.
+
+use super::*;
+use num_bigint::BigInt;
+use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
+
+/// Coordinates are exact integers in units of 2^-UNIT.
+const UNIT: i32 = 340;
+
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
+    }
+    fn below(&mut self, n: u64) -> u64 {
+        (self.next() >> 11) % n
+    }
+    fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 * f64::EPSILON / 2.0
+    }
+    fn point(&mut self) -> [f64; 3] {
+        [self.unit(), self.unit(), self.unit()]
+    }
+    fn grid(&mut self, n: u64) -> [f64; 3] {
+        [self.below(n) as f64, self.below(n) as f64, self.below(n) as f64]
+    }
+    /// As in text files: six decimals.
+    fn decimal(&mut self) -> f64 {
+        format!("0.{:06}", self.below(1_000_000)).parse().expect("a number")
+    }
+    fn decimals(&mut self) -> [f64; 3] {
+        [self.decimal(), self.decimal(), self.decimal()]
+    }
+    fn nudge(&mut self, x: f64) -> f64 {
+        f64::from_bits(x.to_bits().wrapping_add(self.below(5)).wrapping_sub(2))
+    }
+    fn distinct<const N: usize>(&mut self, n: usize) -> [u32; N] {
+        let mut ids = [0; N];
+        for i in 0..N {
+            ids[i] = loop {
+                let id = self.below(n as u64) as u32;
+                if !ids[..i].contains(&id) {
+                    break id;
+                }
+            };
+        }
+        ids
+    }
+}
+
+fn integer(x: f64) -> BigInt {
+    let (mantissa, exponent) = range::decompose(x);
+    let value = BigInt::from(mantissa) << (exponent + UNIT);
+    if x < 0.0 {
+        -value
+    } else {
+        value
+    }
+}
+
+type Exact = [BigInt; 3];
+
+fn of_point(points: &Points, i: u32) -> Exact {
+    match points.implicit_parameters(i) {
+        None => points.xyz(i).map(integer),
+        Some((a, b, t)) => {
+            let (a, b) = (of_point(points, a), of_point(points, b));
+            let (mantissa, exponent) = range::decompose(t);
+            [0, 1, 2].map(|k| {
+                let scaled = (&b[k] - &a[k]) * BigInt::from(mantissa);
+                let shifted: BigInt = &scaled >> -exponent;
+                assert_eq!(&shifted << -exponent, scaled, "the unit is too coarse for the test");
+                &a[k] + shifted
+            })
+        }
+    }
+}
+
+fn sub(a: &Exact, b: &Exact) -> Exact {
+    [&a[0] - &b[0], &a[1] - &b[1], &a[2] - &b[2]]
+}
+fn dot(a: &Exact, b: &Exact) -> BigInt {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+fn det3(a: &Exact, b: &Exact, c: &Exact) -> BigInt {
+    &a[0] * (&b[1] * &c[2] - &b[2] * &c[1]) - &a[1] * (&b[0] * &c[2] - &b[2] * &c[0])
+        + &a[2] * (&b[0] * &c[1] - &b[1] * &c[0])
+}
+fn sign(x: &BigInt) -> Sign {
+    if x.is_zero() {
+        Sign::Zero
+    } else if x.is_positive() {
+        Sign::Positive
+    } else {
+        Sign::Negative
+    }
+}
+
+fn exact_orient3d(p: &[Exact; 4]) -> Sign {
+    sign(&det3(&sub(&p[1], &p[0]), &sub(&p[2], &p[0]), &sub(&p[3], &p[0])))
+}
+
+fn exact_insphere(p: &[Exact; 5]) -> Sign {
+    // The circumcentre's equations by Cramer's rule, relative to a: with D = det(b, c, d) and N = 2 D centre, the power of e is
+    // |e|² − 2 centre·e = (D |e|² − N·e) / D; inside when it is negative.
+    let [b, c, d, e] = [1, 2, 3, 4].map(|i| sub(&p[i], &p[0]));
+    let (bb, cc, dd) = (dot(&b, &b), dot(&c, &c), dot(&d, &d));
+    let cross = |u: &Exact, v: &Exact| {
+        [&u[1] * &v[2] - &u[2] * &v[1], &u[2] * &v[0] - &u[0] * &v[2], &u[0] * &v[1] - &u[1] * &v[0]]
+    };
+    let (cd, db, bc) = (cross(&c, &d), cross(&d, &b), cross(&b, &c));
+    let n = [0, 1, 2].map(|i| &bb * &cd[i] + &cc * &db[i] + &dd * &bc[i]);
+    -sign(&(det3(&b, &c, &d) * dot(&e, &e) - dot(&n, &e)))
+}
+
+fn exact_orient2d(p: &[Exact; 3], axis: usize) -> Sign {
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (b, c) = (sub(&p[1], &p[0]), sub(&p[2], &p[0]));
+    sign(&(&b[u] * &c[v] - &b[v] * &c[u]))
+}
+
+fn exact_incircle(p: &[Exact; 4], axis: usize) -> Sign {
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let row = |i: usize| {
+        let r = sub(&p[i], &p[3]);
+        [r[u].clone(), r[v].clone(), dot(&r, &r)]
+    };
+    sign(&det3(&row(0), &row(1), &row(2)))
+}
+
+/// All predicates on `count` random tuples of the points; returns how many signs of orient3d and insphere were zero.
+fn compare_all(points: &Points, count: usize, random: &mut Random) -> [usize; 2] {
+    let exact: Vec<Exact> = (0..points.len() as u32).map(|i| of_point(points, i)).collect();
+    let mut zeros = [0, 0];
+    for round in 0..count {
+        let ids = random.distinct::<5>(points.len());
+        let [a, b, c, d, e] = ids;
+        let p = ids.map(|i| exact[i as usize].clone());
+        let [pa, pb, pc, pd, _] = &p;
+        let four = [pa.clone(), pb.clone(), pc.clone(), pd.clone()];
+        let three = [pa.clone(), pb.clone(), pc.clone()];
+        let orient = exact_orient3d(&four);
+        let inside = exact_insphere(&p);
+        zeros[0] += usize::from(orient == Sign::Zero);
+        zeros[1] += usize::from(inside == Sign::Zero);
+        assert_eq!(points.orient3d(a, b, c, d), orient, "orient3d {ids:?} {:?}", ids.map(|i| points.xyz(i)));
+        assert_eq!(
+            points.insphere(a, b, c, d, e),
+            inside,
+            "insphere {ids:?} {:?}",
+            ids.map(|i| points.xyz(i))
+        );
+        let axis = round % 3;
+        assert_eq!(points.orient_in_plane(axis, a, b, c), exact_orient2d(&three, axis));
+        let dots = sign(&dot(&sub(pb, pa), &sub(pc, pa)));
+        assert_eq!(points.dot_sign(a, b, c), dots);
+        let order = pa.cmp(pb);
+        assert_eq!(points.compare_lex(a, b), order);
+        assert_eq!(points.same_position(a, b), order == Ordering::Equal);
+        assert_eq!(points.collinear(a, b, c), (0..3).all(|k| exact_orient2d(&three, k) == Sign::Zero));
+        if orient == Sign::Zero {
+            let circle = exact_incircle(&four, axis);
+            if circle != Sign::Zero {
+                assert_eq!(points.incircle_in_plane(axis, a, b, c, d), circle);
+            }
+        }
+        if ids.iter().all(|&i| points.is_explicit(i)) {
+            let [a, b, c, d, e] = ids.map(|i| points.xyz(i));
+            assert_eq!(orient3d(a, b, c, d), orient);
+            assert_eq!(insphere(a, b, c, d, e), inside);
+            assert_eq!(dot_sign(a, b, c), dots);
+            assert_eq!(orient2d([a[1], a[2]], [b[1], b[2]], [c[1], c[2]]), exact_orient2d(&three, 0));
+        }
+        perturbed_is_odd(points, ids, random);
+    }
+    zeros
+}
+
+/// The perturbed sign of a permutation is the sign times the parity; never zero unless all five are coplanar.
+fn perturbed_is_odd(points: &Points, ids: [u32; 5], random: &mut Random) {
+    let of = |i: [u32; 5]| points.insphere_perturbed(i[0], i[1], i[2], i[3], i[4]);
+    let first = of(ids);
+    let mut swapped = ids;
+    let (i, j) = (random.below(5) as usize, random.below(5) as usize);
+    swapped.swap(i, j);
+    assert_eq!(of(swapped), if i == j { first } else { -first }, "{ids:?} {i} {j}");
+    if first == Sign::Zero {
+        let [a, b, c, d, e] = ids;
+        for f in [[a, b, c, d], [b, c, d, e], [a, c, d, e], [a, b, d, e], [a, b, c, e]] {
+            assert_eq!(points.orient3d(f[0], f[1], f[2], f[3]), Sign::Zero);
+        }
+    }
+}
+
+fn with_steiner(points: Vec<[f64; 3]>, count: usize, bits: u32, random: &mut Random) -> Points {
+    let n = points.len();
+    let mut points = Points::new(points);
+    for _ in 0..count {
+        let [a, b] = random.distinct::<2>(n);
+        let t = (random.below((1 << bits) - 1) + 1) as f64 / (1u64 << bits) as f64;
+        points.push_on_segment(a, b, t).expect("a point on a segment");
+    }
+    points
+}
+
+#[test]
+fn conventions() {
+    let corner = [
+        [0.0; 3],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.3, 0.3, 0.3],
+        [2.0, 2.0, 2.0],
+        [1.0, 1.0, 1.0],
+    ];
+    let points = Points::new(corner.to_vec());
+    assert_eq!(points.orient3d(0, 1, 2, 3), Sign::Positive);
+    assert_eq!(points.insphere(0, 1, 2, 3, 4), Sign::Positive);
+    assert_eq!(points.insphere(0, 1, 2, 3, 5), Sign::Negative);
+    assert_eq!(points.insphere(0, 1, 2, 3, 6), Sign::Zero);
+    assert_eq!(points.orient_in_plane(2, 0, 1, 2), Sign::Positive);
+    assert_eq!(points.incircle_in_plane(2, 0, 1, 2, 4), Sign::Positive);
+    assert_eq!(points.dot_sign(0, 1, 5), Sign::Positive);
+}
+
+#[test]
+fn integer_grid() {
+    let mut random = Random(1);
+    for n in [3, 5, 1000] {
+        let points = (0..60).map(|_| random.grid(n)).collect();
+        let zeros = compare_all(&Points::new(points), 1500, &mut random);
+        assert!(n > 5 || (zeros[0] > 50 && zeros[1] > 50), "{zeros:?}");
+    }
+}
+
+#[test]
+fn random_points() {
+    let mut random = Random(2);
+    let points = (0..100).map(|_| random.point()).collect();
+    compare_all(&Points::new(points), 500, &mut random);
+}
+
+#[test]
+fn cospherical_and_off_by_ulps() {
+    let mut random = Random(3);
+    // Integer points with x² + y² + z² = 9·25·49·4: many exact cospherical tuples.
+    let mut sphere = Vec::new();
+    for x in -210i32..=210 {
+        for y in -210i32..=210 {
+            let zz = 210 * 210 - x * x - y * y;
+            let z = f64::from(zz.max(0)).sqrt() as i32;
+            if zz >= 0 && z * z == zz {
+                sphere.push([x, y, z].map(f64::from));
+                sphere.push([x, y, -z].map(f64::from));
+            }
+        }
+    }
+    let exact: Vec<_> = (0..150).map(|_| sphere[random.below(sphere.len() as u64) as usize]).collect();
+    let zeros = compare_all(&Points::new(exact.clone()), 500, &mut random);
+    assert!(zeros[1] > 400, "{zeros:?}");
+    let nudged = exact.iter().map(|p| p.map(|x| random.nudge(x + 1000.0))).collect();
+    compare_all(&Points::new(nudged), 1000, &mut random);
+}
+
+#[test]
+fn steiner_points() {
+    let mut random = Random(4);
+    for bits in [1, 4, 10, 30, 52] {
+        let corners: Vec<_> = (0..15).map(|_| random.decimals()).collect();
+        compare_all(&with_steiner(corners, 60, bits, &mut random), 400, &mut random);
+        let grid: Vec<_> = (0..15).map(|_| random.grid(4)).collect();
+        compare_all(&with_steiner(grid, 60, bits, &mut random), 300, &mut random);
+    }
+}
+
+/// Decimal points in an axis plane and on a slanted plane, and Steiner points between them.
+#[test]
+fn coplanar_steiner_points() {
+    let mut random = Random(5);
+    for slanted in [false, true] {
+        let plane: Vec<_> = (0..12)
+            .map(|_| {
+                let [x, y, _] = random.decimals();
+                if slanted {
+                    [x, y, x]
+                } else {
+                    [x, y, 0.1]
+                }
+            })
+            .collect();
+        let points = with_steiner(plane, 40, 7, &mut random);
+        let zeros = compare_all(&points, 400, &mut random);
+        assert_eq!(zeros, [400, 400]);
+    }
+}
+
+/// Steiner points off one and the same line are collinear, on both ends and in between.
+#[test]
+fn collinear_steiner_points() {
+    let mut points = Points::new(vec![[0.1, 0.2, 0.3], [0.7, 0.45, 0.11], [0.0, 1.0, 0.0], [0.9, 0.8, 0.7]]);
+    let on: Vec<u32> =
+        [0.25, 0.375, 0.7].iter().map(|&t| points.push_on_segment(0, 1, t).expect("valid")).collect();
+    let same = points.push_on_segment(1, 0, 0.75).expect("valid");
+    assert!(points.same_position(same, on[0]));
+    assert!(
+        points.collinear(0, on[0], on[1])
+            && points.collinear(on[0], on[1], on[2])
+            && points.collinear(1, on[2], on[1])
+    );
+    assert!(!points.collinear(0, on[0], 2));
+    assert_eq!(points.orient3d(on[0], on[1], on[2], 2), Sign::Zero);
+    assert_eq!(points.dot_sign(on[1], 0, 1), Sign::Negative);
+}
+
+/// Ends of the range, with Steiner points whose bits are below it (big integers).
+#[test]
+fn ends_of_the_range() {
+    let mut random = Random(6);
+    for exponent in [-140, -161, 150, 199] {
+        let size = scale(1.0, exponent);
+        let grid: Vec<_> = (0..25).map(|_| random.grid(4).map(|x| x * 0.25 * size)).collect();
+        compare_all(&Points::new(grid.clone()), 300, &mut random);
+        compare_all(&with_steiner(grid, 25, 3, &mut random), 300, &mut random);
+        let decimal: Vec<_> = (0..25).map(|_| random.decimals().map(|x| (x + 1.0) * 0.5 * size)).collect();
+        let points = with_steiner(decimal, 25, 40, &mut random);
+        assert_eq!(exponent < -120, points.any_fine(&(25..50).collect::<Vec<_>>()));
+        compare_all(&points, 200, &mut random);
+    }
+    // The whole range at once: largest and smallest coordinates in one set.
+    let mixed: Vec<_> = (0..40)
+        .map(|_| {
+            [0, 1, 2].map(|_| {
+                let x = scale(1.0 + random.unit() * random.below(2) as f64, random.below(360) as i32 - 161);
+                if random.below(8) == 0 {
+                    0.0
+                } else {
+                    x
+                }
+            })
+        })
+        .collect();
+    assert!(mixed.iter().flatten().all(|&x| in_range(x)));
+    compare_all(&with_steiner(mixed, 20, 20, &mut random), 300, &mut random);
+    // Lowest bits at the very bottom, insphere zero and one unit off.
+    let u = scale(1.0, -214);
+    let mut cube: Vec<[f64; 3]> =
+        (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(|x| f64::from(x) * u)).collect();
+    cube.push([3.0 * u, 2.0 * u, 5.0 * u]);
+    compare_all(&Points::new(cube), 300, &mut random);
+}
+
+/// Four cocircular points and any fifth one off the plane: the rule in the plane is the rule in space.
+#[test]
+fn circle_rule_is_the_sphere_rule() {
+    let mut random = Random(7);
+    let mut ties = 0;
+    for round in 0..12_000 {
+        // Twelve points of a circle in an axis plane, or in the plane x + y + z = 0.
+        let axis = round % 3;
+        let circle: Vec<[f64; 3]> = if round % 2 == 0 {
+            let quarter = [[5.0, 0.0], [4.0, 3.0], [3.0, 4.0]];
+            let turned = quarter.iter().flat_map(|&[x, y]| [[x, y], [-y, x], [-x, -y], [y, -x]]);
+            turned.map(|[x, y]| [[1.0, x, y], [y, 1.0, x], [x, y, 1.0]][axis]).collect()
+        } else {
+            let [x, y, z] = [1.0, 2.0, -3.0];
+            let half = [[x, y, z], [y, z, x], [z, x, y], [x, z, y], [z, y, x], [y, x, z]];
+            half.iter().flat_map(|&p| [p, p.map(|x| -x)]).collect()
+        };
+        let mut all: Vec<[f64; 3]> = (0..5).map(|_| circle[random.below(12) as usize]).collect();
+        all.push(random.grid(9));
+        for i in (1..all.len()).rev() {
+            all.swap(i, random.below(i as u64 + 1) as usize);
+        }
+        let points = Points::new(all);
+        let [mut a, mut b, c, d, e] = random.distinct::<5>(points.len());
+        let distinct = [(a, d), (b, d), (c, d)].iter().all(|&(i, j)| !points.same_position(i, j));
+        if !distinct || points.orient3d(a, b, c, d) != Sign::Zero || points.orient3d(a, b, c, e) == Sign::Zero
+        {
+            continue;
+        }
+        if points.orient_in_plane(axis, a, b, c) == Sign::Negative {
+            (a, b) = (b, a);
+        }
+        let sign = points.incircle_in_plane(axis, a, b, c, d);
+        assert_ne!(sign, Sign::Zero);
+        let (f, g) = if points.orient3d(a, b, c, e) == Sign::Positive { (a, b) } else { (b, a) };
+        assert_eq!(points.insphere_perturbed(f, g, c, e, d), sign);
+        ties += usize::from(points.insphere(f, g, c, e, d) == Sign::Zero);
+    }
+    assert!(ties > 900, "{ties}");
+}
+
+#[test]
+fn nearest_is_rounded_correctly() {
+    let mut random = Random(8);
+    for round in 0..5000 {
+        let mut e = Expansion::zero();
+        for _ in 0..4 {
+            let size = scale(1.0, random.below(120) as i32 - 60);
+            let x = if round % 2 == 0 { random.unit() * size } else { size };
+            e = e.sum(&Expansion::from(if random.below(2) == 0 { x } else { -x }));
+        }
+        let exact: BigInt = e.components().iter().map(|&x| integer(x)).sum();
+        let nearest = e.nearest();
+        assert_eq!(nearest, e.clone().compressed().nearest());
+        assert_eq!(sign(&exact), e.sign());
+        let distance = |x: f64| (integer(x) - &exact).abs();
+        let even = |x: f64| x.to_bits() & 1 == 0;
+        for other in [nearest.next_up(), nearest.next_down()] {
+            let (here, there) = (distance(nearest), distance(other));
+            assert!(nearest == 0.0 || here < there || (here == there && even(nearest)), "{e:?}");
+        }
+    }
+}
+
+#[test]
+fn expansion_arithmetic() {
+    let mut random = Random(9);
+    let unit = BigInt::from(1) << UNIT;
+    for _ in 0..2000 {
+        let mut make = || {
+            let mut e = Expansion::zero();
+            for _ in 0..random.below(9) {
+                e = e.sum(&Expansion::from((random.unit() - 0.5) * scale(1.0, random.below(90) as i32 - 45)));
+            }
+            e
+        };
+        let (e, f) = (make(), make());
+        let value = |e: &Expansion| -> BigInt { e.components().iter().map(|&x| integer(x)).sum() };
+        assert_eq!(value(&e.sum(&f)), value(&e) + value(&f));
+        assert_eq!(value(&e.difference(&f)), value(&e) - value(&f));
+        assert_eq!(value(&e.product(&f)) * &unit, value(&e) * value(&f));
+        let compressed = e.clone().compressed();
+        assert_eq!(value(&compressed), value(&e));
+        assert!(compressed.components().windows(2).all(|w| w[0].abs() <= w[1].abs() * f64::EPSILON));
+    }
+}
+
+#[test]
+fn exact_bits_are_sound_and_maximal() {
+    let mut random = Random(10);
+    let mut seen = [false; 54];
+    for round in 0..600 {
+        let point = |random: &mut Random| match round % 5 {
+            0 => random.grid(64),
+            1 => random.decimals(),
+            2 => random.decimals().map(|x| f64::from(x as f32)),
+            3 => random.grid(3).map(|x| x * 0.1),
+            _ => random.grid(9).map(|x| x - 4.0),
+        };
+        let (a, b) = (point(&mut random), point(&mut random));
+        let mut points = Points::new(vec![a, b]);
+        let n = points.exact_bits(0, 1);
+        seen[n as usize] = true;
+        let mut all_exact = |bits: u32| {
+            let last = (1u64 << bits) - 1;
+            let all =
+                if bits <= 6 { (1..=last).collect() } else { vec![1, 3, last / 2, last / 3, last - 2, last] };
+            all.iter().all(|&k| {
+                let i = points.push_on_segment(0, 1, k as f64 / (last + 1) as f64).expect("valid");
+                points.is_explicit(i)
+            })
+        };
+        assert!(n == 0 || all_exact(n), "{a:?} {b:?} {n}");
+        assert!(n == 52 || a == b || !all_exact(n + 1), "{a:?} {b:?} {n}");
+    }
+    assert!(seen.iter().filter(|&&s| s).count() > 15, "{seen:?}");
+}
+
+#[test]
+fn store_of_points() {
+    let mut points = Points::new(vec![[0.0; 3], [1.0, 1.0, 1.0], [0.1, 0.2, 0.3], [0.7, 0.9, 0.8]]);
+    assert_eq!(points.push_on_segment(0, 1, 0.5).ok(), Some(4));
+    assert!(points.is_explicit(4));
+    assert_eq!(points.push_on_segment(2, 3, 1.0 / 3.0).ok(), Some(5));
+    assert_eq!(points.implicit_parameters(5), Some((2, 3, 1.0 / 3.0)));
+    assert_eq!(points.push([0.5, 0.1, 0.3]).ok(), Some(6));
+    assert!(points.is_explicit(6) && !points.is_explicit(5));
+    assert!(points.push_on_segment(2, 5, 0.5).is_err(), "an implicit end");
+    assert!(points.push_on_segment(2, 9, 0.5).is_err(), "no such point");
+    assert!(points.push_on_segment(2, 3, 1e-19).is_err() && points.push_on_segment(2, 3, 1.0).is_err());
+    assert!(points.push_on_segment(2, 3, f64::NAN).is_err() && points.push_on_segment(2, 3, 0.0).is_err());
+    assert!(points.push([f64::NAN, 0.0, 0.0]).is_err() && points.push([1e-70, 0.0, 0.0]).is_err());
+    let [x, ..] = points.exact_coordinates(5);
+    assert_eq!(x.nearest(), points.xyz(5)[0]);
+    points.truncate(5);
+    assert_eq!(points.len(), 5);
+    assert_eq!(points.push_on_segment(2, 3, 0.3).ok(), Some(5));
+    assert!(!points.is_explicit(5));
+    points.truncate(6);
+    assert!(!points.is_explicit(5));
+    // A point outside the box enlarges the static bounds.
+    let before = points.orient3d_bound;
+    points.push([100.0, 0.0, 0.0]).expect("in range");
+    assert!(points.orient3d_bound > before);
+}
+
+#[test]
+fn range_and_scale() {
+    assert_eq!(range_scale(&[[0.0; 3]]), Ok(0));
+    assert_eq!(range_scale(&[[1.0, -1e40, 1e-30]]), Ok(0));
+    assert_eq!(range_scale(&[[1.0, 0.0, 0.0], [0.0, f64::NAN, 0.0]]), Err(1));
+    let huge = [[f64::MAX, 1e290, 0.0]];
+    assert_eq!(range_scale(&huge), Ok(195 - 1023));
+    let small = [[5e-324, 0.0, 1e-320]];
+    let k = range_scale(&small).expect("in range");
+    for &x in small.iter().chain(&huge).flatten() {
+        let k = if x > 1.0 { 195 - 1023 } else { k };
+        assert!(in_range(scale(x, k)));
+        assert_eq!(scale(scale(x, k), -k), x);
+    }
+    assert_eq!(range_scale(&[[1e300, 0.0, 0.0], [0.0, 0.0, 1e-300]]), Err(1));
+    assert_eq!(scale(5e-324, 1074), 1.0);
+    assert_eq!(scale(1.0, -1074), 5e-324);
+    assert_eq!(scale(1.0 + f64::EPSILON, -1074), 5e-324);
+    assert_eq!(scale(1.5 + f64::EPSILON, -1074), 1e-323);
+    assert_eq!(scale(3.0, 2000), f64::INFINITY);
+}
