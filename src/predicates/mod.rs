@@ -1,7 +1,7 @@
 //! Exact signs of explicit points and of implicit Steiner points on segments. The one place that calls `robust`.
 //!
 //! Levels: a static error bound from the box of all points, inlined; a semi-static bound from the points at hand; exact
-//! arithmetic: `robust` for explicit points, expansions (or big integers, see `range`) otherwise.
+//! arithmetic in integers of fixed width; where those are too narrow, `robust` for explicit points and big integers otherwise.
 //!
 //! Orientation: [`orient3d()`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and `robust`'s sign.
 
@@ -16,6 +16,7 @@ mod points;
 mod range;
 #[cfg(test)]
 mod tests;
+mod wide;
 
 pub use expansion::Expansion;
 pub use orient::dot_sign;
