@@ -1,8 +1,7 @@
 //! Orientation in space, and signs of low degree: order, dot product, collinearity.
 
 use super::big::Big;
-use super::wide::{self, Differences};
-use super::{exact, filter, robust_orient3d, Expansion, Points, Sign};
+use super::{differences, exact, filter, robust_orient3d, wide, Expansion, Points, Sign};
 use std::cmp::Ordering;
 
 impl Points {
@@ -67,16 +66,13 @@ impl Points {
 
     /// Lexicographic order of the exact coordinates.
     pub fn compare_lex(&self, a: u32, b: u32) -> Ordering {
-        // Rounding to nearest is monotone: different doubles decide.
-        if !self.any_implicit(&[a, b]) {
-            let (p, q) = (self.xyz(a), self.xyz(b));
-            return (0..3).map(|i| compare(p[i], q[i])).find(|o| o.is_ne()).unwrap_or(Ordering::Equal);
-        }
-        let (p, q) = (self.exact_coordinates(a), self.exact_coordinates(b));
+        let known = self.is_explicit(a) && self.is_explicit(b);
         for axis in 0..3 {
+            // Rounding to nearest is monotone: different doubles decide.
             let mut order = compare(self.xyz(a)[axis], self.xyz(b)[axis]);
-            if order.is_eq() {
-                // Sums of expansions only need the range of doubles itself, also for points with fine bits.
+            if order.is_eq() && !known {
+                let [p, q] = [a, b].map(|i| self.exact_coordinates(i));
+                // Expansions cannot underflow here: Steiner points have no bits below 2^-327, and differences no others.
                 order = match p[axis].difference(&q[axis]).sign() {
                     Sign::Negative => Ordering::Less,
                     Sign::Zero => Ordering::Equal,
@@ -115,7 +111,7 @@ pub fn dot_sign(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
     if dot.abs() > 3.5 * f64::EPSILON * sum + f64::MIN_POSITIVE {
         return Sign::of(dot);
     }
-    match Differences::new(&[b, c, a].map(|p| p.map(|x| [x, 0.0]))) {
+    match differences([b, c, a]) {
         Some(rows) => wide::dot_sign(&rows),
         None => exact::dot_sign(&[a, b, c].map(|p| p.map(|x| Big::of(&Expansion::from(x))))),
     }

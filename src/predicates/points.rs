@@ -2,8 +2,8 @@
 //!
 //! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit points;
 //! the static bounds hold for all differences between stored points; the ends of an implicit point are explicit.
-//! Source: engine notes on implicit points (after Diazzi, Panozzo, Vaxman & Attene 2023), with polynomial parameters:
-//! all coordinates have denominator one, so that expansions carry them exactly.
+//! Source: implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t, so that all
+//! coordinates have denominator one: sums of two doubles in nearly all cases, and integers on a common grid.
 
 use super::big::Big;
 use super::expansion::Expansion;
