@@ -39,7 +39,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     // What looks at results; it never touches the engine.
     ("check", &["output", "plc", "predicates", "error", "options"]),
-    ("mesh_query", &["output", "predicates", "error"]),
+    ("mesh_query", &["output", "plc", "predicates", "error"]),
     ("io", &["plc", "output", "error", "options", "progress"]),
     (
         "ffi",
