@@ -22,6 +22,8 @@ mod quality;
 mod stl;
 mod surface;
 mod tags;
+#[cfg(test)]
+mod tests;
 mod tetgen;
 mod text;
 mod vtk;
@@ -230,7 +232,7 @@ pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
         false => std::path::PathBuf::from(format!("{}.{suffix}", path.display())),
     };
     let ele = beside("ele");
-    let (nodes, tets, attributes) =
+    let tetgen::Tets { nodes, tets, attributes } =
         tetgen::read_tets(&bytes_of(&beside("node"))?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
     let mut mesh = TetMesh { tets, ..TetMesh::default() };
     let face = beside("face");

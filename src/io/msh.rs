@@ -111,7 +111,8 @@ fn bounds(mesh: &TetMesh, dimension: u32, entity: &Entity) -> [[f64; 3]; 2] {
                 Some([std::array::from_fn(|i| low[i].min(p[i])), std::array::from_fn(|i| high[i].max(p[i]))]);
         }
     }
-    range.unwrap_or_default()
+    // Adding 0 makes -0 a plain 0.
+    range.unwrap_or_default().map(|corner| corner.map(|x| x + 0.0))
 }
 
 fn write_nodes(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
