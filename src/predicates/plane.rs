@@ -11,7 +11,7 @@ impl Points {
         let ids = [a, b, c];
         let [pa, pb, pc] = ids.map(|i| self.xyz(i));
         let det = (pa[u] - pc[u]) * (pb[v] - pc[v]) - (pa[v] - pc[v]) * (pb[u] - pc[u]);
-        let spread = self.spread(ids);
+        let spread = self.spread(ids, !self.any_implicit(&ids));
         if spread.size[u] == 0.0 || spread.size[v] == 0.0 {
             return Sign::Zero;
         }
@@ -46,7 +46,7 @@ impl Points {
         });
         let [(au, av, al), (bu, bv, bl), (cu, cv, cl)] = rows;
         let det = al * (bu * cv - bv * cu) + bl * (cu * av - cv * au) + cl * (au * bv - av * bu);
-        let spread = self.spread(ids);
+        let spread = self.spread(ids, !self.any_implicit(&ids));
         if spread.size[u] == 0.0 || spread.size[v] == 0.0 {
             return Sign::Zero;
         }

@@ -7,7 +7,7 @@
 
 use super::big::Big;
 use super::expansion::Expansion;
-use super::filter::Spread;
+use super::filter::{larger, Spread};
 use super::range::{self, in_range};
 use super::wide::Differences;
 use crate::error::Error;
@@ -263,35 +263,25 @@ impl Points {
         self.grid
     }
 
-    /// Bounds of the differences to the last of these points.
+    /// Bounds of the differences to the last of these points; `explicit` if all of them are.
     #[inline(always)]
-    pub(super) fn spread<const N: usize>(&self, ids: [u32; N]) -> Spread {
-        let last = self.xyz(ids[N - 1]);
-        let mut size = [0.0f64; 3];
-        for &i in &ids[..N - 1] {
-            let p = self.xyz(i);
-            for axis in 0..3 {
-                size[axis] = size[axis].max((p[axis] - last[axis]).abs());
-            }
-        }
-        let mut error = [0.0f64; 3];
-        if self.any_implicit(&ids) {
-            // `rest` is rounded itself.
+    pub(super) fn spread<const N: usize>(&self, ids: [u32; N], explicit: bool) -> Spread {
+        let mut spread = Spread::of(ids.map(|i| self.xyz(i)));
+        if !explicit {
+            // The rest is rounded itself.
             let bound = |x: f64| x.abs() * (1.0 + 2.0 * f64::EPSILON);
             let of = |i: u32| self.implicit(i).map_or([0.0; 3], |p| p.rest.map(bound));
             for &i in &ids[..N - 1] {
-                let e = of(i);
-                for axis in 0..3 {
-                    error[axis] = error[axis].max(e[axis]);
+                for (worst, e) in spread.error.iter_mut().zip(of(i)) {
+                    *worst = larger(*worst, e);
                 }
             }
-            let e = of(ids[N - 1]);
-            for axis in 0..3 {
-                error[axis] += e[axis];
-                size[axis] += error[axis];
+            for (axis, e) in of(ids[N - 1]).into_iter().enumerate() {
+                spread.error[axis] += e;
+                spread.size[axis] += spread.error[axis];
             }
         }
-        Spread { size, error }
+        spread
     }
 
     /// Forgets all points but the first `n`. (The static bounds stay as they are: they only could be tighter.)

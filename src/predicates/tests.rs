@@ -326,6 +326,97 @@ fn rounded_steiner_points_far_from_the_origin() {
     assert!(wrong > 100, "{wrong}");
 }
 
+/// Zeros among integers so large that the determinant in doubles rounds: the grid shortcut must not take these.
+#[test]
+fn large_integers_with_zeros() {
+    let mut random = Random(14);
+    let quarter = [[2.0, 3.0, 6.0], [6.0, 2.0, 3.0], [3.0, 6.0, 2.0], [0.0, 0.0, 7.0]];
+    for factor in [37.0, 73.0, 1001.0, 54_321.0, 9_999_991.0] {
+        let mut sphere: Vec<[f64; 3]> = Vec::new();
+        for p in quarter {
+            for signs in 0..8 {
+                let flip = |i: usize| if signs >> i & 1 == 0 { factor } else { -factor };
+                sphere.push([p[0] * flip(0), p[1] * flip(1), p[2] * flip(2)]);
+            }
+        }
+        let zeros = compare_all(&Points::new(sphere), 300, &mut random);
+        assert_eq!(zeros[1], 300);
+        let plane = (0..40).map(|_| {
+            let [x, y, _] = random.grid(9).map(|x| x * factor);
+            [x + 1.0, y + 3.0, 3.0 * x - 7.0 * y]
+        });
+        compare_all(&Points::new(plane.collect()), 300, &mut random);
+        let slanted = (0..40).map(|_| {
+            let [x, y, _] = random.grid(factor as u64);
+            [x, y, 3.0 * x - 7.0 * y]
+        });
+        let zeros = compare_all(&Points::new(slanted.collect()), 300, &mut random);
+        assert_eq!(zeros[0], 300);
+    }
+}
+
+/// The positive tetrahedra whose perturbed spheres are empty tile the hull, without overlaps, whatever the order of ids.
+#[test]
+fn perturbed_delaunay_fills_the_hull() {
+    let mut random = Random(15);
+    for (side, spacing) in [(1, 1.0), (1, 0.1), (2, 1.0)] {
+        for middle in [false, true] {
+            let mut corners = Vec::new();
+            for i in 0..(side + 1) * (side + 1) * (side + 1) {
+                let (x, y, z) = (i % (side + 1), i / (side + 1) % (side + 1), i / (side + 1) / (side + 1));
+                corners.push([x, y, z].map(|x| 0.25 + spacing * f64::from(x)));
+            }
+            for i in (1..corners.len()).rev() {
+                corners.swap(i, random.below(i as u64 + 1) as usize);
+            }
+            let mut points = Points::new(corners);
+            let last = points.len() as u32 - 1;
+            if middle {
+                points.push_on_segment(0, last, 0.5).expect("valid");
+                points.push_on_segment(0, 1, 0.3).expect("valid");
+            }
+            let n = points.len() as u32;
+            let exact: Vec<Exact> = (0..n).map(|i| of_point(&points, i)).collect();
+            let mut volume = BigInt::zero();
+            for a in 0..n {
+                for b in a + 1..n {
+                    for c in b + 1..n {
+                        for d in c + 1..n {
+                            let (a, b) = match points.orient3d(a, b, c, d) {
+                                Sign::Positive => (a, b),
+                                Sign::Negative => (b, a),
+                                Sign::Zero => continue,
+                            };
+                            let others = (0..n).filter(|e| ![a, b, c, d].contains(e));
+                            let empty = |e: u32| points.insphere_perturbed(a, b, c, d, e) == Sign::Negative;
+                            if others.into_iter().all(empty) {
+                                let [p, q, r, s] = [a, b, c, d].map(|i| &exact[i as usize]);
+                                volume += det3(&sub(q, p), &sub(r, p), &sub(s, p));
+                            }
+                        }
+                    }
+                }
+            }
+            let low = integer(0.25);
+            let high = integer(0.25 + spacing * f64::from(side));
+            let edge = high - low;
+            assert_eq!(volume, &edge * &edge * &edge * 6);
+        }
+    }
+}
+
+/// The rule itself: the lift of the lowest id is lowered first.
+#[test]
+fn lowest_id_is_lowered_first() {
+    let corner = |i: i32| [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)];
+    let points = Points::new((0..8).map(corner).collect());
+    assert_eq!(points.orient3d(1, 2, 4, 7), Sign::Positive);
+    assert_eq!(points.insphere_perturbed(1, 2, 4, 7, 0), Sign::Positive);
+    // 0 to 3 are coplanar: orient3d without 0 decides first, and (1, 2, 3, 4) is negative.
+    assert_eq!(points.insphere_perturbed(0, 1, 2, 3, 4), points.orient3d(1, 2, 3, 4));
+    assert_eq!(points.orient3d(1, 2, 3, 4), Sign::Negative);
+}
+
 /// The integers of fixed width at the limits of what they accept, against big integers of any size.
 #[test]
 fn widest_integers() {
