@@ -1,8 +1,9 @@
 //! The insphere sign by index, plain and perturbed.
 //!
 //! Perturbation: the lift of the vertex with the lowest id is lowered infinitesimally, that of the next one by infinitely
-//! less, and so on. The insphere determinant's derivative by a lift is the orientation of the other four points, so the first
-//! non-zero one in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting only).
+//! less, and so on. The insphere determinant's derivative by a lift is the orientation of the other four points, so the
+//! first non-zero one in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting
+//! only).
 
 use super::{exact, filter, robust_insphere, wide, Points, Sign};
 

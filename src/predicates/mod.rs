@@ -1,9 +1,11 @@
 //! Exact signs of explicit points and of implicit Steiner points on segments. The one place that calls `robust`.
 //!
 //! Levels: a static error bound from the box of all points, inlined; a semi-static bound from the points at hand; exact
-//! arithmetic in integers of fixed width; where those are too narrow, `robust` for explicit points and big integers otherwise.
+//! arithmetic in integers of fixed width; where those are too narrow, `robust` for explicit points and big integers
+//! otherwise.
 //!
-//! Orientation: [`orient3d()`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and `robust`'s sign.
+//! Orientation: [`orient3d()`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and
+//! `robust`'s sign.
 
 mod big;
 mod exact;
@@ -99,8 +101,8 @@ pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign 
     }
 }
 
-/// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`; odd in its first four arguments.
-/// Points in the exact range.
+/// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`; odd in its first four
+/// arguments. Points in the exact range.
 #[inline]
 pub fn insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
     let det = filter::insphere_det(a, b, c, d, e);

@@ -1,9 +1,10 @@
 //! The point store: explicit points, and Steiner points `a + t (b − a)` on segments that are no doubles.
 //!
-//! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit points;
-//! the static bounds hold for all differences between stored points; the ends of an implicit point are explicit.
-//! Source: implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t, so that all
-//! coordinates have denominator one: sums of two doubles in nearly all cases, and integers on a common grid.
+//! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit
+//! points; the static bounds hold for all differences between stored points; the ends of an implicit point are
+//! explicit. Source: implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t,
+//! so that all coordinates have denominator one: sums of two doubles in nearly all cases, and integers on a common
+//! grid.
 
 use super::big::Big;
 use super::expansion::Expansion;
@@ -309,10 +310,10 @@ fn on_segment(a: &[f64; 3], b: &[f64; 3], t: f64) -> [Expansion; 3] {
 /// [`Points::exact_bits`] for one coordinate.
 ///
 /// Let d = b − a and g = 2^(low(d) − n), low the exponent of the lowest set bit. Even k belong to smaller n. For odd k and
-/// low(d) − n < low(a) the lowest bit of v = a + k d / 2^n is g exactly, so v is a double if and only if |v| <= 2^53 g; |v| is
-/// largest at k = 1 or k = 2^n − 1. Otherwise all v are multiples of 2^min(low(a), low(b)) no larger than the ends, and so
-/// doubles. Hence: doubles for all k up to n if the two outermost points of every level up to n are. |a|, |b| <= 2^53 g suffices, from there
-/// on level by level.
+/// low(d) − n < low(a) the lowest bit of v = a + k d / 2^n is g exactly, so v is a double if and only if |v| <= 2^53 g;
+/// |v| is largest at k = 1 or k = 2^n − 1. Otherwise all v are multiples of 2^min(low(a), low(b)) no larger than the
+/// ends, and so doubles. Hence: doubles for all k up to n if the two outermost points of every level up to n are. |a|,
+/// |b| <= 2^53 g suffices, from there on level by level.
 fn exact_bits_1d(a: f64, b: f64) -> u32 {
     const MOST: u32 = 52;
     let d = Expansion::of_difference(b, a);
