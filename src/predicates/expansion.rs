@@ -2,9 +2,9 @@
 //!
 //! Invariant of an [`Expansion`]: its components are non-zero, strongly non-overlapping, of increasing size; zero has no
 //! component. All operations keep it (round to nearest even). Exact as long as nothing over- or underflows, which the
-//! range of coordinates rules out (see `range`). Serves the coordinates of Steiner points, their rounding and their order; determinants
-//! are evaluated in integers (see `wide`). Source: Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast
-//! Robust Geometric Predicates*, 1997, sections 2.3 to 2.8.
+//! range of coordinates rules out (see `range`). Serves the coordinates of Steiner points, their rounding and their
+//! order; determinants are evaluated in integers (see `wide`). Source: Shewchuk, *Adaptive Precision Floating-Point
+//! Arithmetic and Fast Robust Geometric Predicates*, 1997, sections 2.3 to 2.8.
 
 use super::Sign;
 

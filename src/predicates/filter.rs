@@ -1,22 +1,26 @@
 //! Determinants in plain doubles and bounds of their errors.
 //!
 //! Notation: u = 2^-53. A determinant evaluated as below is a sum of monomials, each of which passes through at most k
-//! roundings, so the error is at most `γ_k P`, `γ_k = k u / (1 − k u)`, P the sum of the monomials' sizes (Higham; the same count is in
-//! Shewchuk 1997, section 4.3). Counts: a difference of coordinates rounds once.
+//! roundings, so the error is at most `γ_k P`, `γ_k = k u / (1 − k u)`, P the sum of the monomials' sizes (Higham; the
+//! same count is in Shewchuk 1997, section 4.3). Counts: a difference of coordinates rounds once.
 //! * orient3d: 3 differences, product, subtraction, product, two sums: k = 8.
 //! * insphere: 5 differences, product, subtraction, product, two sums, square, two sums, product, two sums: k = 16.
 //! * 2D orientation: 2 differences, product, subtraction: k = 4. Dot product: 2, product, two sums: k = 5.
 //! * incircle in a plane: 4 differences, product, subtraction, square, two sums, product, two sums: k = 12.
 //!
-//! With X, Y, Z bounds of the differences per axis, L = X² + Y² + Z²: P is at most 6 XYZ, 24 XYZL, 2 UV, L, 6 UVL (Devillers &
-//! Pion 2003 call such a bound static or semi-static, after whether X, Y, Z come from the box or from the points at hand).
-//! No underflow can spoil these counts in the exact range: products are multiples of 2^-1070. The bounds themselves may underflow and
-//! get the smallest normal number added; their own rounding is covered by the factor `SLACK`.
+//! With X, Y, Z bounds of the differences per axis, L = X² + Y² + Z²: P is at most 6 XYZ, 24 XYZL, 2 UV, L, 6 UVL. Such a
+//! bound is static or semi-static, after whether X, Y, Z come from the box or from the points at hand (Devillers & Pion
+//! 2003). The bounds take k + 1 for k; their own rounding is covered by that and by the factor `SLACK`.
 //!
-//! *Implicit points* enter by their nearest doubles. Where a difference is off by at most δx in x (the errors of both points), the exact
-//! determinant differs from the one of the nearest doubles by at most the sum over columns of (number of monomials) (δ of this
-//! column) (bounds of the other columns), X, Y, Z being enlarged by δ: replace the columns one after the other. The column of squares has
-//! δL = 2 (X δx + Y δy + Z δz).
+//! *Implicit points* enter by their nearest doubles. Where a difference is off by at most δx in x (the errors of both
+//! points), the exact determinant differs from the one of the nearest doubles by at most the sum over columns of (number
+//! of monomials) (δ of this column) (bounds of the other columns), X, Y, Z being enlarged by δ: replace the columns one
+//! after the other. The column of squares has δL = 2 (X δx + Y δy + Z δz).
+//!
+//! *Underflow.* Products of differences of explicit points are multiples of 2^-1070: exact or normal. The bounds may
+//! underflow and get the smallest normal number added. Steiner points with bits below the exact range may make products
+//! of the static level underflow, by 2^-1075 times the other factors' bounds: far below the static bound, whose X, Y, Z
+//! are zero or at least 2^-214. The semi-static level leaves such points to exact arithmetic.
 
 const U: f64 = f64::EPSILON / 2.0;
 const SLACK: f64 = 1.0 + 1.0 / 1_099_511_627_776.0;
@@ -63,7 +67,30 @@ pub(crate) struct Spread {
     pub(crate) error: [f64; 3],
 }
 
+/// The larger of two numbers; unlike `f64::max` one instruction, as there is no NaN here.
+#[inline(always)]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a > b {
+        a
+    } else {
+        b
+    }
+}
+
 impl Spread {
+    /// Of exact points: the differences to the last one.
+    #[inline(always)]
+    pub(crate) fn of<const N: usize>(points: [&[f64; 3]; N]) -> Spread {
+        let last = points[N - 1];
+        let mut size = [0.0f64; 3];
+        for p in &points[..N - 1] {
+            for axis in 0..3 {
+                size[axis] = larger((p[axis] - last[axis]).abs(), size[axis]);
+            }
+        }
+        Spread { size, error: [0.0; 3] }
+    }
+
     /// Whether all points agree exactly in some coordinate.
     #[inline(always)]
     pub(crate) fn flat(&self) -> bool {
@@ -72,20 +99,23 @@ impl Spread {
 
     #[inline(always)]
     pub(crate) fn max(&self) -> f64 {
-        self.size[0].max(self.size[1]).max(self.size[2])
+        larger(larger(self.size[0], self.size[1]), self.size[2])
     }
 
     /// The bound of a squared distance and of its error.
+    #[inline(always)]
     fn lift(&self) -> (f64, f64) {
         let ([x, y, z], [ex, ey, ez]) = (self.size, self.error);
         (x * x + y * y + z * z, 2.0 * (x * ex + y * ey + z * ez))
     }
 
+    #[inline(always)]
     pub(crate) fn orient3d_bound(&self) -> f64 {
         let ([x, y, z], [ex, ey, ez]) = (self.size, self.error);
         6.0 * (9.0 * U * (x * y * z) + ex * y * z + x * ey * z + x * y * ez) * SLACK + TINY
     }
 
+    #[inline(always)]
     pub(crate) fn insphere_bound(&self) -> f64 {
         let ([x, y, z], [ex, ey, ez]) = (self.size, self.error);
         let (l, el) = self.lift();

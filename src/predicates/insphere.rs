@@ -1,8 +1,9 @@
 //! The insphere sign by index, plain and perturbed.
 //!
 //! Perturbation: the lift of the vertex with the lowest id is lowered infinitesimally, that of the next one by infinitely
-//! less, and so on. The insphere determinant's derivative by a lift is the orientation of the other four points, so the first
-//! non-zero one in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting only).
+//! less, and so on. The insphere determinant's derivative by a lift is the orientation of the other four points, so the
+//! first non-zero one in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting
+//! only).
 
 use super::{exact, filter, robust_insphere, wide, Points, Sign};
 
@@ -21,21 +22,26 @@ impl Points {
         }
     }
 
-    /// The semi-static filter, then exact arithmetic.
-    #[cold]
+    /// The semi-static filter.
     #[inline(never)]
     fn insphere_close(&self, det: f64, ids: [u32; 5]) -> Sign {
-        let spread = self.spread(ids);
+        let explicit = !self.any_implicit(&ids);
+        let spread = self.spread(ids, explicit);
         if spread.flat() {
             return Sign::Zero;
         }
-        let fine = self.any_fine(&ids);
-        if !fine && det.abs() > spread.insphere_bound() {
+        if det.abs() > spread.insphere_bound() && (explicit || !self.any_fine(&ids)) {
             return Sign::of(det);
         }
-        let explicit = !self.any_implicit(&ids);
+        self.insphere_exact(det, spread.max(), explicit, ids)
+    }
+
+    /// Exact arithmetic; `size` bounds all differences.
+    #[cold]
+    #[inline(never)]
+    fn insphere_exact(&self, det: f64, size: f64, explicit: bool, ids: [u32; 5]) -> Sign {
         // Differences are integers up to 2^9 in units of the grid: at most 72 monomials of at most 2^45, nothing rounds.
-        if explicit && spread.max() <= self.grid() * 512.0 {
+        if explicit && size <= self.grid() * 512.0 {
             return Sign::of(det);
         }
         if let Some(rows) = self.differences(ids) {

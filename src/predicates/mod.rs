@@ -1,9 +1,11 @@
 //! Exact signs of explicit points and of implicit Steiner points on segments. The one place that calls `robust`.
 //!
 //! Levels: a static error bound from the box of all points, inlined; a semi-static bound from the points at hand; exact
-//! arithmetic in integers of fixed width; where those are too narrow, `robust` for explicit points and big integers otherwise.
+//! arithmetic in integers of fixed width; where those are too narrow, `robust` for explicit points and big integers
+//! otherwise.
 //!
-//! Orientation: [`orient3d()`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and `robust`'s sign.
+//! Orientation: [`orient3d()`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and
+//! `robust`'s sign.
 
 mod big;
 mod exact;
@@ -82,23 +84,11 @@ fn robust_insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[
     -Sign::of(robust::insphere(coord3(a), coord3(b), coord3(c), coord3(d), coord3(e)))
 }
 
-/// Bounds of the differences to the last of some explicit points.
-#[inline(always)]
-fn spread<const N: usize>(points: [&[f64; 3]; N], last: &[f64; 3]) -> filter::Spread {
-    let mut size = [0.0f64; 3];
-    for p in points {
-        for axis in 0..3 {
-            size[axis] = size[axis].max((p[axis] - last[axis]).abs());
-        }
-    }
-    filter::Spread { size, error: [0.0; 3] }
-}
-
 /// Sign of `det(b − a, c − a, d − a)`: positive when the tetrahedron `(a, b, c, d)` is. Points in the exact range.
 #[inline]
 pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
     let det = filter::orient3d_det(a, b, c, d);
-    let spread = spread([a, b, c], d);
+    let spread = filter::Spread::of([a, b, c, d]);
     if det.abs() > spread.orient3d_bound() {
         return Sign::of(det);
     }
@@ -111,12 +101,12 @@ pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign 
     }
 }
 
-/// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`; odd in its first four arguments.
-/// Points in the exact range.
+/// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`; odd in its first four
+/// arguments. Points in the exact range.
 #[inline]
 pub fn insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
     let det = filter::insphere_det(a, b, c, d, e);
-    let spread = spread([a, b, c, d], e);
+    let spread = filter::Spread::of([a, b, c, d, e]);
     if det.abs() > spread.insphere_bound() {
         return Sign::of(det);
     }

@@ -18,21 +18,26 @@ impl Points {
         }
     }
 
-    /// The semi-static filter, then exact arithmetic.
-    #[cold]
+    /// The semi-static filter.
     #[inline(never)]
     fn orient3d_close(&self, det: f64, ids: [u32; 4]) -> Sign {
-        let spread = self.spread(ids);
+        let explicit = !self.any_implicit(&ids);
+        let spread = self.spread(ids, explicit);
         if spread.flat() {
             return Sign::Zero;
         }
-        let fine = self.any_fine(&ids);
-        if !fine && det.abs() > spread.orient3d_bound() {
+        if det.abs() > spread.orient3d_bound() && (explicit || !self.any_fine(&ids)) {
             return Sign::of(det);
         }
-        let explicit = !self.any_implicit(&ids);
+        self.orient3d_exact(det, spread.max(), explicit, ids)
+    }
+
+    /// Exact arithmetic; `size` bounds all differences.
+    #[cold]
+    #[inline(never)]
+    fn orient3d_exact(&self, det: f64, size: f64, explicit: bool, ids: [u32; 4]) -> Sign {
         // Differences are integers up to 2^16 in units of the grid: no operation of the determinant rounds.
-        if explicit && spread.max() <= self.grid() * 65536.0 {
+        if explicit && size <= self.grid() * 65536.0 {
             return Sign::of(det);
         }
         if let Some(rows) = self.differences(ids) {
@@ -50,7 +55,7 @@ impl Points {
         let ids = [b, c, a];
         let (pa, pb, pc) = (self.xyz(a), self.xyz(b), self.xyz(c));
         let dot: f64 = (0..3).map(|i| (pb[i] - pa[i]) * (pc[i] - pa[i])).sum();
-        if !self.any_fine(&ids) && dot.abs() > self.spread(ids).dot_bound() {
+        if !self.any_fine(&ids) && dot.abs() > self.spread(ids, !self.any_implicit(&ids)).dot_bound() {
             return Sign::of(dot);
         }
         match self.differences(ids) {

@@ -11,7 +11,7 @@ impl Points {
         let ids = [a, b, c];
         let [pa, pb, pc] = ids.map(|i| self.xyz(i));
         let det = (pa[u] - pc[u]) * (pb[v] - pc[v]) - (pa[v] - pc[v]) * (pb[u] - pc[u]);
-        let spread = self.spread(ids);
+        let spread = self.spread(ids, !self.any_implicit(&ids));
         if spread.size[u] == 0.0 || spread.size[v] == 0.0 {
             return Sign::Zero;
         }
@@ -24,12 +24,12 @@ impl Points {
         }
     }
 
-    /// For exactly coplanar points with `(a, b, c)` positive in the projection that drops `axis`: positive when `d` is inside
-    /// the circle through `a`, `b`, `c` in space (not in the projection).
+    /// For exactly coplanar points with `(a, b, c)` positive in the projection that drops `axis`: positive when `d` is
+    /// inside the circle through `a`, `b`, `c` in space (not in the projection).
     ///
-    /// Ties are broken as [`insphere_perturbed`](Points::insphere_perturbed) does: with any point `e` off the plane the result is the
-    /// perturbed sign of `(a, b, c, e; d)`, or of `(b, a, c, e; d)`, whichever tetrahedron is positive. Zero only if
-    /// `a`, `b`, `c` are collinear.
+    /// Ties are broken as [`insphere_perturbed`](Points::insphere_perturbed) does: with any point `e` off the plane the
+    /// result is the perturbed sign of `(a, b, c, e; d)`, or of `(b, a, c, e; d)`, whichever tetrahedron is positive.
+    /// Zero only if `a`, `b`, `c` are collinear.
     pub fn incircle_in_plane(&self, axis: usize, a: u32, b: u32, c: u32, d: u32) -> Sign {
         match self.incircle_unperturbed(axis, [a, b, c, d]) {
             Sign::Zero => self.incircle_tie(axis, [a, b, c, d]),
@@ -46,7 +46,7 @@ impl Points {
         });
         let [(au, av, al), (bu, bv, bl), (cu, cv, cl)] = rows;
         let det = al * (bu * cv - bv * cu) + bl * (cu * av - cv * au) + cl * (au * bv - av * bu);
-        let spread = self.spread(ids);
+        let spread = self.spread(ids, !self.any_implicit(&ids));
         if spread.size[u] == 0.0 || spread.size[v] == 0.0 {
             return Sign::Zero;
         }
@@ -59,10 +59,10 @@ impl Points {
         }
     }
 
-    /// The first non-zero derivative in the order of ids. In insphere(a, b, c, e; d) the derivatives by the (lowered) lifts of a, b, c, d are
-    /// +(b c e d), −(a c e d), +(a b e d), +(a b c e), each sign that of an orientation in space; that of e is (a b c d) = 0.
-    /// With e where (a b c e) is positive, (p q e d) = −(p q d e) has the sign of −(p q d) in the plane; e on the other side swaps
-    /// a and b and all signs with them.
+    /// The first non-zero derivative in the order of ids. In insphere(a, b, c, e; d) the derivatives by the (lowered)
+    /// lifts of a, b, c, d are +(b c e d), −(a c e d), +(a b e d), +(a b c e), each sign that of an orientation in
+    /// space; that of e is (a b c d) = 0. With e where (a b c e) is positive, (p q e d) = −(p q d e) has the sign of
+    /// −(p q d) in the plane; e on the other side swaps a and b and all signs with them.
     fn incircle_tie(&self, axis: usize, [a, b, c, d]: [u32; 4]) -> Sign {
         let mut terms = [(a, [b, d, c]), (b, [a, c, d]), (c, [a, d, b]), (d, [a, b, c])];
         terms.sort_unstable_by_key(|term| term.0);

@@ -1,13 +1,14 @@
 //! The point store: explicit points, and Steiner points `a + t (b − a)` on segments that are no doubles.
 //!
-//! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit points;
-//! the static bounds hold for all differences between stored points; the ends of an implicit point are explicit.
-//! Source: implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t, so that all
-//! coordinates have denominator one: sums of two doubles in nearly all cases, and integers on a common grid.
+//! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit
+//! points; the static bounds hold for all differences between stored points; the ends of an implicit point are
+//! explicit. Source: implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t,
+//! so that all coordinates have denominator one: sums of two doubles in nearly all cases, and integers on a common
+//! grid.
 
 use super::big::Big;
 use super::expansion::Expansion;
-use super::filter::Spread;
+use super::filter::{larger, Spread};
 use super::range::{self, in_range};
 use super::wide::Differences;
 use crate::error::Error;
@@ -263,35 +264,25 @@ impl Points {
         self.grid
     }
 
-    /// Bounds of the differences to the last of these points.
+    /// Bounds of the differences to the last of these points; `explicit` if all of them are.
     #[inline(always)]
-    pub(super) fn spread<const N: usize>(&self, ids: [u32; N]) -> Spread {
-        let last = self.xyz(ids[N - 1]);
-        let mut size = [0.0f64; 3];
-        for &i in &ids[..N - 1] {
-            let p = self.xyz(i);
-            for axis in 0..3 {
-                size[axis] = size[axis].max((p[axis] - last[axis]).abs());
-            }
-        }
-        let mut error = [0.0f64; 3];
-        if self.any_implicit(&ids) {
-            // `rest` is rounded itself.
+    pub(super) fn spread<const N: usize>(&self, ids: [u32; N], explicit: bool) -> Spread {
+        let mut spread = Spread::of(ids.map(|i| self.xyz(i)));
+        if !explicit {
+            // The rest is rounded itself.
             let bound = |x: f64| x.abs() * (1.0 + 2.0 * f64::EPSILON);
             let of = |i: u32| self.implicit(i).map_or([0.0; 3], |p| p.rest.map(bound));
             for &i in &ids[..N - 1] {
-                let e = of(i);
-                for axis in 0..3 {
-                    error[axis] = error[axis].max(e[axis]);
+                for (worst, e) in spread.error.iter_mut().zip(of(i)) {
+                    *worst = larger(*worst, e);
                 }
             }
-            let e = of(ids[N - 1]);
-            for axis in 0..3 {
-                error[axis] += e[axis];
-                size[axis] += error[axis];
+            for (axis, e) in of(ids[N - 1]).into_iter().enumerate() {
+                spread.error[axis] += e;
+                spread.size[axis] += spread.error[axis];
             }
         }
-        Spread { size, error }
+        spread
     }
 
     /// Forgets all points but the first `n`. (The static bounds stay as they are: they only could be tighter.)
@@ -319,10 +310,10 @@ fn on_segment(a: &[f64; 3], b: &[f64; 3], t: f64) -> [Expansion; 3] {
 /// [`Points::exact_bits`] for one coordinate.
 ///
 /// Let d = b − a and g = 2^(low(d) − n), low the exponent of the lowest set bit. Even k belong to smaller n. For odd k and
-/// low(d) − n < low(a) the lowest bit of v = a + k d / 2^n is g exactly, so v is a double if and only if |v| <= 2^53 g; |v| is
-/// largest at k = 1 or k = 2^n − 1. Otherwise all v are multiples of 2^min(low(a), low(b)) no larger than the ends, and so
-/// doubles. Hence: doubles for all k up to n if the two outermost points of every level up to n are. |a|, |b| <= 2^53 g suffices, from there
-/// on level by level.
+/// low(d) − n < low(a) the lowest bit of v = a + k d / 2^n is g exactly, so v is a double if and only if |v| <= 2^53 g;
+/// |v| is largest at k = 1 or k = 2^n − 1. Otherwise all v are multiples of 2^min(low(a), low(b)) no larger than the
+/// ends, and so doubles. Hence: doubles for all k up to n if the two outermost points of every level up to n are. |a|,
+/// |b| <= 2^53 g suffices, from there on level by level.
 fn exact_bits_1d(a: f64, b: f64) -> u32 {
     const MOST: u32 = 52;
     let d = Expansion::of_difference(b, a);

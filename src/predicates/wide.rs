@@ -1,10 +1,11 @@
 //! Determinants in integers of fixed width: the exact level that nearly all close calls take.
 //!
-//! Coordinates of the few points at hand, given as one or two doubles each, are integers in units of their lowest set bit. If these
-//! stay within 2^124, the differences stay within 2^125 and all determinants within 640 bits; differences up to 2^61 take half as many
-//! digits. Two's complement, 64-bit digits, lowest first. Bounds, with |difference| <= 2^125 (2^61): minor 2^251 (2^123),
-//! squared distance 2^252 (2^124), triple product 2^378 (2^186), insphere 2^632 (2^312), incircle 2^505 (2^249): below the
-//! sign bits of 4, 4, 6, 10, 8 (2, 2, 3, 5, 4) digits. Branch-free and faster than expansions, whose lengths vary.
+//! Coordinates of the few points at hand, given as one or two doubles each, are integers in units of their lowest set
+//! bit. If these stay within 2^124, the differences stay within 2^125 and all determinants within 640 bits; differences
+//! up to 2^61 take half as many digits. Two's complement, 64-bit digits, lowest first. Bounds, with |difference| <=
+//! 2^125 (2^61): minor 2^251 (2^123), squared distance 2^252 (2^124), triple product 2^378 (2^186), insphere 2^632
+//! (2^312), incircle 2^505 (2^249): below the sign bits of 4, 4, 6, 10, 8 (2, 2, 3, 5, 4) digits. Branch-free and
+//! faster than expansions, whose lengths vary.
 
 use super::Sign;
 
