@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Shared by run-tests.sh and run-corpus.sh: steps that are counted, packages, paths. Source it from the project's root.
 export PYTHONDONTWRITEBYTECODE=1
 shared=../shared
