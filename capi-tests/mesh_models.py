@@ -91,13 +91,14 @@ def main():
         print(f"{name:36s} {'FAILED ' + '; '.join(faults) if faults else 'ok'}  {note}", flush=True)
 
     def expect(result, code, said=""):
-        faults = [] if result.returncode == code else [f"exit {result.returncode} instead of {code}: {result.stderr.strip()[-160:]}"]
+        said_all = " ".join(result.stderr.split())
+        faults = [] if result.returncode == code else [f"exit {result.returncode} instead of {code}: {said_all[:160]}"]
         if "panicked" in result.stderr:
             faults.append("panic")
         if code == 1 and not result.stderr.strip():
             faults.append("no report")
         if said and said not in (result.stderr + result.stdout).lower():
-            faults.append(f"does not say {said!r}: {result.stderr.strip()[:160]}")
+            faults.append(f"does not say {said!r}: {said_all[:160]}")
         return faults
 
     with tempfile.TemporaryDirectory() as work:
