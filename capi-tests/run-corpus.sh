@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Meshes and judges the whole corpus at ../shared: public models in two modes, open and broken ones, point sets; then the comparison
-# with the recorded figures of other programs. About an hour on two cores.
+# with the recorded figures of other programs. It takes a while.
 #   bash capi-tests/run-corpus.sh [OUT]      line-per-model tables go to the folder OUT (default: target/corpus)
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
@@ -12,6 +12,7 @@ packages g++ python3 libcgal-dev libgmp-dev libmpfr-dev tetgen
 mkdir -p "$out"
 step "program" cargo build --release
 step "judge" make_judge
+[ "$failed" -eq 0 ] || { closing; exit 1; }
 run() { python3 "$shared/tools/run-corpus" --bin "$bin" --judge "$judge" "$@"; }
 
 # Open surfaces with their hull kept. The judge has no word for "the hull is not on facets", so that finding alone is excused.
