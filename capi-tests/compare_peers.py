@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+"""Compares delotet with the recorded figures of other programs, translated to this machine.
+
+  compare_peers.py --bin target/release/delotet [--peers ../shared/docs/peers.tsv] [--corpus ../shared/corpus/models]
+                   [--repeat 1] [--only SUBSTRING] [--limit 60] [--tsv FILE]
+
+Runs Debian's `tetgen -p` and `delotet mesh` alternately on every model of the table, in time without reading and writing (TetGen's
+"Total running seconds"; ours: total less read and write). The factor between this machine and the recorded one is
+TetGen's time here over its recorded time, summed over the models that it survives in both places; the exact peer's recorded seconds are multiplied by it.
+The least of --repeat runs counts. Exit 0 if delotet meshed every model.
+"""
+import argparse
+import json
+import os
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+
+FIELDS = ["file", "triangles", "peer_s", "peer_steiner", "peer_flat", "peer_inverted", "cgal_s", "cgal_added",
+          "tetgen_s", "tetgen_added", "tetgen_y_s", "tetgen_y_added", "tetgen16_y_s", "tetgen16_y_added"]
+
+
+def number(text):
+    """A figure of the table; None for FAIL, LIMIT or nothing."""
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def tetgen_seconds(model, folder, limit):
+    """TetGen's own seconds, or None if it does not survive. It writes beside its input: so that is a copy."""
+    copy = os.path.join(folder, os.path.basename(model))
+    shutil.copyfile(model, copy)
+    try:
+        result = subprocess.run(["tetgen", "-p", copy], capture_output=True, text=True, errors="replace", timeout=limit)
+    except subprocess.TimeoutExpired:
+        return None
+    found = re.search(r"Total running seconds:\s*(\S+)", result.stdout)
+    return float(found.group(1)) if found and result.returncode == 0 else None
+
+
+def our_figures(program, model, folder, limit):
+    """(seconds, Steiner points, statistics) or the reason why not."""
+    stats = os.path.join(folder, "stats.json")
+    command = [program, "mesh", model, "-o", os.path.join(folder, "out.ele"), "--stats", stats, "--quiet"]
+    try:
+        result = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=limit)
+    except subprocess.TimeoutExpired:
+        return f"over {limit} s"
+    if result.returncode != 0:
+        return f"exit {result.returncode}"
+    found = json.load(open(stats))
+    seconds = found["seconds"]
+    return seconds["total"] - seconds["read"] - seconds["write"], found["steiner"], found
+
+
+def measure(options, rows):
+    """One line a model."""
+    failures = 0
+    print(f"{'model':34s} {'triangles':>9s} {'ours s':>9s} {'peer s*':>9s} {'ours pts':>9s} {'peer pts':>9s} {'tetgen s':>9s} {'recorded':>9s}")
+    with tempfile.TemporaryDirectory() as folder:
+        for row in rows:
+            model = os.path.join(options.corpus, row["file"])
+            tetgen, ours = [], []
+            for _ in range(options.repeat):
+                tetgen.append(tetgen_seconds(model, folder, options.limit))
+                ours.append(our_figures(options.bin, model, folder, options.limit))
+            row["tetgen_here"] = None if None in tetgen else min(tetgen)
+            bad = next((o for o in ours if isinstance(o, str)), None)
+            if bad:
+                failures += 1
+            else:
+                row["ours_s"], row["ours_steiner"] = min(o[0] for o in ours), ours[0][1]
+            show = lambda x, form: format(x, form) if x is not None else "-"
+            print(f"{row['file']:34s} {row['triangles']:>9s} {bad or show(row['ours_s'], '.3f'):>9s} {show(number(row['peer_s']), '.3f'):>9s} "
+                  f"{show(row.get('ours_steiner'), 'd'):>9s} {show(number(row['peer_steiner']), '.0f'):>9s} "
+                  f"{show(row['tetgen_here'], '.3f'):>9s} {show(number(row['tetgen_s']), '.3f'):>9s}", flush=True)
+    return failures
+
+
+def summarize(rows, failures):
+    """The sums, ratios and medians."""
+    both = [r for r in rows if r["tetgen_here"] is not None and number(r["tetgen_s"]) is not None]
+    here, recorded = sum(r["tetgen_here"] for r in both), sum(number(r["tetgen_s"]) for r in both)
+    factor = here / recorded if recorded else float("nan")
+    shared = [r for r in rows if number(r["peer_s"]) is not None and "ours_s" in r]
+    ours, peer = sum(r["ours_s"] for r in shared), factor * sum(number(r["peer_s"]) for r in shared)
+    points, peer_points = sum(r["ours_steiner"] for r in shared), sum(number(r["peer_steiner"]) for r in shared)
+    flat = sum(1 for r in shared if (number(r["peer_flat"]) or 0) + (number(r["peer_inverted"]) or 0) > 0)
+    ratio = lambda a, b: f"{a / b:.3f}" if b else "-"
+    print(f"\n* recorded. This machine takes {factor:.3f} of the recorded one's time: TetGen -p on {len(both)} models, {here:.2f} s here, "
+          f"{recorded:.2f} s recorded; it fails on {sum(r['tetgen_here'] is None for r in rows)} of {len(rows)} here")
+    print(f"delotet failed on {failures} of {len(rows)} models")
+    print(f"on {len(shared)} models that both mesh: seconds {ours:.2f} : {peer:.2f} (exact peer, translated), ratio {ratio(ours, peer)}; "
+          f"Steiner points {points} : {peer_points:.0f}, ratio {ratio(points, peer_points)}")
+    print(f"the exact peer leaves flat or inverted tetrahedra on {flat} of them (recorded)")
+    timed = [r["ours_s"] / (factor * number(r["peer_s"])) for r in shared if number(r["peer_s"]) >= 0.005]
+    if timed:
+        print(f"median ratio of seconds, {len(timed)} models of 5 ms or more: {statistics.median(timed):.3f}; worst {max(timed):.3f}")
+    counted = [r["ours_steiner"] / number(r["peer_steiner"]) for r in shared if number(r["peer_steiner"]) > 0]
+    if counted:
+        print(f"median ratio of Steiner points, {len(counted)} models with any: {statistics.median(counted):.3f}; worst {max(counted):.3f}")
+    beside = [r for r in rows if r["tetgen_here"] is not None and "ours_s" in r]
+    print(f"beside TetGen -p (which is not exact) on {len(beside)} models: seconds {sum(r['ours_s'] for r in beside):.2f} : "
+          f"{sum(r['tetgen_here'] for r in beside):.2f}")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "shared")
+    parser.add_argument("--bin", required=True)
+    parser.add_argument("--peers", default=os.path.join(root, "docs", "peers.tsv"))
+    parser.add_argument("--corpus", default=os.path.join(root, "corpus", "models"))
+    parser.add_argument("--repeat", type=int, default=1)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--limit", type=float, default=60)
+    parser.add_argument("--tsv")
+    options = parser.parse_args()
+    options.bin = os.path.abspath(options.bin)
+    rows = [dict(zip(FIELDS, line.rstrip("\n").split("\t"))) for line in open(options.peers) if line.strip()]
+    rows = [r for r in rows if options.only in r["file"]]
+    failures = measure(options, rows)
+    summarize(rows, failures)
+    if options.tsv:
+        with open(options.tsv, "w") as out:
+            for r in rows:
+                out.write("\t".join(str(r.get(k, "")) for k in FIELDS + ["tetgen_here", "ours_s", "ours_steiner"]) + "\n")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

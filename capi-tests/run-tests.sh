@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Installs what is missing and runs all tests; on two cores in well under half an hour.
+#   bash capi-tests/run-tests.sh
+# The whole corpus is another command: capi-tests/run-corpus.sh.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
+. capi-tests/common.sh
+
+packages g++ cmake make pkg-config python3 valgrind libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev tetgen libtet1.5-dev
+command -v cargo >/dev/null || { echo "cargo (1.85 or later) is needed: see https://rustup.rs"; exit 2; }
+
+regenerate() {
+  local name bad=0
+  python3 $data/generate.py all "$work/models" || return 1
+  for name in $(python3 $data/generate.py list); do
+    cmp "$data/$name" "$work/models/$name" || bad=1
+  done
+  return $bad
+}
+
+step "format" cargo fmt --check
+step "lints" cargo clippy --all-targets -- -D warnings
+step "tests, debug" cargo test
+step "tests, release" cargo test --release
+step "program" cargo build --release
+# Without a fresh program an old one would be tested.
+case ${failures[*]:-} in *program:*) closing; exit 1 ;; esac
+step "models are what their generator makes" regenerate
+step "models are what they claim" python3 $data/check_models.py
+step "meshes of our models" python3 capi-tests/mesh_models.py --bin $bin
+
+if make_judge; then
+  python3 $data/generate.py list | sed "s|^|$PWD/$data/|" > "$work/own"
+  grep -v '/invalid/' "$work/own" > "$work/own-valid.txt"
+  grep '/invalid/' "$work/own" > "$work/own-invalid.txt"
+  sed "s|^|$PWD/$shared/corpus/models/|" capi-tests/corpus-sample.txt > "$work/sample"
+  grep -v '/bad_' "$work/sample" > "$work/sample-valid.txt"
+  grep '/bad_' "$work/sample" > "$work/sample-invalid.txt"
+  run() { python3 "$shared/tools/run-corpus" --bin "$bin" --judge "$judge" "$@"; }
+  for mode in cdt merge; do
+    step "our models, $mode, judged" run --list "$work/own-valid.txt" --mode $mode
+    step "sample of the corpus, $mode, judged" run --list "$work/sample-valid.txt" --mode $mode
+  done
+  step "our broken models" run --invalid --list "$work/own-invalid.txt"
+  step "sample of the broken models" run --invalid --list "$work/sample-invalid.txt"
+  for set in uniform:20000 clustered:10000 sphere:10000 cylinder:5000 grid:8000 plane+1:5000 parabola:300 moment:300; do
+    step "Delaunay of ${set#*:} points, ${set%:*}" delaunay "${set%:*}" "${set#*:}"
+  done
+else
+  echo
+  echo "NOT RUN: no corpus and judge at $shared; meshes were checked by the program's own check only."
+fi
+closing
