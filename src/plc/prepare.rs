@@ -383,6 +383,17 @@ fn triangulate_facet(
     surface: &Surface,
     triangulator: &mut Triangulator,
 ) -> Result<Result<(), Fault>, Error> {
+    if let [polygon] = &facet.polygons[..] {
+        let mut ring = [0; 4];
+        if let (Some(ring), true) = (ring.get_mut(..polygon.len()), facet.holes.is_empty()) {
+            for (corner, &v) in ring.iter_mut().zip(polygon) {
+                *corner = surface.alias[v as usize];
+            }
+            if triangulator.triangulate_ring(&surface.points, ring)? {
+                return Ok(Ok(()));
+            }
+        }
+    }
     triangulator.clear();
     let mut rings = 0;
     for polygon in &facet.polygons {
