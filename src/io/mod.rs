@@ -12,6 +12,8 @@ use crate::plc::Plc;
 use crate::INVALID;
 use std::path::Path;
 
+mod medit;
+mod msh;
 mod obj;
 mod off;
 mod output_files;
@@ -19,8 +21,13 @@ mod ply;
 mod quality;
 mod stl;
 mod surface;
+mod tags;
+#[cfg(test)]
+mod tests;
 mod tetgen;
 mod text;
+mod vtk;
+mod vtu;
 mod write_surface;
 mod write_tetgen;
 
@@ -158,12 +165,28 @@ pub struct WriteOptions {
 /// [`Status::Unsupported`]: no mesh format. [`Status::File`]: cannot be written; then nothing is left behind.
 pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> Result<(), Error> {
     let mut files = output_files::OutputFiles::default();
-    let _ = options;
     match Format::of(path)? {
         Format::Ele => write_tetgen::write(&mut files, path, mesh, plc)?,
+        Format::Vtu => {
+            files.write(path, |out| vtu::write(out, mesh, plc, options.compress))?;
+            if options.subfaces {
+                let beside = subfaces_path(path);
+                files.write(&beside, |out| vtu::write_subfaces(out, mesh, options.compress))?;
+            }
+        }
+        Format::Vtk => files.write(path, |out| vtk::write(out, mesh))?,
+        Format::Msh => files.write(path, |out| msh::write(out, mesh))?,
+        Format::Medit => files.write(path, |out| medit::write(out, mesh, plc))?,
         _ => return Err(Error::new(Status::Unsupported, format!("{}: not a mesh format", path.display()))),
     }
     files.commit()
+}
+
+/// `STEM_subfaces.vtu` for `STEM.vtu`.
+fn subfaces_path(path: &Path) -> std::path::PathBuf {
+    let mut name = path.file_stem().unwrap_or_default().to_os_string();
+    name.push("_subfaces.vtu");
+    path.with_file_name(name)
 }
 
 /// Writes the points, facets and segments of a PLC in the surface format of the path's extension.
@@ -209,7 +232,7 @@ pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
         false => std::path::PathBuf::from(format!("{}.{suffix}", path.display())),
     };
     let ele = beside("ele");
-    let (nodes, tets, attributes) =
+    let tetgen::Tets { nodes, tets, attributes } =
         tetgen::read_tets(&bytes_of(&beside("node"))?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
     let mut mesh = TetMesh { tets, ..TetMesh::default() };
     let face = beside("face");

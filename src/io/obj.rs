@@ -51,8 +51,8 @@ struct Reader {
     markers: HashMap<(Vec<u8>, Vec<u8>), i32>,
     marker: i32,
     facets: u32,
-    /// The largest index used so far and the element that used it.
-    largest: Option<(i64, Element)>,
+    /// The largest index used so far with the element and line that used it.
+    largest: Option<(i64, Element, usize)>,
 }
 
 impl Reader {
@@ -116,8 +116,8 @@ impl Reader {
                 format_args!("vertex index {} reaches before the first vertex", shown(token)),
             ));
         }
-        if self.largest.is_none_or(|(largest, _)| index > largest) {
-            self.largest = Some((index, element));
+        if self.largest.is_none_or(|(largest, ..)| index > largest) {
+            self.largest = Some((index, element, line));
         }
         Ok(index)
     }
@@ -159,8 +159,9 @@ impl Reader {
 
     fn check_ranges(&self) -> Result<(), Error> {
         match self.largest {
-            Some((index, element)) if index >= self.surface.points.len() as i64 => {
-                Err(out_of_range(element, self.surface.points.len()))
+            Some((index, element, line)) if index >= self.surface.points.len() as i64 => {
+                let error = out_of_range(element, self.surface.points.len());
+                Err(Error { message: format!("line {line}: {}", error.message), ..error })
             }
             _ => Ok(()),
         }

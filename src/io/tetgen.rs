@@ -255,8 +255,18 @@ fn region_section(lines: &mut Lines<'_>, plc: &mut Plc) -> Result<(), Error> {
     Ok(())
 }
 
-/// A mesh from `.node` and `.ele` files: points, tetrahedra, and per tetrahedron the first attribute, if there are any.
-pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<(Nodes, Vec<[u32; 4]>, Vec<f64>), Error> {
+/// What `.node` and `.ele` files hold.
+pub(super) struct Tets {
+    /// The points.
+    pub nodes: Nodes,
+    /// The tetrahedra.
+    pub tets: Vec<[u32; 4]>,
+    /// The first attribute of each tetrahedron; empty if they have none.
+    pub attributes: Vec<f64>,
+}
+
+/// Reads a mesh from the contents of its `.node` and `.ele` files.
+pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<Tets, Error> {
     let nodes = read_nodes(node).map_err(|e| Error { message: format!(".node file: {}", e.message), ..e })?;
     let mut lines = Lines::new(ele);
     let mut line = lines.expect("the number of tetrahedra")?;
@@ -282,7 +292,7 @@ pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<(Nodes, Vec<[u32; 4]>
         }
     }
     lines.expect_end("tetrahedron")?;
-    Ok((nodes, tets, attributes))
+    Ok(Tets { nodes, tets, attributes })
 }
 
 /// The triangles of a `.face` file with their markers.

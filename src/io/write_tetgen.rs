@@ -38,7 +38,7 @@ fn nodes(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> {
 }
 
 /// Attribute `k` of a point: a Steiner point's is interpolated between the ends of its edge.
-fn attribute(mesh: &TetMesh, plc: &Plc, point: usize, k: usize) -> f64 {
+pub(super) fn attribute(mesh: &TetMesh, plc: &Plc, point: usize, k: usize) -> f64 {
     let given =
         |p: usize| plc.point_attributes.get(p * plc.point_attribute_count + k).copied().unwrap_or(0.0);
     let Some(steiner) = point.checked_sub(mesh.input_point_count as usize) else { return given(point) };
