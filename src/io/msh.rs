@@ -1,8 +1,8 @@
 //! Gmsh's MSH 4.1, in text. Source: Gmsh Reference Manual, section "MSH file format".
 //!
 //! One volume per region, one surface per facet marker, one curve per segment marker. Physical groups: each region by its
-//! tag (see `tags`), each marker but 0 by itself; a marker below 0 by a free tag, for physical tags are positive. The names
-//! tell attribute and marker.
+//! tag (see `tags`), each marker by itself; a marker that is not positive by a free tag, for physical tags are positive.
+//! The names tell attribute and marker. Every entity is in a group: readers want all or none.
 use super::output_files::Out;
 use super::tags;
 use crate::output::TetMesh;
@@ -11,7 +11,7 @@ use std::io;
 /// An entity: its elements (indices of subsegments, subfaces or tetrahedra), its physical tag and name.
 struct Entity {
     elements: Vec<u32>,
-    physical: Option<i32>,
+    physical: i32,
     name: String,
 }
 
@@ -34,11 +34,7 @@ fn by_marker(elements: Vec<u32>, marker: impl Fn(u32) -> i32) -> Vec<Entity> {
     groups
         .into_iter()
         .zip(physical)
-        .map(|((marker, elements), tag)| Entity {
-            elements,
-            physical: (marker != 0).then_some(tag),
-            name: format!("marker {marker}"),
-        })
+        .map(|((marker, elements), tag)| Entity { elements, physical: tag, name: format!("marker {marker}") })
         .collect()
 }
 
@@ -49,7 +45,7 @@ fn volumes(mesh: &TetMesh) -> Vec<Entity> {
         .enumerate()
         .map(|(i, &tag)| Entity {
             elements: Vec::new(),
-            physical: Some(tag),
+            physical: tag,
             name: format!("region {}", mesh.regions.get(i).map_or(0.0, |r| r.attribute)),
         })
         .collect();
@@ -62,7 +58,7 @@ fn volumes(mesh: &TetMesh) -> Vec<Entity> {
 fn write_names(out: &mut Out, entities: &[Vec<Entity>; 3]) -> io::Result<()> {
     let mut names: Vec<(usize, i32, &str)> = Vec::new();
     for (i, of_dimension) in entities.iter().enumerate() {
-        names.extend(of_dimension.iter().filter_map(|e| Some((i + 1, e.physical?, e.name.as_str()))));
+        names.extend(of_dimension.iter().map(|e| (i + 1, e.physical, e.name.as_str())));
     }
     names.sort_unstable();
     names.dedup_by_key(|n| (n.0, n.1));
@@ -82,10 +78,7 @@ fn write_entities(out: &mut Out, mesh: &TetMesh, entities: &[Vec<Entity>; 3]) ->
             for x in bounds(mesh, dimension, entity).iter().flatten() {
                 out.blank_float(*x)?;
             }
-            match entity.physical {
-                Some(tag) => out.put(format!(" 1 {tag}"))?,
-                None => out.put(" 0")?,
-            }
+            out.put(format!(" 1 {}", entity.physical))?;
             // No bounding entities are listed.
             out.put(" 0\n")?;
         }

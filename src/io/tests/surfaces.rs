@@ -5,16 +5,8 @@ use crate::plc::{Facet, Interior, RegionSeed, Segment};
 use proptest::prelude::*;
 
 /// Coordinates that a careless reader or writer spoils.
-const AWKWARD: [f64; 8] = [
-    0.1,
-    1e-310,
-    -0.0,
-    f64::MAX,
-    f64::MIN_POSITIVE,
-    1.0 / 3.0,
-    -123456789.123456789,
-    4.9406564584124654e-324,
-];
+const AWKWARD: [f64; 8] =
+    [0.1, 1e-310, -0.0, f64::MAX, f64::MIN_POSITIVE, 1.0 / 3.0, -123_456_789.123_456_79, 5e-324];
 
 fn awkward_triangles() -> Plc {
     let point = |i: usize| [AWKWARD[i % 8], AWKWARD[(i / 2 + 3) % 8], i as f64];
