@@ -18,7 +18,9 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
 fn check(args: &CheckArgs) -> Result<(), Failure> {
     let plc = io::read(&args.input)?;
     let mesh = io::read_mesh(&args.mesh).map_err(|e| Failure::from(e).with_code(1))?;
-    let mesh = TetMesh { input_point_count: mesh.points.len().min(plc.points.len()) as u32, ..mesh };
+    let input_point_count = mesh.points.len().min(plc.points.len()) as u32;
+    let mut mesh = TetMesh { input_point_count, ..mesh };
+    super::attribute::attribute_subfaces(&plc, &mut mesh)?;
     let limit = if args.report.is_some() { 10_000_000 } else { 1000 };
     verdict(&plc, &mesh, !args.no_delaunay, limit).map_err(|e| Failure::from(e).with_code(1))?;
     let mut out = std::io::stdout().lock();

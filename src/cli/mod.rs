@@ -9,6 +9,7 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::process::ExitCode;
 
 mod args;
+mod attribute;
 mod check;
 mod convert;
 mod info;

@@ -4,28 +4,60 @@
 //! an array (node `i` has children `2i + 1` and `2i + 2`), so neither building nor traversing recurses (linear BVH:
 //! Lauterbach et al. 2009). Pairs come from a traversal of the tree against itself.
 //!
-//! Boxes are exact bounds of double coordinates: comparing them is exact, and touching boxes meet.
+//! Boxes are in single precision, rounded so that no pair that meets is missed (see [`Frame`]).
 use crate::error::Error;
 
-/// An axis-parallel box.
+/// An axis-parallel box in the numbers of a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds {
-    low: [f64; 3],
-    high: [f64; 3],
+    low: [f32; 3],
+    high: [f32; 3],
+}
+
+/// Takes coordinates to single precision, the common box to about the unit cube. Each step is monotone also when rounded, so
+/// boxes that are apart here are apart; boxes that touch in space meet here.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    half_low: [f64; 3],
+    scale: f64,
+}
+
+impl Frame {
+    /// The frame for all given points.
+    pub(super) fn of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Frame {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for p in points {
+            for k in 0..3 {
+                low[k] = low[k].min(p[k]);
+                high[k] = high[k].max(p[k]);
+            }
+        }
+        // Halves, so that no finite extent overflows.
+        let low = low.map(|x| 0.5 * x);
+        let extent = (0..3).map(|k| 0.5 * high[k] - low[k]).fold(0.0, f64::max);
+        Frame { half_low: low, scale: (1.0 / extent).min(f64::MAX) }
+    }
+
+    /// The smallest box around points.
+    pub(super) fn bounds<'a>(&self, points: impl Iterator<Item = &'a [f64; 3]>) -> Bounds {
+        points.fold(Bounds::EMPTY, |bounds, p| {
+            let q = std::array::from_fn(|k| ((0.5 * p[k] - self.half_low[k]) * self.scale) as f32);
+            bounds.union(&Bounds { low: q, high: q })
+        })
+    }
 }
 
 impl Bounds {
-    const EMPTY: Bounds = Bounds { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
+    const EMPTY: Bounds = Bounds { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
-    /// The smallest box around points.
-    pub(super) fn of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Bounds {
-        points.fold(Bounds::EMPTY, |bounds, p| bounds.union(&Bounds { low: *p, high: *p }))
-    }
-
+    #[inline(always)]
     fn union(&self, other: &Bounds) -> Bounds {
+        // Plain comparisons: there are no NaNs, and these become single instructions.
+        let min = |a: f32, b: f32| if a < b { a } else { b };
+        let max = |a: f32, b: f32| if a > b { a } else { b };
         Bounds {
-            low: std::array::from_fn(|k| self.low[k].min(other.low[k])),
-            high: std::array::from_fn(|k| self.high[k].max(other.high[k])),
+            low: std::array::from_fn(|k| min(self.low[k], other.low[k])),
+            high: std::array::from_fn(|k| max(self.high[k], other.high[k])),
         }
     }
 
@@ -43,7 +75,7 @@ impl Bounds {
 }
 
 /// Boxes per leaf.
-const LEAF: usize = 4;
+const LEAF: usize = 8;
 
 /// The hierarchy.
 pub(super) struct BoxTree {
@@ -62,8 +94,7 @@ impl BoxTree {
     pub(super) fn new(bounds: &[Bounds]) -> Result<BoxTree, Error> {
         let mut keyed = Vec::new();
         keyed.try_reserve_exact(bounds.len())?;
-        let all = bounds.iter().fold(Bounds::EMPTY, |all, b| all.union(b));
-        keyed.extend((0u32..).zip(bounds).map(|(i, b)| (morton_code(b, &all), i)));
+        keyed.extend((0u32..).zip(bounds).map(|(i, b)| (morton_code(b), i)));
         keyed.sort_unstable();
         let (mut order, mut sorted, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
         order.try_reserve_exact(bounds.len())?;
@@ -168,12 +199,11 @@ impl BoxTree {
 }
 
 /// The position of a box's centre on a Morton curve of 21 bits per axis. Any value would be valid: it only steers speed.
-fn morton_code(bounds: &Bounds, all: &Bounds) -> u64 {
+fn morton_code(bounds: &Bounds) -> u64 {
     (0..3).fold(0, |code, k| {
-        let extent = all.high[k] - all.low[k];
-        let centre = 0.5 * (bounds.low[k] + bounds.high[k]) - all.low[k];
-        // The cast saturates: NaN and negative numbers become 0.
-        let cell = (centre / extent * 2_097_152.0) as u64;
+        let centre = 0.5 * (bounds.low[k] + bounds.high[k]);
+        // The cast saturates.
+        let cell = (centre * 2_097_152.0) as u64;
         code | spread_bits(cell.min(2_097_151)) << k
     })
 }

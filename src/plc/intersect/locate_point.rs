@@ -36,36 +36,31 @@ impl Triangle {
             permanent[k] = plus.abs() + minus.abs();
         }
         let longest = (1..3).fold(0, |l, k| if normal[k].abs() > normal[l].abs() { k } else { l });
-        let projection = Projection::along(longest, &corners).or_else(|| Projection::of(&corners));
+        let projection = Projection::along(longest as u8, &corners).or_else(|| Projection::of(&corners));
         Triangle { index, facet, ids, corners, projection, normal, permanent }
     }
 
-    /// On which side of the plane a point lies, if rounded arithmetic can tell.
+    /// The determinant whose sign is the side of a point, rounded, and a bound on its error.
     #[inline(always)]
-    pub(super) fn side_by_filter(&self, p: &[f64; 3]) -> Option<Sign> {
+    pub(super) fn rounded_side(&self, p: &[f64; 3]) -> (f64, f64) {
         let a = &self.corners[0];
         let d = [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
         let (n, m) = (&self.normal, &self.permanent);
         let det = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
         let permanent = d[0].abs() * m[0] + d[1].abs() * m[1] + d[2].abs() * m[2];
-        let bound = FILTER * permanent;
-        if det > bound {
-            Some(Sign::Positive)
-        } else if det < -bound {
-            Some(Sign::Negative)
-        } else if permanent == 0.0 {
-            // Every product vanishes: no rounding took place (as in planes across an axis).
-            Some(Sign::Zero)
-        } else {
-            None
-        }
+        (det, FILTER * permanent)
     }
 
     /// On which side of the plane a point lies.
     #[inline]
     pub(super) fn side(&self, p: &[f64; 3]) -> Sign {
+        let (det, bound) = self.rounded_side(p);
+        // With a bound of zero every product vanishes, and so does the sign: common in planes across an axis.
+        if det.abs() > bound || bound == 0.0 {
+            return Sign::of(det);
+        }
         let [a, b, c] = &self.corners;
-        self.side_by_filter(p).unwrap_or_else(|| orient3d(a, b, c, p))
+        orient3d(a, b, c, p)
     }
 
     /// The ids of an edge's ends.
@@ -82,8 +77,9 @@ impl Triangle {
 /// A projection along an axis in which a triangle keeps an area and turns left.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Projection {
-    pub(super) x: usize,
-    pub(super) y: usize,
+    // Bytes: a triangle fits in little more than two cache lines.
+    x: u8,
+    y: u8,
 }
 
 impl Projection {
@@ -93,7 +89,7 @@ impl Projection {
     }
 
     /// The projection along one axis; none if the triangle loses its area in it.
-    fn along(axis: usize, corners: &[[f64; 3]; 3]) -> Option<Projection> {
+    fn along(axis: u8, corners: &[[f64; 3]; 3]) -> Option<Projection> {
         let [a, b, c] = corners;
         let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
         let projection = Projection { x, y };
@@ -107,7 +103,7 @@ impl Projection {
     /// Positive when `a`, `b`, `c` turn left in the projection.
     #[inline]
     pub(super) fn turn(&self, a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
-        let flat = |p: &[f64; 3]| [p[self.x], p[self.y]];
+        let flat = |p: &[f64; 3]| [p[usize::from(self.x)], p[usize::from(self.y)]];
         orient2d(flat(a), flat(b), flat(c))
     }
 }

@@ -9,7 +9,7 @@
 //! Invariant: the lists are sorted and free of duplicates, and depend on the input alone.
 use crate::error::{Defect, Error};
 use crate::progress::{report, Observer, Phase};
-use boxtree::{Bounds, BoxTree};
+use boxtree::{Bounds, BoxTree, Frame};
 use collector::Collector;
 use locate_point::Triangle;
 
@@ -19,6 +19,8 @@ mod coplanar;
 #[cfg(test)]
 mod corpus_tests;
 mod locate_point;
+#[cfg(test)]
+mod oracle_tests;
 mod segment_segment;
 mod segment_triangle;
 #[cfg(test)]
@@ -126,9 +128,10 @@ fn list_elements(input: &IntersectInput) -> Result<(Vec<Item>, Vec<Bounds>), Err
     let (mut elements, mut bounds) = (Vec::new(), Vec::new());
     elements.try_reserve_exact(count)?;
     bounds.try_reserve_exact(count)?;
+    let frame = Frame::of(input.points.iter());
     let mut add = |item: Item, corners: &[u32]| {
         elements.push(item);
-        bounds.push(Bounds::of(corners.iter().map(|&v| &input.points[v as usize])));
+        bounds.push(frame.bounds(corners.iter().map(|&v| &input.points[v as usize])));
     };
     (0..).zip(input.triangles).for_each(|(i, corners)| add(Item::Triangle(i), corners));
     (0..).zip(input.segments).for_each(|(i, ends)| add(Item::Segment(i), ends));

@@ -14,34 +14,38 @@ use crate::predicates::Sign;
 /// Classifies two triangles.
 #[inline]
 pub(super) fn classify(a: &Triangle, b: &Triangle, out: &mut Collector) -> Result<(), Error> {
-    let b_shared = b.ids.map(|v| a.ids.contains(&v));
-    let shared = b_shared.iter().filter(|&&s| s).count();
+    let shared: usize = a.ids.iter().map(|v| b.ids.iter().map(|w| usize::from(v == w)).sum::<usize>()).sum();
+    if shared < 3 && (one_side_by_filter(b, a, shared) || one_side_by_filter(a, b, shared)) {
+        return Ok(());
+    }
+    classify_close(a, b, shared, out)
+}
+
+/// Whether rounded arithmetic can tell that all corners of `t` but the `shared` common ones lie strictly on one side of `of`. (For a
+/// common corner it never claims a side.) Counts without branches: this runs for every candidate pair.
+#[inline(always)]
+fn one_side_by_filter(t: &Triangle, of: &Triangle, shared: usize) -> bool {
+    let (mut above, mut below) = (shared, shared);
+    for p in &t.corners {
+        let (det, bound) = of.rounded_side(p);
+        above += usize::from(det > bound);
+        below += usize::from(det < -bound);
+    }
+    above == 3 || below == 3
+}
+
+/// Classifies two triangles that the filter cannot tell apart.
+#[inline(never)]
+fn classify_close(a: &Triangle, b: &Triangle, shared: usize, out: &mut Collector) -> Result<(), Error> {
     if shared == 3 {
         return out.triangles(DefectKind::DuplicateFacet, a, b, centroid(a));
     }
     let a_shared = a.ids.map(|v| b.ids.contains(&v));
-    if one_side_by_filter(b, &b_shared, a) || (shared < 2 && one_side_by_filter(a, &a_shared, b)) {
-        return Ok(());
-    }
+    let b_shared = b.ids.map(|v| a.ids.contains(&v));
     if separated_in_projection(a, b, &b_shared) || separated_in_projection(b, a, &a_shared) {
         return Ok(());
     }
     classify_exactly(a, &a_shared, b, &b_shared, out)
-}
-
-/// Whether rounded arithmetic can tell that all corners of `t` that are not common to both lie strictly on one side of `of`.
-#[inline(always)]
-fn one_side_by_filter(t: &Triangle, shared: &[bool; 3], of: &Triangle) -> bool {
-    let mut seen = None;
-    for k in (0..3).filter(|&k| !shared[k]) {
-        match of.side_by_filter(&t.corners[k]) {
-            Some(Sign::Zero) | None => return false,
-            side if seen.is_none() => seen = side,
-            side if seen != side => return false,
-            _ => {}
-        }
-    }
-    true
 }
 
 /// Whether in `a`'s projection the line of one of `a`'s edges has all corners of `b` on its outer side, and those on the line are

@@ -1,0 +1,235 @@
+//! The command line program with the engine behind it: meshes, their files, and what is refused.
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn delotet(arguments: &[&str], folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_delotet"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .expect("the program runs")
+}
+
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-mesh-{name}"));
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).expect("a folder for the test");
+    path
+}
+
+fn text(path: PathBuf) -> String {
+    std::fs::read_to_string(path).expect("the file was written")
+}
+
+fn error_line(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).lines().next().unwrap_or_default().to_string()
+}
+
+const CUBE: &str = "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+                    4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+/// The cube with a wall across it.
+fn two_rooms() -> String {
+    let mut points = String::new();
+    for i in 0..12 {
+        points += &format!("{i} {} {} {}\n", i % 3, i / 3 % 2, i / 6);
+    }
+    let facets = [
+        "4 0 3 9 6",
+        "4 2 5 11 8",
+        "6 0 1 2 5 4 3",
+        "6 6 7 8 11 10 9",
+        "6 0 1 2 8 7 6",
+        "6 3 4 5 11 10 9",
+        "4 1 4 10 7",
+    ];
+    let facets: String = facets.iter().enumerate().map(|(i, f)| format!("1 0 {}\n{f}\n", i + 1)).collect();
+    format!("12 3 0 0\n{points}7 1\n{facets}0\n2\n0 0.5 0.5 0.5 10\n1 1.5 0.5 0.5 20\n")
+}
+
+#[test]
+fn a_cube_in_every_mesh_format() {
+    let dir = folder("formats");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    for output in ["c.ele", "c.vtu", "c.vtk", "c.msh", "c.mesh"] {
+        let result =
+            delotet(&["mesh", "cube.off", "-o", output, "--stats", "s.json", "--report", "r.json"], &dir);
+        assert_eq!(result.status.code(), Some(0), "{output}: {}", error_line(&result));
+        assert!(String::from_utf8_lossy(&result.stdout).contains("volume 1.000000"));
+        let stats = text(dir.join("s.json"));
+        for key in [
+            "version",
+            "points_in",
+            "points",
+            "tets",
+            "steiner",
+            "steiner_exact",
+            "regions",
+            "status",
+            "peak_bytes",
+            "total",
+            "audit",
+        ] {
+            assert!(stats.contains(&format!("\"{key}\":")), "{key} in {stats}");
+        }
+        assert!(stats.contains("\"points_in\": 8") && stats.contains("\"regions\": 1"), "{stats}");
+        assert!(text(dir.join("r.json")).contains("\"status\": \"Ok\""));
+    }
+    assert_eq!(text(dir.join("c.node")).lines().next(), Some("8  3  0  0"));
+    let quiet = delotet(&["mesh", "cube.off", "-o", "c.vtu", "--subfaces", "--compress", "--quiet"], &dir);
+    assert!(quiet.status.success() && quiet.stdout.is_empty() && quiet.stderr.is_empty());
+    assert!(dir.join("c_subfaces.vtu").exists());
+}
+
+#[test]
+fn check_accepts_the_mesh_and_refuses_a_damaged_one() {
+    let dir = folder("check");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    assert!(delotet(&["mesh", "cube.off", "-o", "c.ele"], &dir).status.success());
+    for name in ["c.ele", "c"] {
+        let output = delotet(&["check", name, "--input", "cube.off"], &dir);
+        assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+    }
+    let ele = text(dir.join("c.ele"));
+    let first: Vec<&str> = ele.lines().nth(1).unwrap().split(' ').collect();
+    let inverted = format!("0 {} {} {} {}", first[2], first[1], first[3], first[4]);
+    std::fs::write(dir.join("c.ele"), ele.replacen(ele.lines().nth(1).unwrap(), &inverted, 1)).unwrap();
+    let output = delotet(&["check", "c", "--input", "cube.off", "--report", "r.json"], &dir);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(dir.join("r.json")).contains("tetrahedron not positive"));
+}
+
+#[test]
+fn regions_carry_their_attributes() {
+    let dir = folder("regions");
+    std::fs::write(dir.join("two.poly"), two_rooms()).unwrap();
+    assert!(delotet(&["mesh", "two.poly", "-o", "t.ele"], &dir).status.success());
+    let attributes: std::collections::BTreeSet<String> = text(dir.join("t.ele"))
+        .lines()
+        .skip(1)
+        .filter_map(|l| l.split(' ').nth(5))
+        .map(str::to_string)
+        .collect();
+    assert_eq!(attributes.into_iter().collect::<Vec<_>>(), ["10", "20"]);
+    let markers: std::collections::BTreeSet<String> = text(dir.join("t.face"))
+        .lines()
+        .skip(1)
+        .filter_map(|l| l.split(' ').nth(4))
+        .map(str::to_string)
+        .collect();
+    assert_eq!(markers.into_iter().collect::<Vec<_>>(), ["1", "2", "3", "4", "5", "6", "7"]);
+    let output = delotet(&["check", "t.ele", "--input", "two.poly"], &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+}
+
+#[test]
+fn holes_are_carved_and_regions_set_by_arguments() {
+    let dir = folder("holes");
+    let (points, faces) =
+        CUBE["OFF\n8 6 0\n".len()..].split_at(CUBE.find("4 0 3").unwrap() - "OFF\n8 6 0\n".len());
+    let inner = points.replace('1', "0.75").replace("0 ", "0.25 ").replace(" 0\n", " 0.25\n");
+    let inner_faces: String = faces
+        .lines()
+        .map(|line| {
+            let corners: Vec<u32> = line.split(' ').skip(1).map(|c| c.parse::<u32>().unwrap() + 8).collect();
+            format!("4 {} {} {} {}\n", corners[0], corners[1], corners[2], corners[3])
+        })
+        .collect();
+    std::fs::write(dir.join("box.off"), format!("OFF\n16 12 0\n{points}{inner}{faces}{inner_faces}"))
+        .unwrap();
+    let arguments = [
+        "mesh",
+        "box.off",
+        "-o",
+        "b.ele",
+        "--hole",
+        "0.5,0.5,0.5",
+        "--region",
+        "0.1,0.1,0.1,-7",
+        "--stats",
+        "s.json",
+    ];
+    let output = delotet(&arguments, &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+    assert!(text(dir.join("b.ele")).lines().skip(1).all(|l| l.ends_with(" -7")));
+    assert!(text(dir.join("s.json")).contains("\"regions\": 1"));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("volume 0.875000"));
+}
+
+#[test]
+fn an_open_surface_is_refused_unless_the_hull_is_kept() {
+    let dir = folder("open");
+    let open = CUBE.replace("8 6 0", "8 5 0").replace("4 3 0 4 7\n", "");
+    std::fs::write(dir.join("open.off"), open).unwrap();
+    let output = delotet(&["mesh", "open.off", "-o", "o.ele", "--report", "r.json"], &dir);
+    assert_eq!(output.status.code(), Some(1), "{}", error_line(&output));
+    assert!(text(dir.join("r.json")).contains("\"status\": \"NothingEnclosed\""));
+    assert!(!dir.join("o.ele").exists() && !dir.join("o.node").exists());
+    let output = delotet(&["mesh", "open.off", "-o", "o.ele", "--keep-hull"], &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+}
+
+#[test]
+fn a_self_intersection_is_named() {
+    let dir = folder("crossing");
+    let shifted: String = (0..8)
+        .map(|i| {
+            format!("{} {} {}\n", 0.5 + f64::from(i % 2), 0.3 + f64::from(i / 2 % 2), 0.2 + f64::from(i / 4))
+        })
+        .collect();
+    let faces = "4 8 10 11 9\n4 12 13 15 14\n4 8 9 13 12\n4 9 11 15 13\n4 11 10 14 15\n4 10 8 12 14\n";
+    let (points, cube_faces) =
+        CUBE["OFF\n8 6 0\n".len()..].split_at(CUBE.find("4 0 3").unwrap() - "OFF\n8 6 0\n".len());
+    std::fs::write(dir.join("x.off"), format!("OFF\n16 12 0\n{points}{shifted}{cube_faces}{faces}")).unwrap();
+    for command in [
+        &["mesh", "x.off", "-o", "x.ele", "--report", "r.json"][..],
+        &["info", "x.off", "--report", "r.json"],
+    ] {
+        let output = delotet(command, &dir);
+        assert_eq!(output.status.code(), Some(1), "{}", error_line(&output));
+        assert!(error_line(&output).starts_with("error: "));
+        assert!(text(dir.join("r.json")).contains("\"status\": \"SelfIntersection\""));
+        assert!(
+            text(dir.join("r.json")).contains("\"kind\": \"facet crosses facet\""),
+            "{}",
+            text(dir.join("r.json"))
+        );
+    }
+}
+
+#[test]
+fn points_alone_are_meshed_to_their_hull() {
+    let dir = folder("points");
+    let points: String = (0..27).map(|i| format!("{} {} {} {}\n", i + 1, i % 3, i / 3 % 3, i / 9)).collect();
+    std::fs::write(dir.join("grid.node"), format!("# a grid\n27 3 0 0\n{points}")).unwrap();
+    let output = delotet(&["mesh", "grid.node", "-o", "g.ele"], &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("volume 8.000000"));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_cleanly_with_3() {
+    let dir = folder("interrupt");
+    // Enough points to be busy for a while; a linear congruential sequence.
+    let mut state = 1u64;
+    let mut next = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let points: String = (0..200_000).map(|i| format!("{i} {} {} {}\n", next(), next(), next())).collect();
+    std::fs::write(dir.join("p.node"), format!("200000 3 0 0\n{points}")).unwrap();
+    let child = Command::new(env!("CARGO_BIN_EXE_delotet"))
+        .args(["mesh", "p.node", "-o", "p.ele"])
+        .current_dir(&dir)
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(400));
+    let sent = Command::new("sh").args(["-c", &format!("kill -INT {}", child.id())]).status().unwrap();
+    assert!(sent.success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(3), "{}", error_line(&output));
+    assert!(error_line(&output).contains("cancelled"), "{}", error_line(&output));
+    assert!(std::fs::read_dir(&dir).unwrap().count() == 1, "nothing may be left behind");
+}

@@ -1,0 +1,92 @@
+//! The facets of a mesh's faces, where a file does not tell them: TetGen's `.face` holds markers only.
+//!
+//! Needed for meshes without Steiner points alone (the checker does not judge facets of others, for the parents of such points
+//! are not in the files): there the corners of a face are corners of its facet.
+use delotet::{Error, Plc, Status, Subface, TetMesh, INVALID};
+use std::collections::HashMap;
+
+/// Sets facet and sides of every subface of a mesh that has the input's points and no others; else drops the subfaces.
+///
+/// # Errors
+/// [`Status::Unsupported`] if a face cannot be attributed to one facet.
+pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
+    let points = mesh.points.len();
+    if points != plc.points.len() || mesh.tets.iter().flatten().any(|&v| v as usize >= points) {
+        mesh.subfaces.clear();
+        return Ok(());
+    }
+    let alias = aliases(plc);
+    let facets_at = facets_at_points(plc, &alias);
+    let sides = sides_of_faces(mesh);
+    for face in &mut mesh.subfaces {
+        let [a, b, c] = face.corners.map(|v| &facets_at[alias[v as usize] as usize]);
+        let mut candidates = a.iter().filter(|f| b.contains(f) && c.contains(f)).copied();
+        let fits = |f: &u32| plc.facet_marker(*f as usize) == face.marker;
+        let (first, second) = (candidates.find(fits), candidates.find(fits));
+        let (Some(facet), None) = (first, second) else {
+            let [a, b, c] = face.corners;
+            let message =
+                format!("face ({a}, {b}, {c}) of the mesh cannot be attributed to one facet of the input");
+            return Err(Error::new(Status::Unsupported, message));
+        };
+        *face = Subface { facet, tets: sides_of(face, &sides), ..*face };
+    }
+    Ok(())
+}
+
+/// For each point the first one equal to it.
+fn aliases(plc: &Plc) -> Vec<u32> {
+    let mut first = HashMap::new();
+    let key = |p: &[f64; 3]| p.map(|x| (x + 0.0).to_bits());
+    plc.points.iter().enumerate().map(|(i, p)| *first.entry(key(p)).or_insert(i as u32)).collect()
+}
+
+/// For each point the facets that it is a corner of, ascending.
+fn facets_at_points(plc: &Plc, alias: &[u32]) -> Vec<Vec<u32>> {
+    let mut facets_at = vec![Vec::new(); plc.points.len()];
+    let triangles = plc.triangles.iter().map(|t| vec![&t[..]]);
+    let general = plc.facets.iter().map(|f| f.polygons.iter().map(|p| &p[..]).collect());
+    for (facet, rings) in (0u32..).zip(triangles.chain(general)) {
+        for &corner in rings.into_iter().flatten() {
+            let Some(&point) = alias.get(corner as usize) else { continue };
+            if facets_at[point as usize].last() != Some(&facet) {
+                facets_at[point as usize].push(facet);
+            }
+        }
+    }
+    facets_at
+}
+
+type Sides = HashMap<[u32; 3], [u32; 2]>;
+
+/// Sorted corners, and whether sorting was an odd permutation.
+fn sorted(corners: [u32; 3]) -> ([u32; 3], bool) {
+    let [a, b, c] = corners;
+    let odd = (a > b) ^ (a > c) ^ (b > c);
+    let mut sorted = corners;
+    sorted.sort_unstable();
+    (sorted, odd)
+}
+
+/// Per face the tetrahedra on the negative and the positive side of its sorted corners.
+fn sides_of_faces(mesh: &TetMesh) -> Sides {
+    let mut sides = Sides::new();
+    for (t, &[a, b, c, d]) in (0u32..).zip(&mesh.tets) {
+        // Each face so that it and the opposite vertex are an even permutation of the tetrahedron.
+        for face in [[b, d, c], [a, c, d], [a, d, b], [a, b, c]] {
+            let (key, odd) = sorted(face);
+            sides.entry(key).or_insert([INVALID; 2])[usize::from(!odd)] = t;
+        }
+    }
+    sides
+}
+
+fn sides_of(face: &Subface, sides: &Sides) -> [u32; 2] {
+    let (key, odd) = sorted(face.corners);
+    let [negative, positive] = sides.get(&key).copied().unwrap_or([INVALID; 2]);
+    if odd {
+        [positive, negative]
+    } else {
+        [negative, positive]
+    }
+}
