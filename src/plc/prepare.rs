@@ -11,6 +11,7 @@ use super::surface::Surface;
 use super::{Facet, Interior, Plc};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::options::Options;
+use crate::predicates::{range_scale, scale};
 use crate::progress::{report, Observer, Phase};
 use crate::INVALID;
 
@@ -54,8 +55,12 @@ impl Defects {
         let Some(status) = self.kinds.iter().map(|k| status_of(k.0)).max_by_key(|&s| severity(s)) else {
             return Ok(());
         };
-        let parts: Vec<String> =
+        let mut parts: Vec<String> =
             self.kinds.iter().map(|(kind, count)| format!("{count} {}", kind.name())).collect();
+        let listed: usize = self.kinds.iter().map(|k| k.1).sum();
+        if listed < self.count {
+            parts.push(format!("{} not listed", self.count - listed));
+        }
         let message =
             format!("{} defect{}: {}", self.count, if self.count == 1 { "" } else { "s" }, parts.join(", "));
         Err(Error { status, message, defects: self.list, defect_count: self.count })
@@ -267,47 +272,6 @@ fn scale_points(plc: &Plc, surface: &mut Surface, defects: &mut Defects) -> Resu
     Ok(())
 }
 
-/// The power of two that brings all coordinates to at most 2^200 in size and, unless zero, to at least 2^-161: then no term
-/// of an exact insphere overflows or underflows. Else the point that does not fit.
-fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
-    let (mut low, mut high) = ((i32::MAX, 0), (i32::MIN, 0));
-    for (i, p) in points.iter().enumerate() {
-        for x in p.iter().filter(|x| **x != 0.0) {
-            let exponent = exponent(*x);
-            low = low.min((exponent, i));
-            high = high.max((exponent, i));
-        }
-    }
-    if low.0 == i32::MAX || (low.0 >= -161 && high.0 < 200) {
-        return Ok(0);
-    }
-    let k = -high.0;
-    if low.0 + k >= -161 {
-        Ok(k)
-    } else {
-        Err(low.1)
-    }
-}
-
-/// The binary exponent of a finite number that is not zero.
-fn exponent(x: f64) -> i32 {
-    let raw = (x.abs().to_bits() >> 52) as i32;
-    if raw == 0 {
-        -1011 - x.abs().to_bits().leading_zeros() as i32
-    } else {
-        raw - 1023
-    }
-}
-
-/// `x · 2^k`, in two steps, since `2^k` alone may be out of range.
-fn scale(x: f64, k: i32) -> f64 {
-    if k == 0 {
-        return x;
-    }
-    let half = k / 2;
-    x * 2f64.powi(half) * 2f64.powi(k - half)
-}
-
 /// Input segments between representatives.
 fn alias_segments(
     plc: &Plc,
@@ -383,6 +347,17 @@ fn triangulate_facet(
     surface: &Surface,
     triangulator: &mut Triangulator,
 ) -> Result<Result<(), Fault>, Error> {
+    if let [polygon] = &facet.polygons[..] {
+        let mut ring = [0; 4];
+        if let (Some(ring), true) = (ring.get_mut(..polygon.len()), facet.holes.is_empty()) {
+            for (corner, &v) in ring.iter_mut().zip(polygon) {
+                *corner = surface.alias[v as usize];
+            }
+            if triangulator.triangulate_ring(&surface.points, ring)? {
+                return Ok(Ok(()));
+            }
+        }
+    }
     triangulator.clear();
     let mut rings = 0;
     for polygon in &facet.polygons {

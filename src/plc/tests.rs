@@ -632,3 +632,84 @@ fn random_vertices_on_a_lattice_conform() {
         }
     }
 }
+
+#[test]
+fn random_rings_give_a_region_or_a_defect() {
+    let mut random = Random(11);
+    let (mut regions, mut defects) = (0, 0);
+    for round in 0..4000 {
+        let size = 2 + round % 7;
+        let mut plc = flat(&[], &[]);
+        for _ in 0..1 + random.below(3) {
+            let first = plc.points.len() as u32;
+            let count = 1 + random.below(7) as u32;
+            for _ in 0..count {
+                let [x, y] = [0; 2].map(|_: u64| random.below(size) as f64);
+                plc.points.push([x, y, y]);
+            }
+            plc.facets[0].polygons.push((first..first + count).collect());
+        }
+        plc.facets[0].interior = if round % 2 == 0 { Interior::FirstMinusOthers } else { Interior::Seeds };
+        plc.facets[0].holes = if round % 8 == 1 { vec![[0.5, 0.25, 0.25]] } else { vec![] };
+        match run(&plc) {
+            Ok(s) => {
+                regions += 1;
+                // Counter-clockwise or clockwise, but all alike.
+                let sum: i128 = area(&s).abs();
+                let parts: i128 = s
+                    .triangles
+                    .iter()
+                    .map(|&t| area(&Surface { triangles: vec![t], ..s.clone() }).abs())
+                    .sum();
+                assert_eq!(sum, parts);
+            }
+            Err(error) => {
+                defects += 1;
+                let classes = [Status::DegenerateFacet, Status::SelfIntersection, Status::SeedOutside];
+                assert!(classes.contains(&error.status), "{error:?} {plc:?}");
+            }
+        }
+    }
+    assert!(regions > 500 && defects > 500, "{regions} {defects}");
+}
+
+#[test]
+fn an_edge_across_many_triangles() {
+    // A plate with close vertices on its long sides, and an edge along its middle: both pseudo-polygons are long.
+    let n = 2000u32;
+    let mut points: Vec<[f64; 2]> = (0..n).map(|i| [f64::from(i), 0.0]).collect();
+    points.extend((0..n).rev().map(|i| [f64::from(i), 4096.0]));
+    let ring: Vec<u32> = (0..2 * n).collect();
+    points.extend([[0.0, 2048.0], [f64::from(n - 1), 2047.0]]);
+    let s = run(&flat(&points, &[&ring, &[2 * n, 2 * n + 1]])).unwrap();
+    assert!(s.segments.contains(&[2 * n, 2 * n + 1]));
+    assert_eq!(area(&s), 2 * 4096 * i128::from(n - 1));
+    // Both ends of the edge lie on the short sides and split them.
+    assert_eq!(s.triangles.len() as u32, 2 * n);
+}
+
+#[test]
+fn random_segments_in_a_facet_are_all_kept() {
+    let mut random = Random(5);
+    for round in 0..40 {
+        let size = 6 + round % 20;
+        let corner = size as f64;
+        let mut plc = flat(&[[0., 0.], [corner, 0.], [corner, corner], [0., corner]], &[&[0, 1, 2, 3]]);
+        // Edges of a random polyline that is monotone in x cannot cross.
+        for x in 1..size {
+            plc.points.push([x as f64, random.below(size + 1) as f64, 0.0]);
+        }
+        plc.facets[0].polygons.extend((4..plc.points.len() as u32 - 1).map(|v| vec![v, v + 1]));
+        let s = run(&plc).unwrap();
+        assert_eq!(area(&s), 2 * i128::from(size * size));
+        for v in 4..plc.points.len() as u32 - 1 {
+            assert!(s.segments.contains(&[v, v + 1]));
+            let sheets = s.triangles.iter().filter(|t| t.contains(&v) && t.contains(&(v + 1))).count();
+            assert!(
+                sheets == 2
+                    || (sheets == 1
+                        && [v, v + 1].iter().all(|&v| [0.0, corner].contains(&s.points[v as usize][1])))
+            );
+        }
+    }
+}

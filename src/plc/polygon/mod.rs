@@ -15,6 +15,7 @@ use crate::INVALID;
 pub mod constraint;
 pub mod delaunay;
 pub mod region;
+mod small;
 
 use constraint::{Inserter, Obstacle};
 use delaunay::{Flaw, Triangulation, GHOST};
@@ -126,6 +127,16 @@ impl Triangulator {
             self.input.push(edge);
         }
         Ok(())
+    }
+
+    /// Triangulates a facet that is a single ring of three or four corners, if that is simple; nothing needs to be added before.
+    pub fn triangulate_ring(&mut self, points: &[[f64; 3]], ring: &[u32]) -> Result<bool, Error> {
+        self.clear();
+        if let Some((triangles, count)) = small::triangulate_small(points, ring) {
+            self.triangles.try_reserve(count)?;
+            self.triangles.extend_from_slice(&triangles[..count]);
+        }
+        Ok(!self.triangles.is_empty())
     }
 
     /// Triangulates what was added since [`Triangulator::clear`]. `holes` are the seeds of [`Interior::Seeds`].

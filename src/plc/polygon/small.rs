@@ -1,0 +1,33 @@
+//! Shortcut for the facets most models consist of: one ring of three corners, or of four that are convex in projection.
+use super::{collinear, project};
+use crate::predicates::{incircle, orient2d, Sign};
+
+/// The triangles of a simple small ring; none if the general way must decide.
+pub fn triangulate_small(points: &[[f64; 3]], ring: &[u32]) -> Option<([[u32; 3]; 2], usize)> {
+    match *ring {
+        [a, b, c] if !collinear(points, a, b, c) => Some(([[a, b, c]; 2], 1)),
+        [a, b, c, d] => Some((quad(points, [a, b, c, d])?, 2)),
+        _ => None,
+    }
+}
+
+/// A quadrilateral that is strictly convex along the axis of its largest projection: cut by its Delaunay diagonal.
+fn quad(points: &[[f64; 3]], ring: [u32; 4]) -> Option<[[u32; 3]; 2]> {
+    let [p, q, r, s] = ring.map(|v| &points[v as usize]);
+    let (d, e): ([f64; 3], [f64; 3]) = ([0, 1, 2].map(|k| r[k] - p[k]), [0, 1, 2].map(|k| s[k] - q[k]));
+    let size = |axis: usize| {
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        (d[i] * e[j] - d[j] * e[i]).abs()
+    };
+    let axis = [1, 0].into_iter().fold(2, |best, axis| if size(axis) > size(best) { axis } else { best });
+    let at = ring.map(|v| project(&points[v as usize], axis));
+    let sense = orient2d(at[0], at[1], at[2]);
+    let convex = (1..4).all(|i| orient2d(at[i], at[(i + 1) % 4], at[(i + 2) % 4]) == sense);
+    if sense == Sign::Zero || !convex {
+        return None;
+    }
+    let [a, b, c, d] = ring;
+    let inside = incircle(at[0], at[1], at[2], at[3]);
+    let flip = inside != Sign::Zero && inside == sense;
+    Some(if flip { [[a, b, d], [b, c, d]] } else { [[a, b, c], [a, c, d]] })
+}
