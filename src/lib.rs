@@ -26,13 +26,21 @@
 //! * Face `i` of a tetrahedron is opposite its vertex `i`. Indices are 0-based `u32`; [`INVALID`] means "none".
 #![warn(clippy::all)]
 
+pub mod constrain;
+pub mod delaunay;
 pub mod check;
 pub mod error;
+pub mod mesh;
+#[cfg(feature = "io")]
+pub mod io;
 pub mod options;
 pub mod output;
 pub mod plc;
 pub mod predicates;
 pub mod progress;
+pub mod region;
+pub mod rounding;
+pub mod tetrahedralize;
 
 pub use check::check_mesh;
 pub use error::{Defect, DefectKind, Element, Error, Status};
@@ -40,6 +48,7 @@ pub use options::{Mode, Options};
 pub use output::{FacetFlip, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh};
 pub use plc::{Facet, Interior, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
+pub use tetrahedralize::tetrahedralize;
 
 /// The index that means "none": no neighbour, no parent.
 pub const INVALID: u32 = u32::MAX;

@@ -1,2 +1,6 @@
-//! The command line program.
-fn main() {}
+//! The command line program: see `delotet --help`.
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::run()
+}

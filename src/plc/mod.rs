@@ -3,6 +3,18 @@
 //! Si & Gärtner 2011, section 2: a PLC is a set of vertices, segments and facets such that the intersection of any two is a
 //! union of others of the set. We are more lenient on input: a vertex exactly on a segment or facet splits it.
 
+pub mod duplicates;
+pub mod intersect;
+pub mod patch;
+pub mod polygon;
+pub mod prepare;
+pub mod split;
+pub mod surface;
+
+pub use prepare::{check, prepare};
+#[cfg(test)]
+mod tests;
+
 /// How the polygons of a facet bound its interior.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Interior {

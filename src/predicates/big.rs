@@ -1,8 +1,8 @@
-//! Big integers, for the signs that leave the exponent range of doubles.
+//! Big integers, for the signs of Steiner points that integers of fixed width cannot hold (see `wide`).
 //!
-//! Only for Steiner points whose coordinates have bits below the exact range (see `range`): their exact determinants
-//! would underflow as expansions. Slow and simple on purpose: schoolbook arithmetic on 32-bit digits, lowest first,
-//! no leading zero digit, zero has no digits and is not negative.
+//! No range to leave: expansions would underflow where a Steiner point has bits below the exact range of coordinates (see
+//! `range`). Slow and simple on purpose: schoolbook arithmetic on 32-bit digits, lowest first, no leading zero digit,
+//! zero has no digits and is not negative.
 
 use super::{expansion::Expansion, range, Sign};
 use std::cmp::Ordering;
@@ -70,7 +70,7 @@ impl Big {
         Big { negative: x < 0.0, digits: trim(digits) }
     }
 
-    pub(crate) fn combine(&self, other: &Big, negate: bool) -> Big {
+    fn combine(&self, other: &Big, negate: bool) -> Big {
         let other_negative = other.negative != negate;
         if self.negative == other_negative {
             return Big { negative: self.negative, digits: add(&self.digits, &other.digits) };
@@ -84,7 +84,18 @@ impl Big {
         }
     }
 
-    pub(crate) fn product(&self, other: &Big) -> Big {
+    /// The sum.
+    pub(crate) fn plus(&self, other: &Big) -> Big {
+        self.combine(other, false)
+    }
+
+    /// The difference.
+    pub(crate) fn minus(&self, other: &Big) -> Big {
+        self.combine(other, true)
+    }
+
+    /// The product.
+    pub(crate) fn times(&self, other: &Big) -> Big {
         let mut digits = vec![0u32; self.digits.len() + other.digits.len()];
         for (i, &a) in self.digits.iter().enumerate() {
             let mut carry = 0u64;

@@ -2,7 +2,8 @@
 //!
 //! Invariant of an [`Expansion`]: its components are non-zero, strongly non-overlapping, of increasing size; zero has no
 //! component. All operations keep it (round to nearest even). Exact as long as nothing over- or underflows, which the
-//! range of coordinates rules out (see `range`). Source: Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast
+//! range of coordinates rules out (see `range`). Serves the coordinates of Steiner points, their rounding and their order; determinants
+//! are evaluated in integers (see `wide`). Source: Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast
 //! Robust Geometric Predicates*, 1997, sections 2.3 to 2.8.
 
 use super::Sign;
@@ -40,8 +41,8 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (x, al * bl - (((x - ah * bh) - al * bh) - ah * bl))
 }
 
-/// Components that fit without the heap. Differences of Steiner points take 2 to 5, products of degree 3 rarely over 12.
-const INLINE: usize = 16;
+/// Components that fit without the heap. Coordinates of Steiner points have 1 to 5.
+const INLINE: usize = 8;
 
 /// An exact number: the sum of its components.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@
 //! less, and so on. The insphere determinant's derivative by a lift is the orientation of the other four points, so the first
 //! non-zero one in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting only).
 
-use super::{exact, filter, robust_insphere, Points, Sign};
+use super::{exact, filter, robust_insphere, wide, Points, Sign};
 
 impl Points {
     /// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`, zero if the five are
@@ -33,18 +33,19 @@ impl Points {
         if !fine && det.abs() > spread.insphere_bound() {
             return Sign::of(det);
         }
-        if !self.any_implicit(&ids) {
-            // Differences are integers up to 2^9 in units of the grid: at most 72 monomials below 2^45, nothing rounds.
-            if spread.max() <= self.grid() * 512.0 {
-                return Sign::of(det);
-            }
+        let explicit = !self.any_implicit(&ids);
+        // Differences are integers up to 2^9 in units of the grid: at most 72 monomials of at most 2^45, nothing rounds.
+        if explicit && spread.max() <= self.grid() * 512.0 {
+            return Sign::of(det);
+        }
+        if let Some(rows) = self.differences(ids) {
+            return wide::insphere(&rows);
+        }
+        if explicit {
             let [a, b, c, d, e] = ids.map(|i| self.xyz(i));
             return robust_insphere(a, b, c, d, e);
         }
-        if fine {
-            return exact::insphere(&self.big(ids));
-        }
-        exact::insphere(&self.expansions(ids))
+        exact::insphere(&self.big(ids))
     }
 
     /// [`insphere`](Points::insphere), with ties broken by the perturbation: never zero for five distinct points that

@@ -1,7 +1,7 @@
 //! Exact signs of explicit points and of implicit Steiner points on segments. The one place that calls `robust`.
 //!
 //! Levels: a static error bound from the box of all points, inlined; a semi-static bound from the points at hand; exact
-//! arithmetic: `robust` for explicit points, expansions (or big integers, see `range`) otherwise.
+//! arithmetic in integers of fixed width; where those are too narrow, `robust` for explicit points and big integers otherwise.
 //!
 //! Orientation: [`orient3d()`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and `robust`'s sign.
 
@@ -16,6 +16,7 @@ mod points;
 mod range;
 #[cfg(test)]
 mod tests;
+mod wide;
 
 pub use expansion::Expansion;
 pub use orient::dot_sign;
@@ -65,10 +66,18 @@ fn coord3(p: &[f64; 3]) -> robust::Coord3D<f64> {
     robust::Coord3D { x: p[0], y: p[1], z: p[2] }
 }
 
+/// The differences to the last of some explicit points as integers, if they fit.
+#[inline(always)]
+fn differences<const N: usize>(points: [&[f64; 3]; N]) -> Option<wide::Differences<N>> {
+    wide::Differences::new(&points.map(|p| p.map(|x| [x, 0.0])))
+}
+
+/// `robust`, for explicit points that span too many bits for integers of fixed width.
 fn robust_orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
     -Sign::of(robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)))
 }
 
+/// As [`robust_orient3d`].
 fn robust_insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
     -Sign::of(robust::insphere(coord3(a), coord3(b), coord3(c), coord3(d), coord3(e)))
 }
@@ -96,7 +105,10 @@ pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign 
     if spread.flat() {
         return Sign::Zero;
     }
-    robust_orient3d(a, b, c, d)
+    match differences([a, b, c, d]) {
+        Some(rows) => wide::orient3d(&rows),
+        None => robust_orient3d(a, b, c, d),
+    }
 }
 
 /// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`; odd in its first four arguments.
@@ -111,12 +123,31 @@ pub fn insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64
     if spread.flat() {
         return Sign::Zero;
     }
-    robust_insphere(a, b, c, d, e)
+    match differences([a, b, c, d, e]) {
+        Some(rows) => wide::insphere(&rows),
+        None => robust_insphere(a, b, c, d, e),
+    }
 }
 
 /// Positive when `a`, `b`, `c` make a left turn. Points in the exact range.
 #[inline]
 pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
+    let (left, right) = ((a[0] - c[0]) * (b[1] - c[1]), (a[1] - c[1]) * (b[0] - c[0]));
+    let det = left - right;
+    // 4 roundings (see `filter`) and the rounding of the bound.
+    if det.abs() > 2.5 * f64::EPSILON * (left.abs() + right.abs()) + f64::MIN_POSITIVE {
+        return Sign::of(det);
+    }
+    if let Some(rows) = differences([&[a[0], a[1], 0.0], &[b[0], b[1], 0.0], &[c[0], c[1], 0.0]]) {
+        return wide::orient2d(&rows, 0, 1);
+    }
     let coord = |p: [f64; 2]| robust::Coord { x: p[0], y: p[1] };
     Sign::of(robust::orient2d(coord(a), coord(b), coord(c)))
+}
+
+/// Positive when `d` is inside the circle through the counter-clockwise `a`, `b`, `c`; odd in its first three arguments.
+#[inline]
+pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Sign {
+    let coord = |p: [f64; 2]| robust::Coord { x: p[0], y: p[1] };
+    Sign::of(robust::incircle(coord(a), coord(b), coord(c), coord(d)))
 }

@@ -1,20 +1,10 @@
 //! Orientation in space, and signs of low degree: order, dot product, collinearity.
 
-use super::{exact, filter, robust_orient3d, Expansion, Points, Sign};
-use crate::predicates::big::Big;
+use super::big::Big;
+use super::{differences, exact, filter, robust_orient3d, wide, Expansion, Points, Sign};
 use std::cmp::Ordering;
 
 impl Points {
-    /// Exact coordinates of several points as big integers.
-    pub(super) fn big<const N: usize>(&self, ids: [u32; N]) -> [[Big; 3]; N] {
-        ids.map(|i| self.exact_coordinates(i).map(|e| Big::of(&e)))
-    }
-
-    /// Exact coordinates of several points as expansions.
-    pub(super) fn expansions<const N: usize>(&self, ids: [u32; N]) -> [[Expansion; 3]; N] {
-        ids.map(|i| self.exact_coordinates(i))
-    }
-
     /// Sign of `det(b − a, c − a, d − a)`: positive when the tetrahedron `(a, b, c, d)` is.
     #[inline(always)]
     pub fn orient3d(&self, a: u32, b: u32, c: u32, d: u32) -> Sign {
@@ -40,18 +30,19 @@ impl Points {
         if !fine && det.abs() > spread.orient3d_bound() {
             return Sign::of(det);
         }
-        if !self.any_implicit(&ids) {
-            // Differences are integers below 2^16 in units of the grid: no operation of the determinant rounds.
-            if spread.max() <= self.grid() * 65536.0 {
-                return Sign::of(det);
-            }
+        let explicit = !self.any_implicit(&ids);
+        // Differences are integers up to 2^16 in units of the grid: no operation of the determinant rounds.
+        if explicit && spread.max() <= self.grid() * 65536.0 {
+            return Sign::of(det);
+        }
+        if let Some(rows) = self.differences(ids) {
+            return wide::orient3d(&rows);
+        }
+        if explicit {
             let [a, b, c, d] = ids.map(|i| self.xyz(i));
             return robust_orient3d(a, b, c, d);
         }
-        if fine {
-            return exact::orient3d(&self.big(ids));
-        }
-        exact::orient3d(&self.expansions(ids))
+        exact::orient3d(&self.big(ids))
     }
 
     /// Sign of `(b − a)·(c − a)`.
@@ -59,13 +50,13 @@ impl Points {
         let ids = [b, c, a];
         let (pa, pb, pc) = (self.xyz(a), self.xyz(b), self.xyz(c));
         let dot: f64 = (0..3).map(|i| (pb[i] - pa[i]) * (pc[i] - pa[i])).sum();
-        if self.any_fine(&ids) {
-            return exact::dot_sign(&self.big([a, b, c]));
-        }
-        if dot.abs() > self.spread(ids).dot_bound() {
+        if !self.any_fine(&ids) && dot.abs() > self.spread(ids).dot_bound() {
             return Sign::of(dot);
         }
-        exact::dot_sign(&self.expansions([a, b, c]))
+        match self.differences(ids) {
+            Some(rows) => wide::dot_sign(&rows),
+            None => exact::dot_sign(&self.big([a, b, c])),
+        }
     }
 
     /// Whether three points lie on one line.
@@ -75,16 +66,13 @@ impl Points {
 
     /// Lexicographic order of the exact coordinates.
     pub fn compare_lex(&self, a: u32, b: u32) -> Ordering {
-        // Rounding to nearest is monotone: different doubles decide.
-        if !self.any_implicit(&[a, b]) {
-            let (p, q) = (self.xyz(a), self.xyz(b));
-            return (0..3).map(|i| compare(p[i], q[i])).find(|o| o.is_ne()).unwrap_or(Ordering::Equal);
-        }
-        let (p, q) = (self.exact_coordinates(a), self.exact_coordinates(b));
+        let known = self.is_explicit(a) && self.is_explicit(b);
         for axis in 0..3 {
+            // Rounding to nearest is monotone: different doubles decide.
             let mut order = compare(self.xyz(a)[axis], self.xyz(b)[axis]);
-            if order.is_eq() {
-                // Sums of expansions only need the range of doubles itself, also for points with fine bits.
+            if order.is_eq() && !known {
+                let [p, q] = [a, b].map(|i| self.exact_coordinates(i));
+                // Expansions cannot underflow here: Steiner points have no bits below 2^-327, and differences no others.
                 order = match p[axis].difference(&q[axis]).sign() {
                     Sign::Negative => Ordering::Less,
                     Sign::Zero => Ordering::Equal,
@@ -123,5 +111,8 @@ pub fn dot_sign(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
     if dot.abs() > 3.5 * f64::EPSILON * sum + f64::MIN_POSITIVE {
         return Sign::of(dot);
     }
-    exact::dot_sign(&[a, b, c].map(|p| p.map(Expansion::from)))
+    match differences([b, c, a]) {
+        Some(rows) => wide::dot_sign(&rows),
+        None => exact::dot_sign(&[a, b, c].map(|p| p.map(|x| Big::of(&Expansion::from(x))))),
+    }
 }

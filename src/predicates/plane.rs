@@ -2,7 +2,7 @@
 //!
 //! The projection drops one axis and keeps the coordinates (axis + 1) mod 3 and (axis + 2) mod 3 in this order.
 
-use super::{exact, Points, Sign};
+use super::{exact, wide, Points, Sign};
 
 impl Points {
     /// Positive when `a`, `b`, `c` make a left turn in the projection that drops `axis` (0 to 2).
@@ -15,19 +15,13 @@ impl Points {
         if spread.size[u] == 0.0 || spread.size[v] == 0.0 {
             return Sign::Zero;
         }
-        if !self.any_implicit(&ids) {
-            if det.abs() > spread.orient2d_bound(u, v) {
-                return Sign::of(det);
-            }
-            return super::orient2d([pa[u], pa[v]], [pb[u], pb[v]], [pc[u], pc[v]]);
-        }
-        if self.any_fine(&ids) {
-            return exact::orient2d(&self.big(ids), u, v);
-        }
-        if det.abs() > spread.orient2d_bound(u, v) {
+        if !self.any_fine(&ids) && det.abs() > spread.orient2d_bound(u, v) {
             return Sign::of(det);
         }
-        exact::orient2d(&self.expansions(ids), u, v)
+        match self.differences(ids) {
+            Some(rows) => wide::orient2d(&rows, u, v),
+            None => exact::orient2d(&self.big(ids), u, v),
+        }
     }
 
     /// For exactly coplanar points with `(a, b, c)` positive in the projection that drops `axis`: positive when `d` is inside
@@ -45,9 +39,6 @@ impl Points {
 
     fn incircle_unperturbed(&self, axis: usize, ids: [u32; 4]) -> Sign {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-        if self.any_fine(&ids) {
-            return exact::incircle(&self.big(ids), u, v);
-        }
         let [a, b, c, d] = ids.map(|i| self.xyz(i));
         let rows = [a, b, c].map(|p| {
             let [x, y, z] = [p[0] - d[0], p[1] - d[1], p[2] - d[2]];
@@ -59,14 +50,13 @@ impl Points {
         if spread.size[u] == 0.0 || spread.size[v] == 0.0 {
             return Sign::Zero;
         }
-        if det.abs() > spread.incircle_bound(u, v) {
+        if !self.any_fine(&ids) && det.abs() > spread.incircle_bound(u, v) {
             return Sign::of(det);
         }
-        // Four factors of at most 2^10 grid units, 18 monomials below 2^41 or so: nothing rounds.
-        if !self.any_implicit(&ids) && spread.max() <= self.grid() * 1024.0 {
-            return Sign::of(det);
+        match self.differences(ids) {
+            Some(rows) => wide::incircle(&rows, u, v),
+            None => exact::incircle(&self.big(ids), u, v),
         }
-        exact::incircle(&self.expansions(ids), u, v)
     }
 
     /// The first non-zero derivative in the order of ids. In insphere(a, b, c, e; d) the derivatives by the (lowered) lifts of a, b, c, d are

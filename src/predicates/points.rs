@@ -2,12 +2,14 @@
 //!
 //! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit points;
 //! the static bounds hold for all differences between stored points; the ends of an implicit point are explicit.
-//! Source: engine notes on implicit points (after Diazzi, Panozzo, Vaxman & Attene 2023), with polynomial parameters:
-//! all coordinates have denominator one, so that expansions carry them exactly.
+//! Source: implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t, so that all
+//! coordinates have denominator one: sums of two doubles in nearly all cases, and integers on a common grid.
 
+use super::big::Big;
 use super::expansion::Expansion;
 use super::filter::Spread;
 use super::range::{self, in_range};
+use super::wide::Differences;
 use crate::error::Error;
 
 /// An implicit point.
@@ -16,9 +18,11 @@ struct Implicit {
     a: u32,
     b: u32,
     t: f64,
-    /// Bounds of `|exact − nearest double|` per coordinate; zero where the coordinate is a double.
-    error: [f64; 3],
-    /// Whether a coordinate has bits below the exact range: no expansions then.
+    /// The nearest doubles of `exact − nearest double`.
+    rest: [f64; 3],
+    /// Whether nearest double plus rest is exact in all coordinates.
+    two_doubles: bool,
+    /// Whether a coordinate has bits below the exact range: filters could underflow.
     fine: bool,
 }
 
@@ -111,7 +115,7 @@ impl Points {
         &self.xyz
     }
 
-    #[inline(always)]
+    #[inline]
     fn implicit(&self, i: u32) -> Option<&Implicit> {
         if i < self.first_implicit {
             return None;
@@ -195,12 +199,10 @@ impl Points {
             return self.push([0, 1, 2].map(|i| exact[i].nearest()));
         }
         let p = [0, 1, 2].map(|i| exact[i].nearest());
-        // The difference is within an ulp of its largest component; twice that is a safe and still tiny bound.
-        let error = [0, 1, 2].map(|i| {
-            let rest = exact[i].difference(&Expansion::from(p[i])).compressed();
-            rest.components().last().map_or(0.0, |x| x.abs() * (1.0 + 4.0 * f64::EPSILON))
-        });
-        self.append(p, Some(Implicit { a, b, t, error, fine }))
+        let beyond = [0, 1, 2].map(|i| exact[i].difference(&Expansion::from(p[i])).compressed());
+        let two_doubles = beyond.iter().all(|e| e.components().len() <= 1);
+        let rest = [0, 1, 2].map(|i| beyond[i].nearest());
+        self.append(p, Some(Implicit { a, b, t, rest, two_doubles, fine }))
     }
 
     /// The largest `n <= 52` such that `a + t (b − a)` is exactly a double for every `t = k / 2^n`; 0 if there is none.
@@ -221,6 +223,29 @@ impl Points {
         }
     }
 
+    /// The differences to the last of these points as integers, if they fit.
+    #[inline(always)]
+    pub(super) fn differences<const N: usize>(&self, ids: [u32; N]) -> Option<Differences<N>> {
+        let mut coordinates = [[[0.0; 2]; 3]; N];
+        for (to, &i) in coordinates.iter_mut().zip(&ids) {
+            let p = self.xyz(i);
+            let rest = match self.implicit(i) {
+                None => [0.0; 3],
+                Some(implicit) if implicit.two_doubles => implicit.rest,
+                Some(_) => return None,
+            };
+            for axis in 0..3 {
+                to[axis] = [p[axis], rest[axis]];
+            }
+        }
+        Differences::new(&coordinates)
+    }
+
+    /// Exact coordinates as big integers.
+    pub(super) fn big<const N: usize>(&self, ids: [u32; N]) -> [[Big; 3]; N] {
+        ids.map(|i| self.exact_coordinates(i).map(|e| Big::of(&e)))
+    }
+
     /// Whether a point among these is implicit.
     #[inline(always)]
     pub(super) fn any_implicit(&self, ids: &[u32]) -> bool {
@@ -229,7 +254,7 @@ impl Points {
 
     /// Whether a point among these needs big integers.
     pub(super) fn any_fine(&self, ids: &[u32]) -> bool {
-        ids.iter().any(|&i| self.implicit(i).is_some_and(|p| p.fine))
+        self.first_implicit != NONE && ids.iter().any(|&i| self.implicit(i).is_some_and(|p| p.fine))
     }
 
     /// The power of two that divides all explicit coordinates.
@@ -251,7 +276,9 @@ impl Points {
         }
         let mut error = [0.0f64; 3];
         if self.any_implicit(&ids) {
-            let of = |i: u32| self.implicit(i).map_or([0.0; 3], |p| p.error);
+            // `rest` is rounded itself.
+            let bound = |x: f64| x.abs() * (1.0 + 2.0 * f64::EPSILON);
+            let of = |i: u32| self.implicit(i).map_or([0.0; 3], |p| p.rest.map(bound));
             for &i in &ids[..N - 1] {
                 let e = of(i);
                 for axis in 0..3 {

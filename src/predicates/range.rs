@@ -3,8 +3,10 @@
 //! Coordinates are multiples of `2^-214`, at most `2^200` in size. The insphere determinant has degree 5, so every product
 //! and every rounding error in it is a multiple of `2^-1070`: above the smallest double, `2^-1074`, nothing underflows.
 //! Differences are at most `2^201`, the determinant's sums below `2^1015`: nothing overflows, and no factor of a product that is
-//! split (degree at most 4, below `2^815`) comes near `2^996` where splitting would. A Steiner point `a + t (b − a)` lies in
-//! the same box, but may have bits below `2^-214`: the store marks these and evaluates their signs in big integers.
+//! split (degree at most 4, below `2^815`) comes near `2^996` where splitting would.
+//!
+//! A Steiner point `a + t (b − a)` lies in the same box, but may have bits below `2^-214` (down to `2^-326`, as t is at least `2^-60`
+//! and has 53 bits): the store marks these, and integers decide all their signs, without filters.
 
 /// All coordinates in range are multiples of two to this.
 pub(crate) const LOWEST_EXPONENT: i32 = -214;

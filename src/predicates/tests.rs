@@ -300,6 +300,84 @@ fn coplanar_steiner_points() {
     }
 }
 
+/// Far from the origin the nearest doubles of Steiner points are off by much more than the rounding of the determinants.
+#[test]
+fn rounded_steiner_points_far_from_the_origin() {
+    let mut random = Random(11);
+    let mut wrong = 0;
+    for round in 0..6 {
+        let far = [1e3, 1e6][round / 3];
+        let plane: Vec<_> = (0..12)
+            .map(|_| {
+                let [x, y, _] = random.decimals();
+                [[x + far, y, x + far], [far + x, far + y, far - x * 0.5], [y, far + x, far + y]][round % 3]
+            })
+            .collect();
+        let points = with_steiner(plane, 40, [3, 9, 25][round % 3], &mut random);
+        compare_all(&points, 300, &mut random);
+        // The test has teeth: signs of the nearest doubles differ from the exact ones.
+        for _ in 0..100 {
+            let [a, b, c, d] = random.distinct::<4>(points.len());
+            let rounded = [a, b, c, d].map(|i| points.xyz(i));
+            let near = orient3d(rounded[0], rounded[1], rounded[2], rounded[3]);
+            wrong += usize::from(near != points.orient3d(a, b, c, d));
+        }
+    }
+    assert!(wrong > 100, "{wrong}");
+}
+
+/// The integers of fixed width at the limits of what they accept, against big integers of any size.
+#[test]
+fn widest_integers() {
+    let mut random = Random(12);
+    let mut wide_enough = [0, 0];
+    for round in 0..3000 {
+        // Signed coordinates up to 2^high with bits down to 1 in the second double.
+        let high = [54, 60, 61, 62, 110, 121, 122, 123, 124, 125][round % 10];
+        let p: [[[f64; 2]; 3]; 5] = [0; 5].map(|_| {
+            [0; 3].map(|_| {
+                let sign = |random: &mut Random| if random.below(2) == 0 { 1.0 } else { -1.0 };
+                let size = [random.unit(), 1.0 - f64::EPSILON / 2.0, 1.0][random.below(3) as usize];
+                let main = (sign(&mut random) * scale(size, high)).round();
+                [main, if high > 60 { sign(&mut random) * random.below(3) as f64 } else { 0.0 }]
+            })
+        });
+        let exact = p.map(|q| q.map(|[x, y]| integer(x) + integer(y)));
+        let four = [0, 1, 2, 3].map(|i| exact[i].clone());
+        let three = [0, 1, 2].map(|i| exact[i].clone());
+        if let Some(rows) = wide::Differences::new(&p) {
+            wide_enough[usize::from(matches!(rows, wide::Differences::Long(_)))] += 1;
+            assert_eq!(wide::insphere(&rows), exact_insphere(&exact));
+        } else {
+            assert!(high > 120);
+        }
+        if let Some(rows) = wide::Differences::new(&[p[0], p[1], p[2], p[3]]) {
+            assert_eq!(wide::orient3d(&rows), exact_orient3d(&four));
+            assert_eq!(wide::incircle(&rows, 1, 2), exact_incircle(&four, 0));
+        }
+        if let Some(rows) = wide::Differences::new(&[p[0], p[1], p[2]]) {
+            assert_eq!(wide::orient2d(&rows, 1, 2), exact_orient2d(&three, 0));
+            let dots = dot(&sub(&three[0], &three[2]), &sub(&three[1], &three[2]));
+            assert_eq!(wide::dot_sign(&rows), sign(&dots));
+        }
+    }
+    assert!(wide_enough[0] > 300 && wide_enough[1] > 900, "{wide_enough:?}");
+}
+
+/// On random points the static bound decides nearly all calls.
+#[test]
+fn static_filter_decides() {
+    let mut random = Random(13);
+    let points = Points::new((0..1000).map(|_| random.point()).collect());
+    let mut undecided = [0, 0];
+    for _ in 0..10_000 {
+        let [a, b, c, d, e] = random.distinct::<5>(1000).map(|i| points.xyz(i));
+        undecided[0] += usize::from(filter::orient3d_det(a, b, c, d).abs() <= points.orient3d_bound);
+        undecided[1] += usize::from(filter::insphere_det(a, b, c, d, e).abs() <= points.insphere_bound);
+    }
+    assert!(undecided[0] < 10 && undecided[1] < 10, "{undecided:?}");
+}
+
 /// Steiner points off one and the same line are collinear, on both ends and in between.
 #[test]
 fn collinear_steiner_points() {
@@ -346,6 +424,7 @@ fn ends_of_the_range() {
         })
         .collect();
     assert!(mixed.iter().flatten().all(|&x| in_range(x)));
+    compare_all(&Points::new(mixed.clone()), 300, &mut random);
     compare_all(&with_steiner(mixed, 20, 20, &mut random), 300, &mut random);
     // Lowest bits at the very bottom, insphere zero and one unit off.
     let u = scale(1.0, -214);

@@ -1,0 +1,125 @@
+//! The arguments.
+use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Exact 3D constrained Delaunay tetrahedralization.
+#[derive(Debug, Parser)]
+#[command(name = "delotet", version, about, arg_required_else_help = true)]
+#[command(after_help = "Exit codes: 0 done, 1 invalid input, 2 usage, 3 limit or cancel, 4 internal.")]
+pub struct Args {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Mesh the volume that a surface encloses (or the convex hull of a point set).
+    Mesh(MeshArgs),
+    /// Check a mesh exactly against its input.
+    Check(CheckArgs),
+    /// Say what is in a surface file, whether it is valid, and where not.
+    Info(InfoArgs),
+    /// Convert between surface formats.
+    Convert(ConvertArgs),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ModeArg {
+    /// The Delaunay tetrahedralization of the points; facets and segments are ignored.
+    Delaunay,
+    /// The constrained Delaunay tetrahedralization of the surface.
+    Cdt,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct MeshArgs {
+    /// The surface: .off .stl .obj .ply .poly .smesh, or points: .node
+    pub input: PathBuf,
+    /// The mesh: .vtu .vtk .msh .mesh, or .ele (with .node .face .edge .neigh beside it)
+    #[arg(short, long)]
+    pub output: PathBuf,
+    /// What is made (default: cdt; delaunay for a .node file)
+    #[arg(long, value_enum)]
+    pub mode: Option<ModeArg>,
+    /// Flip the triangles of almost coplanar facets (above DEG degrees) to be Delaunay on the surface first
+    #[arg(long, value_name = "DEG", num_args = 0..=1, require_equals = true, default_missing_value = "179.9")]
+    pub merge_facets: Option<f64>,
+    /// Keep the whole convex hull
+    #[arg(long)]
+    pub keep_hull: bool,
+    /// A point in a hole (may be repeated)
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = numbers::<3, 3>)]
+    pub hole: Vec<Numbers>,
+    /// A point in a region and the attribute of its tetrahedra (may be repeated)
+    #[arg(long, value_name = "X,Y,Z,ATTRIBUTE", allow_hyphen_values = true, value_parser = numbers::<4, 5>)]
+    pub region: Vec<Numbers>,
+    /// Worker threads; the mesh does not depend on it
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = threads)]
+    pub threads: usize,
+    /// With .vtu: compress the arrays
+    #[arg(long)]
+    pub compress: bool,
+    /// With .vtu: write the pieces of the facets too, as STEM_subfaces.vtu
+    #[arg(long)]
+    pub subfaces: bool,
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub quiet: bool,
+    /// Write counts and times as JSON
+    #[arg(long, value_name = "FILE.json")]
+    pub stats: Option<PathBuf>,
+    /// Write the outcome with every defect (or every flip of --merge-facets) as JSON, also on failure
+    #[arg(long, value_name = "FILE.json")]
+    pub report: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct CheckArgs {
+    /// The mesh: STEM.ele, with STEM.node and STEM.face beside it
+    pub mesh: PathBuf,
+    /// The surface that it was made of
+    #[arg(long)]
+    pub input: PathBuf,
+    /// Do not require the mesh to be constrained Delaunay
+    #[arg(long)]
+    pub no_delaunay: bool,
+    /// Write every defect as JSON
+    #[arg(long, value_name = "FILE.json")]
+    pub report: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct InfoArgs {
+    /// The file: .off .stl .obj .ply .poly .smesh .node
+    pub input: PathBuf,
+    /// Write every defect as JSON
+    #[arg(long, value_name = "FILE.json")]
+    pub report: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct ConvertArgs {
+    /// The file: .off .stl .obj .ply .poly .smesh .node
+    pub input: PathBuf,
+    /// The file to write: .off .stl .obj .ply .poly .smesh .node
+    #[arg(short, long)]
+    pub output: PathBuf,
+}
+
+/// Numbers separated by commas.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers(pub Vec<f64>);
+
+fn numbers<const MIN: usize, const MAX: usize>(text: &str) -> Result<Numbers, String> {
+    let values: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
+    match values {
+        Ok(values) if (MIN..=MAX).contains(&values.len()) && values.iter().all(|x| x.is_finite()) => {
+            Ok(Numbers(values))
+        }
+        _ => Err(format!("{MIN} finite numbers separated by commas expected")),
+    }
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|&n| n >= 1).ok_or_else(|| "a number of at least 1 expected".to_string())
+}

@@ -1,0 +1,37 @@
+//! `delotet check`.
+use super::args::CheckArgs;
+use super::{report, Failure};
+use delotet::io;
+use delotet::{Error, Plc, TetMesh};
+use std::io::Write;
+
+/// Reads a mesh and its input and checks the one against the other.
+pub fn run(args: &CheckArgs) -> Result<(), Failure> {
+    let outcome = check(args);
+    report::write_if_asked(args.report.as_deref(), || match &outcome {
+        Ok(()) => report::of_success(None),
+        Err(failure) => report::of_error(&failure.error),
+    });
+    outcome
+}
+
+fn check(args: &CheckArgs) -> Result<(), Failure> {
+    let plc = io::read(&args.input)?;
+    let mesh = io::read_mesh(&args.mesh).map_err(|e| Failure::from(e).with_code(1))?;
+    let mesh = TetMesh { input_point_count: mesh.points.len().min(plc.points.len()) as u32, ..mesh };
+    let limit = if args.report.is_some() { 10_000_000 } else { 1000 };
+    verdict(&plc, &mesh, !args.no_delaunay, limit).map_err(|e| Failure::from(e).with_code(1))?;
+    let mut out = std::io::stdout().lock();
+    let _ = writeln!(
+        out,
+        "{}: correct ({} points, {} tetrahedra)",
+        args.mesh.display(),
+        mesh.points.len(),
+        mesh.tets.len()
+    );
+    Ok(())
+}
+
+fn verdict(plc: &Plc, mesh: &TetMesh, delaunay: bool, limit: usize) -> Result<(), Error> {
+    delotet::check::check_mesh(plc, mesh, delaunay, limit)
+}

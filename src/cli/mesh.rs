@@ -1,0 +1,139 @@
+//! `delotet mesh`.
+use super::args::{MeshArgs, ModeArg};
+use super::observer::Console;
+use super::{report, summary, Failure};
+use delotet::io::{Format, WriteOptions};
+use delotet::progress::report as tell;
+use delotet::{Error, Mode, Options, Phase, Plc, RegionSeed, Status, TetMesh};
+use serde_json::{json, Map, Value};
+use std::path::Path;
+use std::time::Instant;
+
+/// Reads, meshes, writes.
+pub fn run(args: &MeshArgs) -> Result<(), Failure> {
+    let mut console = Console::new(args.quiet);
+    let outcome = mesh(args, &mut console);
+    console.finish();
+    let report = args.report.as_deref();
+    match &outcome {
+        Ok(mesh) => report::write_if_asked(report, || report::of_success(Some(mesh))),
+        Err(failure) => report::write_if_asked(report, || report::of_error(&failure.error)),
+    }
+    outcome.map(|_| ())
+}
+
+fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
+    let start = Instant::now();
+    let options = options(args)?;
+    check_output(&args.output)?;
+    tell(console, Phase::Read, 0.0)?;
+    let mut plc = delotet::io::read(&args.input)?;
+    add_seeds(&mut plc, args);
+    let read = start.elapsed().as_secs_f64();
+    let mut mesh = delotet::tetrahedralize(&plc, &options, console)?;
+    tell(console, Phase::Write, 0.0)?;
+    let write_start = Instant::now();
+    let write_options = WriteOptions { compress: args.compress, subfaces: args.subfaces };
+    delotet::io::write(&args.output, &mesh, &plc, &write_options).map_err(Failure::usage)?;
+    let seconds = &mut mesh.statistics.seconds;
+    seconds[Phase::Read as usize] = read;
+    seconds[Phase::Write as usize] = write_start.elapsed().as_secs_f64();
+    let total = start.elapsed().as_secs_f64();
+    if let Some(path) = &args.stats {
+        report::write(path, &statistics(&mesh, total)).map_err(Failure::usage)?;
+    }
+    console.finish();
+    if !args.quiet {
+        summary::print_mesh(&args.output, &mesh, total);
+    }
+    Ok(mesh)
+}
+
+fn options(args: &MeshArgs) -> Result<Options, Failure> {
+    let points_only = Format::of(&args.input)? == Format::Node;
+    let mode = match args.mode {
+        Some(ModeArg::Delaunay) => Mode::Delaunay,
+        Some(ModeArg::Cdt) => Mode::Constrained,
+        None if points_only => Mode::Delaunay,
+        None => Mode::Constrained,
+    };
+    if let Some(angle) = args.merge_facets.filter(|a| !(90.0..=180.0).contains(a)) {
+        let message = format!("--merge-facets={angle}: an angle of 90 to 180 degrees expected");
+        return Err(Error::new(Status::InvalidArgument, message).into());
+    }
+    Ok(Options {
+        mode,
+        keep_hull: args.keep_hull,
+        merge_facets: args.merge_facets,
+        threads: args.threads,
+        // A report is complete; memory is bounded all the same.
+        max_defects: if args.report.is_some() { 10_000_000 } else { 1000 },
+        ..Options::default()
+    })
+}
+
+/// Refuses what would fail only after meshing: an unknown format, a folder that is not there.
+pub fn check_output(path: &Path) -> Result<(), Failure> {
+    if !Format::of(path)?.is_mesh() {
+        let message = format!("{}: not a mesh format; .vtu .vtk .msh .mesh .ele are", path.display());
+        return Err(Error::new(Status::Unsupported, message).into());
+    }
+    check_folder(path)
+}
+
+/// Refuses an output whose folder is not there.
+pub fn check_folder(path: &Path) -> Result<(), Failure> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if folder.is_dir() && !path.is_dir() {
+        return Ok(());
+    }
+    let what = if path.is_dir() { "is a folder" } else { "its folder does not exist" };
+    Err(Failure::usage(Error::new(Status::File, format!("{}: {what}", path.display()))))
+}
+
+fn add_seeds(plc: &mut Plc, args: &MeshArgs) {
+    plc.holes.extend(args.hole.iter().filter_map(|n| n.0.first_chunk::<3>().copied()));
+    plc.regions.extend(args.region.iter().filter_map(|n| {
+        let (&point, rest) = n.0.split_first_chunk::<3>()?;
+        let max_volume = rest.get(1).copied().filter(|&v| v > 0.0);
+        Some(RegionSeed { point, attribute: *rest.first()?, max_volume })
+    }));
+}
+
+fn statistics(mesh: &TetMesh, total: f64) -> Value {
+    let s = &mesh.statistics;
+    let phases = [
+        Phase::Read,
+        Phase::Validate,
+        Phase::Delaunay,
+        Phase::Segments,
+        Phase::Facets,
+        Phase::Regions,
+        Phase::Round,
+        Phase::Audit,
+        Phase::Write,
+    ];
+    let mut seconds: Map<String, Value> =
+        phases.iter().map(|&p| (p.name().to_string(), json!(s.seconds[p as usize]))).collect();
+    seconds.insert("total".to_string(), json!(total));
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "status": "ok",
+        "points_in": mesh.input_point_count,
+        "points": mesh.points.len(),
+        "duplicate_points": s.duplicate_points,
+        "tets": mesh.tets.len(),
+        "subfaces": mesh.subfaces.len(),
+        "subsegments": mesh.subsegments.len(),
+        "steiner": s.steiner,
+        "steiner_exact": s.steiner_exact,
+        "steiner_moved": s.steiner_moved,
+        "missing_segments": s.missing_segments,
+        "missing_regions": s.missing_regions,
+        "facet_flips": mesh.facet_flips.len(),
+        "regions": mesh.regions.len(),
+        "hull_kept": mesh.hull_kept,
+        "peak_bytes": s.peak_bytes,
+        "seconds": seconds,
+    })
+}

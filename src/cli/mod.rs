@@ -1,0 +1,78 @@
+//! The command line: arguments in, library calls, exit codes out. Imports the library's public API only.
+//!
+//! Exit codes: 0 done; 1 invalid input (also an INPUT that cannot be read, and a mesh that fails its check); 2 usage (also
+//! an OUTPUT that cannot be written and a request that is not supported); 3 limit or cancel; 4 internal (also a mesh that
+//! cannot be rounded to doubles). On failure nothing is written but the report.
+use clap::Parser;
+use delotet::{Error, Status};
+use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::process::ExitCode;
+
+mod args;
+mod check;
+mod convert;
+mod info;
+mod mesh;
+mod observer;
+mod report;
+mod summary;
+
+/// Parses the arguments and runs the command.
+pub fn run() -> ExitCode {
+    let args = match args::Args::try_parse() {
+        Ok(args) => args,
+        Err(error) => {
+            let _ = error.print();
+            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+        }
+    };
+    let outcome = catch_unwind(AssertUnwindSafe(|| match args.command {
+        args::Command::Mesh(args) => mesh::run(&args),
+        args::Command::Check(args) => check::run(&args),
+        args::Command::Info(args) => info::run(&args),
+        args::Command::Convert(args) => convert::run(&args),
+    }));
+    match outcome {
+        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Err(failure)) => {
+            report::print(&failure.error);
+            ExitCode::from(failure.code)
+        }
+        Err(_) => {
+            eprintln!("error: internal: the program panicked; please report it with the input");
+            ExitCode::from(4)
+        }
+    }
+}
+
+/// An error and the exit code it means.
+pub struct Failure {
+    error: Error,
+    code: u8,
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        let code = match error.status {
+            Status::InvalidArgument | Status::Unsupported => 2,
+            Status::Cancelled | Status::SteinerLimit | Status::SteinerForbidden => 3,
+            Status::OutOfMemory | Status::TooLarge => 3,
+            Status::Rounding | Status::CheckFailed | Status::Internal => 4,
+            _ => 1,
+        };
+        Failure { error, code }
+    }
+}
+
+impl Failure {
+    /// An error about the arguments or OUTPUT.
+    pub fn usage(error: Error) -> Self {
+        let code = if error.status == Status::OutOfMemory { 3 } else { 2 };
+        Failure { error, code }
+    }
+
+    /// The same error with another exit code.
+    pub fn with_code(self, code: u8) -> Self {
+        Failure { code, ..self }
+    }
+}

@@ -1,0 +1,57 @@
+//! Ctrl-C and the progress bar.
+use delotet::{Observer, Phase};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::Arc;
+
+/// Shows progress on a terminal and cancels on Ctrl-C.
+pub struct Console {
+    interrupted: Arc<AtomicBool>,
+    bar: ProgressBar,
+    phase: Option<Phase>,
+}
+
+const STEPS: u64 = 1000;
+
+impl Console {
+    /// With `quiet`, and where stderr is no terminal, nothing is shown.
+    pub fn new(quiet: bool) -> Self {
+        let interrupted = Arc::new(AtomicBool::new(false));
+        let flag = interrupted.clone();
+        // Without a handler Ctrl-C ends the program at once, which is fine as well.
+        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+        let target =
+            if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(20) };
+        let bar = ProgressBar::with_draw_target(Some(STEPS), target);
+        if let Ok(style) = ProgressStyle::with_template("{msg:10} {bar:40} {percent:>3} % {elapsed:>4}") {
+            bar.set_style(style);
+        }
+        Console { interrupted, bar, phase: None }
+    }
+
+    /// Removes the bar.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Observer for Console {
+    fn progress(&mut self, phase: Phase, fraction: f64) -> ControlFlow<()> {
+        if self.phase != Some(phase) {
+            self.phase = Some(phase);
+            self.bar.set_message(phase.name());
+        }
+        self.bar.set_position((fraction * STEPS as f64) as u64);
+        match self.interrupted.load(Ordering::Relaxed) {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
+    }
+}
+
+impl Drop for Console {
+    fn drop(&mut self) {
+        self.finish();
+    }
+}

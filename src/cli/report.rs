@@ -1,0 +1,83 @@
+//! Errors for people (stderr) and for programs (JSON).
+use delotet::{Defect, Element, Error, TetMesh};
+use serde_json::{json, Value};
+use std::io::Write;
+use std::path::Path;
+
+/// How many defects stderr shows.
+const SHOWN: usize = 10;
+
+/// Prints an error: its message, then some of its defects.
+pub fn print(error: &Error) {
+    let mut err = std::io::stderr().lock();
+    let _ = writeln!(err, "error: {}", error.message);
+    for defect in error.defects.iter().take(SHOWN) {
+        let _ = writeln!(err, "  {defect}");
+    }
+    let more = error.defect_count.max(error.defects.len()) - error.defects.len().min(SHOWN);
+    if more > 0 {
+        let _ = writeln!(err, "  … and {more} more; --report FILE lists all");
+    }
+}
+
+/// The report of a failure.
+pub fn of_error(error: &Error) -> Value {
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "status": format!("{:?}", error.status),
+        "status_code": error.status as i32,
+        "message": error.message,
+        "defect_count": error.defect_count,
+        "defects": error.defects.iter().map(defect).collect::<Vec<_>>(),
+    })
+}
+
+/// The report of a success: no defects, and the flips of facet merging.
+pub fn of_success(mesh: Option<&TetMesh>) -> Value {
+    let flips = mesh.map(|m| &m.facet_flips[..]).unwrap_or_default();
+    let flip = |f: &delotet::FacetFlip| json!({ "old": f.old, "new": f.new, "facets": f.facets });
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "status": "Ok",
+        "status_code": 0,
+        "message": "",
+        "defect_count": 0,
+        "defects": [],
+        "facet_flips": flips.iter().map(flip).collect::<Vec<_>>(),
+    })
+}
+
+fn defect(defect: &Defect) -> Value {
+    json!({
+        "kind": defect.kind.name(),
+        "first": element(defect.first),
+        "second": defect.second.map(element),
+        "point": defect.point,
+    })
+}
+
+fn element(element: Element) -> Value {
+    let (kind, index) = match element {
+        Element::Point(i) => ("point", i),
+        Element::Segment(i) => ("segment", i),
+        Element::Facet(i) => ("facet", i),
+        Element::Hole(i) => ("hole", i),
+        Element::Region(i) => ("region", i),
+        Element::Tet(i) => ("tetrahedron", i),
+    };
+    json!({ "type": kind, "index": index })
+}
+
+/// Writes JSON to a file, complete or not at all.
+pub fn write(path: &Path, value: &Value) -> Result<(), Error> {
+    let text = format!("{value:#}\n");
+    delotet::io::write_text(path, &text)
+}
+
+/// Writes the report of an outcome where one is asked for. A report that cannot be written is said on stderr: the outcome
+/// itself matters more.
+pub fn write_if_asked(path: Option<&Path>, value: impl FnOnce() -> Value) {
+    if let Some(Err(error)) = path.map(|path| write(path, &value())) {
+        eprintln!("warning: {error}");
+    }
+}

@@ -1,0 +1,181 @@
+//! What the program says when all went well.
+use delotet::{Phase, Plc, TetMesh};
+use std::collections::HashMap;
+use std::io::Write;
+use std::path::Path;
+
+/// One line: a label and a text. A closed stdout is no error.
+pub fn print_line(label: &str, text: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stdout().lock(), "{label:<14} {text}");
+}
+
+/// What became of a mesh.
+pub fn print_mesh(output: &Path, mesh: &TetMesh, total: f64) {
+    let s = &mesh.statistics;
+    let duplicates = match s.duplicate_points {
+        0 => String::new(),
+        n => format!(", {} of them equal to an earlier one", grouped(n)),
+    };
+    print_line(
+        "points",
+        format_args!(
+            "{} in{duplicates}, {} out",
+            grouped(mesh.input_point_count.into()),
+            grouped(mesh.points.len() as u64)
+        ),
+    );
+    let steiner = match s.steiner {
+        0 => "none: the boundary is the input's as it is".to_string(),
+        n => format!(
+            "{} on edges of the input, {} of them exact in doubles",
+            grouped(n),
+            grouped(s.steiner_exact)
+        ),
+    };
+    print_line("Steiner points", steiner);
+    if !mesh.facet_flips.is_empty() {
+        print_line("facet flips", grouped(mesh.facet_flips.len() as u64));
+    }
+    print_line("tetrahedra", grouped(mesh.tets.len() as u64));
+    let volumes = volumes(mesh);
+    const LISTED: usize = 12;
+    for (i, (region, volume)) in mesh.regions.iter().zip(&volumes).enumerate().take(LISTED) {
+        let (count, volume) = volume;
+        print_line(
+            if i == 0 { "regions" } else { "" },
+            format_args!(
+                "attribute {}: {} tetrahedra, volume {volume:.6}",
+                region.attribute,
+                grouped(*count)
+            ),
+        );
+    }
+    if volumes.len() > LISTED {
+        print_line("", format_args!("… and {} more", volumes.len() - LISTED));
+    }
+    if let Some((least, most)) = delotet::io::dihedral_range(mesh) {
+        print_line("dihedrals", format_args!("{least:.3}° to {most:.3}°"));
+    }
+    print_line("time", times(&s.seconds, total));
+    print_line("written", output.display());
+}
+
+/// Tetrahedra and volume per region.
+fn volumes(mesh: &TetMesh) -> Vec<(u64, f64)> {
+    let mut sums = vec![(0u64, 0.0f64); mesh.regions.len()];
+    for (tet, &region) in mesh.tets.iter().zip(&mesh.tet_region) {
+        let Some(sum) = sums.get_mut(region as usize) else { continue };
+        let [a, b, c, d] = tet.map(|v| mesh.points.get(v as usize).copied().unwrap_or_default());
+        *sum = (sum.0 + 1, sum.1 + volume(a, b, c, d));
+    }
+    sums
+}
+
+fn volume(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> f64 {
+    let [u, v, w] = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+    let cross = [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]];
+    (u[0] * cross[0] + u[1] * cross[1] + u[2] * cross[2]) / 6.0
+}
+
+fn times(seconds: &[f64; Phase::COUNT], total: f64) -> String {
+    let phases = [
+        Phase::Read,
+        Phase::Validate,
+        Phase::Delaunay,
+        Phase::Segments,
+        Phase::Facets,
+        Phase::Regions,
+        Phase::Round,
+        Phase::Audit,
+        Phase::Write,
+    ];
+    let parts: Vec<String> = phases
+        .iter()
+        .filter(|&&p| seconds[p as usize] >= 0.0005)
+        .map(|&p| format!("{} {:.3}", p.name(), seconds[p as usize]))
+        .collect();
+    match parts.is_empty() {
+        true => format!("{total:.3} s"),
+        false => format!("{total:.3} s ({})", parts.join(", ")),
+    }
+}
+
+/// A number with a thin gap between groups of three digits.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i) % 3 == 0 {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// What is in a PLC.
+pub fn print_plc(input: &Path, plc: &Plc) {
+    print_line("file", input.display());
+    print_line("points", grouped(plc.points.len() as u64));
+    let polygons = match plc.facets.len() {
+        0 => String::new(),
+        n => format!(", {} of them general polygons", grouped(n as u64)),
+    };
+    print_line("facets", format_args!("{}{polygons}", grouped(plc.facet_count() as u64)));
+    for (label, count) in
+        [("segments", plc.segments.len()), ("holes", plc.holes.len()), ("regions", plc.regions.len())]
+    {
+        if count > 0 {
+            print_line(label, grouped(count as u64));
+        }
+    }
+    if let Some((low, high)) = bounds(plc) {
+        print_line(
+            "box",
+            format_args!("({}, {}, {}) to ({}, {}, {})", low[0], low[1], low[2], high[0], high[1], high[2]),
+        );
+    }
+    if plc.facet_count() > 0 {
+        print_line("surface", edges(plc));
+    }
+}
+
+fn bounds(plc: &Plc) -> Option<([f64; 3], [f64; 3])> {
+    let first = *plc.points.first()?;
+    Some(plc.points.iter().fold((first, first), |(low, high), p| {
+        (std::array::from_fn(|i| low[i].min(p[i])), std::array::from_fn(|i| high[i].max(p[i])))
+    }))
+}
+
+/// How the facets meet: open edges, edges of more than two facets. Equal points count as one.
+fn edges(plc: &Plc) -> String {
+    let mut first: HashMap<[u64; 3], u32> = HashMap::new();
+    let same: Vec<u32> = plc
+        .points
+        .iter()
+        .enumerate()
+        .map(|(i, p)| *first.entry(p.map(|x| (x + 0.0).to_bits())).or_insert(i as u32))
+        .collect();
+    let mut uses: HashMap<(u32, u32), u32> = HashMap::new();
+    let triangles = plc.triangles.iter().map(|t| &t[..]);
+    let polygons = plc.facets.iter().flat_map(|f| f.polygons.iter().map(|p| &p[..])).filter(|p| p.len() > 2);
+    for ring in triangles.chain(polygons) {
+        for (i, &a) in ring.iter().enumerate() {
+            let b = ring[(i + 1) % ring.len()];
+            let (Some(&a), Some(&b)) = (same.get(a as usize), same.get(b as usize)) else { continue };
+            if a != b {
+                *uses.entry((a.min(b), a.max(b))).or_insert(0) += 1;
+            }
+        }
+    }
+    let open = uses.values().filter(|&&n| n == 1).count();
+    let multiple = uses.values().filter(|&&n| n > 2).count();
+    let mut text = match open {
+        0 => "closed".to_string(),
+        n => format!("{} open edges", grouped(n as u64)),
+    };
+    if multiple > 0 {
+        text += &format!(", {} edges of more than two facets", grouped(multiple as u64));
+    }
+    text
+}

@@ -1,0 +1,303 @@
+//! Segment recovery (D0 → D1): Si & Gärtner 2011, section 5.
+//!
+//! While a subsegment is not an edge, a Steiner point is put on it and inserted by Bowyer–Watson. Flags in the
+//! tetrahedra tell which present subsegments an insertion destroys, so only those are tested again.
+//!
+//! Invariant: every live subsegment is flagged round its edge in the mesh, or waits in the queue.
+use super::placement::{choose, round_parameter, Context, Subsegment};
+use super::{crossing, edge_key};
+use crate::delaunay::Delaunay;
+use crate::error::{Element, Error, Status};
+use crate::mesh::star::{flag_edge, StarSearch};
+use crate::mesh::tables::{EDGE_OF, FACE};
+use crate::mesh::{flag, NONE};
+use crate::predicates::{Points, Sign};
+use rustc_hash::FxHashMap;
+
+/// The subsegments of all segments.
+#[derive(Default)]
+pub struct Segments {
+    /// Ends of every segment (vertex ids).
+    pub ends: Vec<[u32; 2]>,
+    /// Pieces; a split one is replaced by its first half, the second is appended.
+    pub pieces: Vec<Subsegment>,
+    /// Piece with the given ends.
+    pub piece_of: FxHashMap<[u32; 2], u32>,
+    /// Segment of each Steiner point, in order of insertion.
+    pub steiner_segment: Vec<u32>,
+    /// Parameter of each Steiner point.
+    pub steiner_t: Vec<f64>,
+    /// Id of the first Steiner point.
+    pub first_steiner: u32,
+    /// Segments that were not edges at the start.
+    pub missing: u64,
+    acute: Vec<bool>,
+    exact_bits: Vec<u8>,
+}
+
+impl Segments {
+    /// All segments in one piece each.
+    pub fn new(points: &Points, ends: Vec<[u32; 2]>) -> Result<Self, Error> {
+        let mut pieces = Vec::new();
+        pieces.try_reserve(ends.len())?;
+        let mut piece_of = FxHashMap::default();
+        piece_of.try_reserve(ends.len()).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        for (i, &e) in ends.iter().enumerate() {
+            pieces.push(Subsegment { segment: i as u32, ends: e, t: [0.0, 1.0] });
+            piece_of.insert(edge_key(e[0], e[1]), i as u32);
+        }
+        let acute = acute_vertices(points, &ends)?;
+        Ok(Segments { ends, pieces, piece_of, first_steiner: points.len() as u32, acute, ..Self::default() })
+    }
+
+    /// The Steiner points of each segment in order from its first end: a list of segments and parameters sorted by both.
+    pub fn steiner_by_segment(&self) -> Vec<(u32, f64, u32)> {
+        let mut list: Vec<(u32, f64, u32)> = self
+            .steiner_segment
+            .iter()
+            .zip(&self.steiner_t)
+            .enumerate()
+            .map(|(i, (&s, &t))| (s, t, self.first_steiner + i as u32))
+            .collect();
+        list.sort_unstable_by(|x, y| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1)));
+        list
+    }
+
+    fn bits(&mut self, points: &Points, segment: u32) -> u32 {
+        if self.exact_bits.is_empty() {
+            self.exact_bits.resize(self.ends.len(), u8::MAX);
+        }
+        let cached = &mut self.exact_bits[segment as usize];
+        if *cached == u8::MAX {
+            let [a, b] = self.ends[segment as usize];
+            *cached = points.exact_bits(a, b).min(60) as u8;
+        }
+        *cached as u32
+    }
+}
+
+/// Vertices at which two segments meet at less than 90°. Of seven directions two always do, so seven are enough.
+fn acute_vertices(points: &Points, ends: &[[u32; 2]]) -> Result<Vec<bool>, Error> {
+    let mut incident: Vec<[u32; 2]> = Vec::new();
+    incident.try_reserve(2 * ends.len())?;
+    for &[a, b] in ends {
+        incident.push([a, b]);
+        incident.push([b, a]);
+    }
+    incident.sort_unstable();
+    let mut acute = vec![false; points.len()];
+    for group in incident.chunk_by(|x, y| x[0] == y[0]) {
+        let v = group[0][0];
+        let others = &group[..group.len().min(7)];
+        acute[v as usize] = others.iter().enumerate().any(|(i, x)| {
+            others[..i].iter().any(|y| points.dot_sign(v, x[1], y[1]) == Sign::Positive)
+        });
+    }
+    Ok(acute)
+}
+
+/// What one recovery works on.
+pub struct Recovery<'a> {
+    /// The triangulation.
+    pub delaunay: &'a mut Delaunay,
+    /// The vertices.
+    pub points: &'a mut Points,
+    /// The segments.
+    pub segments: &'a mut Segments,
+    /// Most Steiner points allowed.
+    pub limit: Option<u64>,
+    queue: std::collections::VecDeque<u32>,
+    search: StarSearch,
+}
+
+impl<'a> Recovery<'a> {
+    /// Prepares a recovery; `delaunay.vertex_tet` must be up to date.
+    pub fn new(
+        delaunay: &'a mut Delaunay,
+        points: &'a mut Points,
+        segments: &'a mut Segments,
+        limit: Option<u64>,
+    ) -> Self {
+        Recovery { delaunay, points, segments, limit, queue: Default::default(), search: StarSearch::default() }
+    }
+
+    /// Makes every segment a union of edges. `tick` gets the numbers of pieces done and known.
+    pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<(), Error> {
+        self.queue.try_reserve(self.segments.pieces.len() / 4)?;
+        for piece in 0..self.segments.pieces.len() as u32 {
+            if !self.mark_if_present(piece) {
+                self.queue.push_back(piece);
+            }
+        }
+        self.segments.missing = self.queue.len() as u64;
+        let mut steps = 0usize;
+        while let Some(piece) = self.queue.pop_front() {
+            steps += 1;
+            if steps % 1024 == 0 {
+                tick(steps, steps + self.queue.len())?;
+            }
+            if !self.mark_if_present(piece) {
+                self.split(piece)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Flags the piece's edge if the mesh has it.
+    fn mark_if_present(&mut self, piece: u32) -> bool {
+        let [a, b] = self.segments.pieces[piece as usize].ends;
+        let start = self.delaunay.vertex_tet[a as usize];
+        match self.search.find_edge(&mut self.delaunay.mesh, a, b, start) {
+            Some(t) => {
+                flag_edge(&mut self.delaunay.mesh, t, a, b, true);
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// Splits a missing piece in two by a Steiner point.
+    fn split(&mut self, piece: u32) -> Result<(), Error> {
+        let sub = self.segments.pieces[piece as usize];
+        if self.limit.is_some_and(|limit| self.segments.steiner_t.len() as u64 >= limit) {
+            return Err(Error::new(Status::SteinerLimit, "the limit on Steiner points was reached"));
+        }
+        let (reference, near) = self.find_reference(&sub);
+        let context = self.context(&sub, reference);
+        let bits = self.segments.bits(self.points, sub.segment);
+        let chosen = choose(self.points, &sub, &context, reference);
+        let t = round_parameter(chosen, sub.t[0], sub.t[1], bits)
+            .or_else(|| round_parameter(0.5 * (sub.t[0] + sub.t[1]), sub.t[0], sub.t[1], 0))
+            .ok_or_else(|| crossing("a segment cannot be separated from what it touches", Element::Segment(sub.segment), None))?;
+        let [a, b] = context.ends;
+        let p = self.points.push_on_segment(a, b, t)?;
+        self.delaunay.cavity.prepare(p as usize + 1)?;
+        self.delaunay.vertex_tet.try_reserve(1)?;
+        self.delaunay.vertex_tet.push(NONE);
+        self.segments.steiner_segment.try_reserve(1)?;
+        self.segments.steiner_t.try_reserve(1)?;
+        self.segments.steiner_segment.push(sub.segment);
+        self.segments.steiner_t.push(t);
+        let at = self.delaunay.locate(self.points, p, near)?;
+        let touched = self.delaunay.mesh.verts[at as usize];
+        if touched.iter().any(|&v| v != crate::mesh::GHOST && self.points.same_position(v, p)) {
+            return Err(crossing("a vertex lies on a segment", Element::Segment(sub.segment), None));
+        }
+        self.delaunay.hint = self.delaunay.insert_at::<true>(self.points, p, at)?;
+        self.register(piece, sub, p, t)
+    }
+
+    /// Replaces the split piece by its halves and queues what the insertion left missing.
+    fn register(&mut self, piece: u32, sub: Subsegment, p: u32, t: f64) -> Result<(), Error> {
+        let segments = &mut *self.segments;
+        segments.piece_of.remove(&edge_key(sub.ends[0], sub.ends[1]));
+        let second = segments.pieces.len() as u32;
+        segments.pieces.try_reserve(1)?;
+        segments.pieces[piece as usize] = Subsegment { ends: [sub.ends[0], p], t: [sub.t[0], t], ..sub };
+        segments.pieces.push(Subsegment { ends: [p, sub.ends[1]], t: [t, sub.t[1]], ..sub });
+        segments.piece_of.insert(edge_key(sub.ends[0], p), piece);
+        segments.piece_of.insert(edge_key(p, sub.ends[1]), second);
+        self.queue.try_reserve(2 + self.delaunay.cavity.lost_edges.len())?;
+        for (id, end) in [(piece, sub.ends[0]), (second, sub.ends[1])] {
+            if !self.mark_in_fresh(end) {
+                self.queue.push_back(id);
+            }
+        }
+        for i in 0..self.delaunay.cavity.lost_edges.len() {
+            let edge = self.delaunay.cavity.lost_edges[i];
+            if let Some(&id) = self.segments.piece_of.get(&edge) {
+                self.queue.push_back(id);
+            }
+        }
+        Ok(())
+    }
+
+    /// Flags the edge from the vertex just inserted (slot 0 of all new tetrahedra) to `end`, if there is one.
+    fn mark_in_fresh(&mut self, end: u32) -> bool {
+        let mesh = &mut self.delaunay.mesh;
+        let mut present = false;
+        for &t in &self.delaunay.cavity.fresh {
+            if let Some(slot) = mesh.slot_of(t, end) {
+                mesh.flags[t as usize] |= flag::EDGE << EDGE_OF[0][slot as usize];
+                present = true;
+            }
+        }
+        present
+    }
+
+    /// The segment's ends, their acuteness, and which end it shares with the segment of the reference point.
+    fn context(&self, sub: &Subsegment, reference: Option<u32>) -> Context {
+        let ends = self.segments.ends[sub.segment as usize];
+        let acute = [self.segments.acute[ends[0] as usize], self.segments.acute[ends[1] as usize]];
+        let shared = reference.and_then(|p| {
+            let index = p.checked_sub(self.segments.first_steiner)?;
+            let other = self.segments.ends[self.segments.steiner_segment[index as usize] as usize];
+            (0..2).find(|&k| other.contains(&ends[k]))
+        });
+        Context { ends, acute, shared }
+    }
+
+    /// The vertex that sees the piece under the largest angle among those met on a walk from its first end to its second,
+    /// and the tetrahedron nearest to it. The walk is approximate: it only chooses a point.
+    fn find_reference(&self, sub: &Subsegment) -> (Option<u32>, u32) {
+        let mesh = &self.delaunay.mesh;
+        let (a, b) = (self.points.xyz(sub.ends[0]), self.points.xyz(sub.ends[1]));
+        let mut t = self.delaunay.vertex_tet[sub.ends[0] as usize];
+        if mesh.is_ghost(t) {
+            t = mesh.adj[t as usize][3] >> 2;
+        }
+        let mut best = (0.0f64, None, t);
+        let mut entered = 4;
+        for step in 0..1000u32 {
+            let v = mesh.verts[t as usize];
+            for &w in &v {
+                if sub.ends.contains(&w) {
+                    continue;
+                }
+                let angle = cosine(self.points.xyz(w), a, b);
+                if angle < best.0 {
+                    best = (angle, Some(w), t);
+                }
+            }
+            if v.contains(&sub.ends[1]) {
+                break;
+            }
+            let mut next = None;
+            for i in 0..4u32 {
+                let f = (i + step) & 3;
+                if f == entered {
+                    continue;
+                }
+                let [x, y, z] = FACE[f as usize].map(|k| self.points.xyz(v[k as usize]));
+                if approximate_orient3d(b, x, y, z) < 0.0 {
+                    next = Some(mesh.adj[t as usize][f as usize]);
+                    break;
+                }
+            }
+            match next {
+                Some(code) if !mesh.is_ghost(code >> 2) => {
+                    t = code >> 2;
+                    entered = code & 3;
+                }
+                _ => break,
+            }
+        }
+        (best.1, best.2)
+    }
+}
+
+/// Cosine of the angle under which `p` sees the segment `a b`.
+fn cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    let u = [a[0] - p[0], a[1] - p[1], a[2] - p[2]];
+    let v = [b[0] - p[0], b[1] - p[1], b[2] - p[2]];
+    let dot = |x: &[f64; 3], y: &[f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    dot(&u, &v) / (dot(&u, &u) * dot(&v, &v)).sqrt()
+}
+
+/// The determinant of [`crate::predicates::orient3d`] in plain arithmetic.
+fn approximate_orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> f64 {
+    let u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    let v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+    let w = [d[0] - a[0], d[1] - a[1], d[2] - a[2]];
+    u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])
+}

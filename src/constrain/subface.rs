@@ -1,0 +1,256 @@
+//! Subfaces: the constrained Delaunay triangulation of every patch, Steiner points on its segments included.
+//!
+//! A patch is an exactly coplanar set of triangles, so its subfaces in the final tetrahedralization are known beforehand:
+//! they are the two-dimensional constrained Delaunay triangulation with ties broken as in space (engine notes §4, last
+//! point). Lawson's flips (1977) make it from the triangulation that comes with the PLC.
+use super::edge_key;
+use super::segment::Segments;
+use crate::error::Error;
+use crate::mesh::NONE;
+use crate::predicates::{Points, Sign};
+
+/// The triangulated patches.
+#[derive(Default)]
+pub struct Subfaces {
+    /// Corners, positively oriented in the projection of the patch.
+    pub verts: Vec<[u32; 3]>,
+    /// Edge codes `3·t' + e'` across the edge opposite each corner, NONE across subsegments.
+    pub adj: Vec<[u32; 3]>,
+    /// The input facet.
+    pub facet: Vec<u32>,
+    /// The patch.
+    pub patch: Vec<u32>,
+    /// Per patch the axis whose projection keeps it a triangulation.
+    axis: Vec<u8>,
+}
+
+/// Triangles in vertex ids of the engine, as [`crate::plc::surface::Surface`] has them.
+pub struct Triangles<'a> {
+    /// Corners.
+    pub corners: &'a [[u32; 3]],
+    /// Input facet of each.
+    pub facet: &'a [u32],
+    /// Patch of each.
+    pub patch: &'a [u32],
+    /// Number of patches.
+    pub patch_count: usize,
+}
+
+impl Subfaces {
+    /// Splits the triangles at the Steiner points of their segments and makes every patch constrained Delaunay.
+    pub fn build(points: &Points, triangles: &Triangles, segments: &Segments) -> Result<Self, Error> {
+        let mut subfaces = Subfaces::default();
+        let steiner = segments.steiner_by_segment();
+        let expected = triangles.corners.len() + 2 * steiner.len();
+        subfaces.verts.try_reserve(expected)?;
+        subfaces.adj.try_reserve(expected)?;
+        subfaces.facet.try_reserve(expected)?;
+        subfaces.patch.try_reserve(expected)?;
+        subfaces.orient(points, triangles)?;
+        let edge_segment = subfaces.connect(segments)?;
+        subfaces.split_edges(segments, &steiner, &edge_segment)?;
+        subfaces.make_delaunay(points)?;
+        Ok(subfaces)
+    }
+
+    /// Copies the triangles, turned to be positive in a projection chosen per patch.
+    fn orient(&mut self, points: &Points, triangles: &Triangles) -> Result<(), Error> {
+        const UNKNOWN: u8 = 3;
+        self.axis.try_reserve(triangles.patch_count)?;
+        self.axis.resize(triangles.patch_count, UNKNOWN);
+        for (i, &corners) in triangles.corners.iter().enumerate() {
+            let patch = triangles.patch[i];
+            let axis = &mut self.axis[patch as usize];
+            if *axis == UNKNOWN {
+                *axis = projection_axis(points, corners)?;
+            }
+            let [a, b, c] = corners;
+            let turned = match points.orient_in_plane(*axis as usize, a, b, c) {
+                Sign::Positive => corners,
+                Sign::Negative => [a, c, b],
+                Sign::Zero => return Err(Error::internal("a triangle of a patch is not in its plane")),
+            };
+            self.verts.push(turned);
+            self.adj.push([NONE; 3]);
+            self.facet.push(triangles.facet[i]);
+            self.patch.push(patch);
+        }
+        Ok(())
+    }
+
+    /// Links triangles across edges that are no segments; returns the segment of each constrained edge.
+    fn connect(&mut self, segments: &Segments) -> Result<Vec<[u32; 3]>, Error> {
+        // (edge, 0, segment) sorts before (edge, 1, edge code) of the triangles with that edge.
+        let mut entries: Vec<([u32; 2], u32, u32)> = Vec::new();
+        entries.try_reserve(3 * self.verts.len() + segments.ends.len())?;
+        for (s, e) in segments.ends.iter().enumerate() {
+            entries.push((edge_key(e[0], e[1]), 0, s as u32));
+        }
+        for (t, v) in self.verts.iter().enumerate() {
+            for e in 0..3 {
+                entries.push((edge_key(v[(e + 1) % 3], v[(e + 2) % 3]), 1, (3 * t + e) as u32));
+            }
+        }
+        entries.sort_unstable();
+        let mut edge_segment = Vec::new();
+        edge_segment.try_reserve(self.verts.len())?;
+        edge_segment.resize(self.verts.len(), [NONE; 3]);
+        for group in entries.chunk_by(|x, y| x.0 == y.0) {
+            if group[0].1 == 0 {
+                for &(_, _, code) in group.iter().filter(|entry| entry.1 == 1) {
+                    edge_segment[(code / 3) as usize][(code % 3) as usize] = group[0].2;
+                }
+            } else if let [x, y] = group {
+                self.link(x.2, y.2);
+            } else {
+                return Err(Error::internal("an edge without segment has not two triangles"));
+            }
+        }
+        Ok(edge_segment)
+    }
+
+    fn link(&mut self, a: u32, b: u32) {
+        if a != NONE {
+            self.adj[(a / 3) as usize][(a % 3) as usize] = b;
+        }
+        if b != NONE {
+            self.adj[(b / 3) as usize][(b % 3) as usize] = a;
+        }
+    }
+
+    /// Puts the Steiner points of the segments on the triangles' edges.
+    fn split_edges(
+        &mut self,
+        segments: &Segments,
+        steiner: &[(u32, f64, u32)],
+        edge_segment: &[[u32; 3]],
+    ) -> Result<(), Error> {
+        if steiner.is_empty() {
+            return Ok(());
+        }
+        let mut chain = Vec::new();
+        for (t, edges) in edge_segment.iter().enumerate() {
+            if edges.iter().all(|&s| s == NONE) {
+                continue;
+            }
+            // Where edge `e` is after the splits before it: splitting edge 0 moves edge 1 to the last piece, splitting edge 1
+            // there moves edge 2 to its last piece, if edge 0 had no points.
+            let mut holder = [3 * t as u32, 3 * t as u32 + 1, 3 * t as u32 + 2];
+            for e in 0..3 {
+                let s = edges[e];
+                if s == NONE {
+                    continue;
+                }
+                let first = steiner.partition_point(|x| x.0 < s);
+                let last = steiner.partition_point(|x| x.0 <= s);
+                if first == last {
+                    continue;
+                }
+                let code = holder[e];
+                let (owner, k) = ((code / 3) as usize, (code % 3) as usize);
+                let start = self.verts[owner][(k + 1) % 3];
+                chain.clear();
+                chain.extend(steiner[first..last].iter().map(|x| x.2));
+                if start != segments.ends[s as usize][0] {
+                    chain.reverse();
+                }
+                let moved = self.split_edge(owner, k, &chain)?;
+                // The edge that follows in the triangle's sense now belongs to the last piece.
+                let follower = 3 * owner as u32 + (k as u32 + 1) % 3;
+                for h in holder.iter_mut().skip(e + 1) {
+                    if *h == follower {
+                        *h = moved;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Splits triangle `t` at points on its edge `k`, given in the edge's direction. Returns the code of the edge that
+    /// follows edge `k` in `t`, which moved to the last piece.
+    fn split_edge(&mut self, t: usize, k: usize, chain: &[u32]) -> Result<u32, Error> {
+        let (start_slot, end_slot) = ((k + 1) % 3, (k + 2) % 3);
+        let apex = self.verts[t][k];
+        let end = self.verts[t][end_slot];
+        let following = self.adj[t][start_slot];
+        self.verts[t][end_slot] = chain[0];
+        let mut previous = (3 * t + start_slot) as u32;
+        self.verts.try_reserve(chain.len())?;
+        self.adj.try_reserve(chain.len())?;
+        self.facet.try_reserve(chain.len())?;
+        self.patch.try_reserve(chain.len())?;
+        for i in 0..chain.len() {
+            let next = chain.get(i + 1).copied().unwrap_or(end);
+            let n = self.verts.len() as u32;
+            self.verts.push([apex, chain[i], next]);
+            self.adj.push([NONE; 3]);
+            self.facet.push(self.facet[t]);
+            self.patch.push(self.patch[t]);
+            // Edge 2 of the new piece (apex → chain[i]) faces the previous one; edge 1 (next → apex) the following one.
+            self.link(previous, 3 * n + 2);
+            previous = 3 * n + 1;
+        }
+        self.adj[(previous / 3) as usize][(previous % 3) as usize] = NONE;
+        if following != NONE {
+            self.link(previous, following);
+        }
+        Ok(previous)
+    }
+
+    /// Lawson's algorithm over all edges that are no subsegments.
+    fn make_delaunay(&mut self, points: &Points) -> Result<(), Error> {
+        let mut stack: Vec<u32> = Vec::new();
+        stack.try_reserve(self.verts.len() * 2)?;
+        for t in 0..self.verts.len() as u32 {
+            for e in 0..3 {
+                let n = self.adj[t as usize][e as usize];
+                if n != NONE && n / 3 > t {
+                    stack.push(3 * t + e);
+                }
+            }
+        }
+        while let Some(code) = stack.pop() {
+            let (t, i) = ((code / 3) as usize, (code % 3) as usize);
+            let other = self.adj[t][i];
+            if other == NONE {
+                continue;
+            }
+            let (n, j) = ((other / 3) as usize, (other % 3) as usize);
+            let (a, b, c) = (self.verts[t][i], self.verts[t][(i + 1) % 3], self.verts[t][(i + 2) % 3]);
+            let d = self.verts[n][j];
+            let axis = self.axis[self.patch[t] as usize] as usize;
+            if points.incircle_in_plane(axis, a, b, c, d) != Sign::Positive {
+                continue;
+            }
+            // (a b c) + (d c b) → (a b d) + (d c a)
+            let (beyond_ca, beyond_bd) = (self.adj[t][(i + 1) % 3], self.adj[n][(j + 1) % 3]);
+            self.verts[t][(i + 2) % 3] = d;
+            self.verts[n][(j + 2) % 3] = a;
+            let (ti, nj) = (3 * t as u32 + i as u32, 3 * n as u32 + j as u32);
+            let (t1, n1) = (3 * t as u32 + ((i + 1) % 3) as u32, 3 * n as u32 + ((j + 1) % 3) as u32);
+            self.adj[t][i] = NONE;
+            self.adj[n][j] = NONE;
+            self.link(ti, beyond_bd);
+            self.link(nj, beyond_ca);
+            self.link(t1, n1);
+            stack.try_reserve(4)?;
+            let (t2, n2) = (3 * t as u32 + ((i + 2) % 3) as u32, 3 * n as u32 + ((j + 2) % 3) as u32);
+            stack.extend([ti, t2, nj, n2]);
+        }
+        Ok(())
+    }
+}
+
+/// The axis along which the triangle's projection is largest, as far as doubles tell, and exactly not flat.
+fn projection_axis(points: &Points, [a, b, c]: [u32; 3]) -> Result<u8, Error> {
+    let (p, q, r) = (points.xyz(a), points.xyz(b), points.xyz(c));
+    let u = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
+    let v = [r[0] - p[0], r[1] - p[1], r[2] - p[2]];
+    let normal = |k: usize| (u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]).abs();
+    let mut axes = [0u8, 1, 2];
+    axes.sort_by(|&x, &y| normal(y as usize).total_cmp(&normal(x as usize)));
+    axes.into_iter()
+        .find(|&k| points.orient_in_plane(k as usize, a, b, c) != Sign::Zero)
+        .ok_or_else(|| Error::internal("a triangle is degenerate"))
+}

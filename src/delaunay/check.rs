@@ -1,0 +1,27 @@
+//! Checks that a mesh is a perturbed Delaunay tetrahedralization.
+use super::Delaunay;
+use crate::mesh::check::check_topology;
+use crate::predicates::{Points, Sign};
+
+/// What is wrong, in words, or nothing: topology, orientation, and local Delaunayhood of every face, ghosts included (which
+/// makes the hull convex).
+pub fn check_delaunay(delaunay: &Delaunay, points: &Points) -> Result<(), String> {
+    let mesh = &delaunay.mesh;
+    check_topology(mesh)?;
+    for t in 0..mesh.slot_count() as u32 {
+        if !mesh.is_live(t) {
+            continue;
+        }
+        let v = mesh.verts[t as usize];
+        if !mesh.is_ghost(t) && points.orient3d(v[0], v[1], v[2], v[3]) != Sign::Positive {
+            return Err(format!("tetrahedron {t} {v:?} is not positive"));
+        }
+        for f in 0..4 {
+            let apex = mesh.apex(mesh.across(4 * t + f));
+            if apex != crate::mesh::GHOST && delaunay.in_conflict(points, t, apex) {
+                return Err(format!("vertex {apex} is in conflict with tetrahedron {t} {v:?}"));
+            }
+        }
+    }
+    Ok(())
+}

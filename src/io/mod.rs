@@ -1,0 +1,262 @@
+//! Files: surfaces in, meshes and surfaces out. Everything is decided by the file's extension; see [`Format`].
+//!
+//! Invariants: a malformed file gives an error that names the line, never a panic and never an allocation beyond what its
+//! size justifies; coordinates are read correctly rounded and written in the fewest digits that read back bit for bit;
+//! output appears complete under its name or not at all.
+//!
+//! Points keep their order. OFF and TetGen's formats keep equal points as they are (the engine maps them); STL, OBJ and PLY
+//! are read with equal points joined, since these formats (or most writers of them) repeat a point per triangle or patch.
+use crate::error::{Error, Status};
+use crate::output::{Subface, TetMesh};
+use crate::plc::Plc;
+use crate::INVALID;
+use std::path::Path;
+
+mod medit;
+mod msh;
+mod obj;
+mod off;
+mod output_files;
+mod ply;
+mod quality;
+mod stl;
+mod surface;
+mod tags;
+#[cfg(test)]
+mod tests;
+mod tetgen;
+mod text;
+mod vtk;
+mod vtu;
+mod write_surface;
+mod write_tetgen;
+
+pub use quality::dihedral_range;
+
+/// A file format, known by its extension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Geomview's Object File Format (surface).
+    Off,
+    /// STL, text or binary (surface; written in binary).
+    Stl,
+    /// Wavefront OBJ (surface).
+    Obj,
+    /// PLY, text or binary (surface; written in binary, little endian).
+    Ply,
+    /// TetGen's `.poly` (PLC).
+    Poly,
+    /// TetGen's `.smesh` (PLC).
+    Smesh,
+    /// TetGen's `.node` (points).
+    Node,
+    /// TetGen's `.ele` with `.node`, `.face`, `.edge`, `.neigh` beside it (mesh).
+    Ele,
+    /// VTK XML unstructured grid (mesh).
+    Vtu,
+    /// Legacy VTK (mesh).
+    Vtk,
+    /// Gmsh MSH 4.1 (mesh).
+    Msh,
+    /// MEDIT / INRIA `.mesh` (mesh).
+    Medit,
+}
+
+impl Format {
+    /// The format of a path by its extension (upper or lower case).
+    ///
+    /// # Errors
+    /// [`Status::Unsupported`] for an extension that is none of ours.
+    pub fn of(path: &Path) -> Result<Format, Error> {
+        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+        Ok(match extension.as_str() {
+            "off" => Format::Off,
+            "stl" => Format::Stl,
+            "obj" => Format::Obj,
+            "ply" => Format::Ply,
+            "poly" => Format::Poly,
+            "smesh" => Format::Smesh,
+            "node" => Format::Node,
+            "ele" => Format::Ele,
+            "vtu" => Format::Vtu,
+            "vtk" => Format::Vtk,
+            "msh" => Format::Msh,
+            "mesh" => Format::Medit,
+            _ => {
+                let message = format!("{}: '.{extension}' is no known file format", path.display());
+                return Err(Error::new(Status::Unsupported, message));
+            }
+        })
+    }
+
+    /// [`read`] reads it.
+    pub fn is_surface(self) -> bool {
+        use Format::*;
+        matches!(self, Off | Stl | Obj | Ply | Poly | Smesh | Node)
+    }
+
+    /// [`write`] writes it.
+    pub fn is_mesh(self) -> bool {
+        !self.is_surface()
+    }
+}
+
+/// Reads a PLC from a file. A `.poly` or `.smesh` without points takes them from the `.node` beside it.
+///
+/// # Errors
+/// [`Status::File`]: it cannot be read. [`Status::Format`]: the content is malformed; the message names file and line.
+/// [`Status::IndexOutOfRange`]: an element refers to a point that does not exist. [`Status::Unsupported`]: a format that is
+/// no surface format, or a variant that is not read. [`Status::TooLarge`], [`Status::OutOfMemory`].
+pub fn read(path: &Path) -> Result<Plc, Error> {
+    let format = Format::of(path)?;
+    let bytes = bytes_of(path)?;
+    read_with(&bytes, format, || bytes_of(&path.with_extension("node"))).map_err(|e| at(path, e))
+}
+
+/// Reads a PLC from the content of a file of a surface format.
+///
+/// # Errors
+/// As [`read`]; a `.poly` or `.smesh` must contain its points.
+pub fn read_bytes(bytes: &[u8], format: Format) -> Result<Plc, Error> {
+    read_with(bytes, format, || Err(Error::new(Status::Format, "the file contains no points")))
+}
+
+fn read_with(
+    bytes: &[u8],
+    format: Format,
+    nodes: impl FnOnce() -> Result<Vec<u8>, Error>,
+) -> Result<Plc, Error> {
+    match format {
+        Format::Off => off::read(bytes),
+        Format::Stl => stl::read(bytes),
+        Format::Obj => obj::read(bytes),
+        Format::Ply => ply::read(bytes),
+        Format::Poly => tetgen::read_plc(bytes, false, nodes),
+        Format::Smesh => tetgen::read_plc(bytes, true, nodes),
+        Format::Node => tetgen::read_node(bytes),
+        _ => Err(Error::new(Status::Unsupported, "a mesh format, where a surface or points were expected")),
+    }
+}
+
+fn bytes_of(path: &Path) -> Result<Vec<u8>, Error> {
+    std::fs::read(path).map_err(|e| output_files::file_error(path, "read", &e))
+}
+
+/// Puts the file's name before the message.
+fn at(path: &Path, error: Error) -> Error {
+    if error.status == Status::File {
+        return error;
+    }
+    Error { message: format!("{}: {}", path.display(), error.message), ..error }
+}
+
+/// What [`write`] may be asked for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct WriteOptions {
+    /// `.vtu`: compress the arrays (zlib). Smaller and slower.
+    pub compress: bool,
+    /// `.vtu`: also write the subfaces, as `STEM_subfaces.vtu`.
+    pub subfaces: bool,
+}
+
+/// Writes a mesh in the format of the path's extension. `plc` is what it was made of: it gives the attributes and markers.
+///
+/// # Errors
+/// [`Status::Unsupported`]: no mesh format. [`Status::File`]: cannot be written; then nothing is left behind.
+pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> Result<(), Error> {
+    let mut files = output_files::OutputFiles::default();
+    match Format::of(path)? {
+        Format::Ele => write_tetgen::write(&mut files, path, mesh, plc)?,
+        Format::Vtu => {
+            files.write(path, |out| vtu::write(out, mesh, plc, options.compress))?;
+            if options.subfaces {
+                let beside = subfaces_path(path);
+                files.write(&beside, |out| vtu::write_subfaces(out, mesh, options.compress))?;
+            }
+        }
+        Format::Vtk => files.write(path, |out| vtk::write(out, mesh))?,
+        Format::Msh => files.write(path, |out| msh::write(out, mesh))?,
+        Format::Medit => files.write(path, |out| medit::write(out, mesh, plc))?,
+        _ => return Err(Error::new(Status::Unsupported, format!("{}: not a mesh format", path.display()))),
+    }
+    files.commit()
+}
+
+/// `STEM_subfaces.vtu` for `STEM.vtu`.
+fn subfaces_path(path: &Path) -> std::path::PathBuf {
+    let mut name = path.file_stem().unwrap_or_default().to_os_string();
+    name.push("_subfaces.vtu");
+    path.with_file_name(name)
+}
+
+/// Writes the points, facets and segments of a PLC in the surface format of the path's extension.
+///
+/// `.poly` and `.smesh` carry everything that TetGen's formats can; `.off`, `.obj` and `.ply` points, simple polygons and
+/// segments (`.obj`, `.ply` with markers); `.stl` triangles in single precision.
+///
+/// # Errors
+/// [`Status::Unsupported`]: no surface format, or the PLC has what the format cannot express (the message says what).
+/// [`Status::NonFinitePoint`]: a coordinate is not finite. [`Status::File`]: cannot be written; then nothing is left behind.
+pub fn write_surface(path: &Path, plc: &Plc) -> Result<(), Error> {
+    let mut files = output_files::OutputFiles::default();
+    write_surface::write(&mut files, path, plc)?;
+    files.commit()
+}
+
+/// Writes a text (a report, say) to a file: complete or not at all.
+///
+/// # Errors
+/// [`Status::File`]: cannot be written; then nothing is left behind.
+pub fn write_text(path: &Path, text: &str) -> Result<(), Error> {
+    let mut files = output_files::OutputFiles::default();
+    files.write(path, |out| out.put(text))?;
+    files.commit()
+}
+
+/// Reads a mesh from TetGen's files: `STEM.node`, `STEM.ele` and, where it exists, `STEM.face`; `path` is any of these, or
+/// the stem. Filled are `points`, `tets`, `tet_region`, `regions` and the corners and markers of `subfaces`.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
+    let known =
+        path.extension().is_some_and(|e| ["ele", "node", "face"].iter().any(|k| e.eq_ignore_ascii_case(k)));
+    if !known && Format::of(path).is_ok() {
+        return Err(Error::new(
+            Status::Unsupported,
+            format!("{}: meshes are read from .ele files", path.display()),
+        ));
+    }
+    let beside = |suffix: &str| match known {
+        true => path.with_extension(suffix),
+        false => std::path::PathBuf::from(format!("{}.{suffix}", path.display())),
+    };
+    let ele = beside("ele");
+    let tetgen::Tets { nodes, tets, attributes } =
+        tetgen::read_tets(&bytes_of(&beside("node"))?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
+    let mut mesh = TetMesh { tets, ..TetMesh::default() };
+    let face = beside("face");
+    if face.exists() {
+        let faces = tetgen::read_faces(&bytes_of(&face)?, &nodes).map_err(|e| at(&face, e))?;
+        mesh.subfaces.try_reserve_exact(faces.len())?;
+        mesh.subfaces.extend(faces.into_iter().map(|(corners, marker)| Subface {
+            corners,
+            facet: INVALID,
+            marker,
+            tets: [INVALID; 2],
+        }));
+    }
+    mesh.points = nodes.points;
+    let mut known_regions = std::collections::HashMap::new();
+    mesh.tet_region.try_reserve_exact(mesh.tets.len())?;
+    for tet in 0..mesh.tets.len() {
+        let attribute = attributes.get(tet).copied().unwrap_or(0.0);
+        let next = mesh.regions.len() as u32;
+        let region = *known_regions.entry(attribute.to_bits()).or_insert(next);
+        if region == next {
+            mesh.regions.push(crate::output::Region { attribute, seed: INVALID, max_volume: None });
+        }
+        mesh.tet_region.push(region);
+    }
+    Ok(mesh)
+}

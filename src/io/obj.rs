@@ -1,0 +1,169 @@
+//! Wavefront OBJ: vertices, polygons, lines; groups and materials become markers. Source: Wavefront Technologies, Object
+//! Files (.obj), appendix B1.
+//!
+//! Faces before any group or material have marker 0, each new pair of group and material the next number from 1; a group
+//! named `marker_K` has marker K. Texture coordinates, normals and display attributes are skipped, free-form curves and
+//! surfaces refused. Equal points are joined.
+use super::surface::{out_of_range, Surface};
+use super::text::{bad, int, shown, Line, Lines};
+use crate::error::{Element, Error, Status};
+use crate::plc::{Plc, Segment};
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+/// Reads a file.
+pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
+    let text = join_continued_lines(bytes)?;
+    let mut lines = Lines::new(&text);
+    let mut reader = Reader::default();
+    while let Some(mut line) = lines.next_line() {
+        reader.line(&mut line)?;
+    }
+    reader.check_ranges()?;
+    reader.surface.finish(true)
+}
+
+/// A backslash at the end of a line continues it on the next one: both become blanks.
+fn join_continued_lines(bytes: &[u8]) -> Result<Cow<'_, [u8]>, Error> {
+    if !bytes.contains(&b'\\') {
+        return Ok(Cow::Borrowed(bytes));
+    }
+    let mut text = Vec::new();
+    text.try_reserve_exact(bytes.len())?;
+    text.extend_from_slice(bytes);
+    for i in 0..text.len() {
+        if text[i] != b'\\' {
+            continue;
+        }
+        let end = if text.get(i + 1) == Some(&b'\r') { i + 2 } else { i + 1 };
+        if text.get(end) == Some(&b'\n') {
+            text[i..=end].fill(b' ');
+        }
+    }
+    Ok(Cow::Owned(text))
+}
+
+#[derive(Default)]
+struct Reader {
+    surface: Surface,
+    group: Vec<u8>,
+    material: Vec<u8>,
+    markers: HashMap<(Vec<u8>, Vec<u8>), i32>,
+    marker: i32,
+    facets: u32,
+    /// The largest index used so far with the element and line that used it.
+    largest: Option<(i64, Element, usize)>,
+}
+
+impl Reader {
+    fn line(&mut self, line: &mut Line<'_>) -> Result<(), Error> {
+        match line.token().unwrap_or_default() {
+            b"v" => {
+                let point = line.point()?;
+                self.surface.point(point)
+            }
+            b"f" | b"fo" => self.face(line),
+            b"l" => self.polyline(line),
+            b"g" | b"o" => {
+                self.group = line.rest().trim_ascii().to_vec();
+                self.enter_group();
+                Ok(())
+            }
+            b"usemtl" => {
+                self.material = line.rest().trim_ascii().to_vec();
+                self.enter_group();
+                Ok(())
+            }
+            b"vt" | b"vn" | b"vp" | b"p" | b"s" | b"mtllib" | b"mg" | b"bevel" | b"c_interp"
+            | b"d_interp" | b"lod" | b"usemap" | b"maplib" | b"shadow_obj" | b"trace_obj" | b"call"
+            | b"csh" => Ok(()),
+            word @ (b"curv" | b"curv2" | b"surf" | b"cstype" | b"deg" | b"parm" | b"end" | b"con") => {
+                Err(Error::new(
+                    Status::Unsupported,
+                    format!(
+                        "line {}: free-form geometry ('{}') is not supported",
+                        line.number(),
+                        shown(word)
+                    ),
+                ))
+            }
+            word => Err(bad(line.number(), format_args!("unknown keyword '{}'", shown(word)))),
+        }
+    }
+
+    fn enter_group(&mut self) {
+        let named = self.group.strip_prefix(b"marker_").and_then(int).and_then(|k| i32::try_from(k).ok());
+        if let (Some(marker), true) = (named, self.material.is_empty()) {
+            self.marker = marker;
+            return;
+        }
+        let next = self.markers.len() as i32 + 1;
+        self.marker = *self.markers.entry((self.group.clone(), self.material.clone())).or_insert(next);
+    }
+
+    /// An index from 0: positive ones count from the first point, negative ones back from the last so far.
+    fn index(&mut self, token: &[u8], element: Element, line: usize) -> Result<i64, Error> {
+        let mut parts = token.split(|&b| b == b'/');
+        let index = parts.next().and_then(int).filter(|&i| i != 0);
+        let rest_fine = parts.all(|part| part.is_empty() || int(part).is_some());
+        let (Some(index), true) = (index, rest_fine) else {
+            return Err(bad(line, format_args!("a vertex index expected, found '{}'", shown(token))));
+        };
+        let index = if index > 0 { index - 1 } else { self.surface.points.len() as i64 + index };
+        if index < 0 {
+            return Err(bad(
+                line,
+                format_args!("vertex index {} reaches before the first vertex", shown(token)),
+            ));
+        }
+        if self.largest.is_none_or(|(largest, ..)| index > largest) {
+            self.largest = Some((index, element, line));
+        }
+        Ok(index)
+    }
+
+    fn face(&mut self, line: &mut Line<'_>) -> Result<(), Error> {
+        let element = Element::Facet(self.facets);
+        let mut corners = 0;
+        while let Some(token) = line.token() {
+            let corner = self.index(token, element, line.number())?;
+            self.surface.corner(corner)?;
+            corners += 1;
+        }
+        if corners < 3 {
+            return Err(bad(line.number(), format_args!("a face of {corners} corners")));
+        }
+        self.facets = self.facets.saturating_add(1);
+        self.surface.end_polygon(self.marker)
+    }
+
+    fn polyline(&mut self, line: &mut Line<'_>) -> Result<(), Error> {
+        let mut last: Option<i64> = None;
+        let mut count = 0;
+        while let Some(token) = line.token() {
+            let element = Element::Segment(self.surface.segments.len() as u32);
+            let index = self.index(token, element, line.number())?;
+            if let Some(last) = last {
+                let ends = [last, index].map(|i| u32::try_from(i).unwrap_or(u32::MAX));
+                self.surface.segments.try_reserve(1)?;
+                self.surface.segments.push(Segment { ends, marker: 0 });
+            }
+            last = Some(index);
+            count += 1;
+        }
+        if count < 2 {
+            return Err(bad(line.number(), format_args!("a line of {count} points")));
+        }
+        Ok(())
+    }
+
+    fn check_ranges(&self) -> Result<(), Error> {
+        match self.largest {
+            Some((index, element, line)) if index >= self.surface.points.len() as i64 => {
+                let error = out_of_range(element, self.surface.points.len());
+                Err(Error { message: format!("line {line}: {}", error.message), ..error })
+            }
+            _ => Ok(()),
+        }
+    }
+}

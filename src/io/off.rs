@@ -1,0 +1,67 @@
+//! The Object File Format: `OFF`, counts, a line per vertex, a line per polygon. Source: the Geomview manual, "OFF Files".
+//!
+//! Prefixes `ST`, `C`, `N` (texture coordinates, colours, normals) only add columns after the coordinates; these are
+//! skipped. Homogeneous (`4OFF`), n-dimensional (`nOFF`) and binary files are refused.
+use super::surface::Surface;
+use super::text::{bad, shown, Lines};
+use crate::error::{Error, Status};
+use crate::plc::Plc;
+
+/// Reads a file. Points stay as they are, equal ones included.
+pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
+    let mut lines = Lines::new(bytes);
+    let mut line = lines.expect("the header 'OFF'")?;
+    let magic = line.token().unwrap_or_default();
+    check_magic(magic, line.number())?;
+    let mut ahead = line;
+    match ahead.token() {
+        None => line = lines.expect("the counts of vertices and faces")?,
+        Some(b"BINARY") => return Err(Error::new(Status::Unsupported, "binary OFF is not supported")),
+        Some(_) => {}
+    }
+    let available = bytes.len();
+    let vertex_count = line.count("the number of vertices", 6, available)?;
+    let face_count = line.count("the number of faces", 4, available)?;
+    let mut surface = Surface::default();
+    surface.reserve(vertex_count, face_count, 3 * face_count)?;
+    for _ in 0..vertex_count {
+        let point = lines.expect("a vertex")?.point()?;
+        surface.point(point)?;
+    }
+    for _ in 0..face_count {
+        let mut line = lines.expect("a face")?;
+        let corners = line.int("the number of corners")?;
+        if corners < 2 {
+            return Err(bad(line.number(), format_args!("a face of {corners} corners")));
+        }
+        for _ in 0..corners {
+            let corner = line.int("a vertex index")?;
+            if corner < 0 || corner >= vertex_count as i64 {
+                return Err(bad(
+                    line.number(),
+                    format_args!("vertex index {corner}, but there are {vertex_count} vertices"),
+                ));
+            }
+            surface.corner(corner)?;
+        }
+        surface.end_polygon(0)?;
+    }
+    lines.expect_end("face")?;
+    surface.finish(false)
+}
+
+fn check_magic(magic: &[u8], line: usize) -> Result<(), Error> {
+    let Some(prefix) = magic.strip_suffix(b"OFF") else {
+        return Err(bad(line, format_args!("'OFF' expected, found '{}'", shown(magic))));
+    };
+    let rest = prefix.strip_prefix(b"ST").unwrap_or(prefix);
+    let rest = rest.strip_prefix(b"C").unwrap_or(rest);
+    let rest = rest.strip_prefix(b"N").unwrap_or(rest);
+    if rest.is_empty() {
+        return Ok(());
+    }
+    Err(Error::new(
+        Status::Unsupported,
+        format!("line {line}: the OFF variant '{}' is not supported", shown(magic)),
+    ))
+}

@@ -1,0 +1,330 @@
+//! TetGen's input formats: `.node` (points), `.poly` and `.smesh` (PLCs). Source: Hang Si, TetGen User's Manual,
+//! section 5 "File Formats".
+//!
+//! `#` starts a comment. Indices start at the first point's number, 0 or 1. The corners of a polygon may go on over
+//! several lines. A facet whose polygons all have fewer than three corners is no facet: two corners are a segment, one
+//! corner is a point that is there anyway.
+use super::surface::out_of_range;
+use super::text::{bad, Line, Lines};
+use crate::error::{Element, Error, Status};
+use crate::plc::{Facet, Interior, Plc, RegionSeed, Segment};
+
+/// What a `.node` section holds.
+#[derive(Default)]
+pub(super) struct Nodes {
+    /// The points.
+    pub points: Vec<[f64; 3]>,
+    attribute_count: usize,
+    attributes: Vec<f64>,
+    markers: Vec<i32>,
+    /// The number of the first point: 0 or 1.
+    pub base: i64,
+}
+
+impl Nodes {
+    fn into_plc(self) -> Plc {
+        Plc {
+            points: self.points,
+            point_attribute_count: self.attribute_count,
+            point_attributes: self.attributes,
+            point_markers: self.markers,
+            ..Plc::default()
+        }
+    }
+}
+
+/// Reads a `.node` file: a PLC of points alone.
+pub(super) fn read_node(bytes: &[u8]) -> Result<Plc, Error> {
+    Ok(read_nodes(bytes)?.into_plc())
+}
+
+/// Reads the points of a `.node` file.
+pub(super) fn read_nodes(bytes: &[u8]) -> Result<Nodes, Error> {
+    let mut lines = Lines::new(bytes);
+    let nodes = node_section(&mut lines)?;
+    lines.expect_end("point")?;
+    Ok(nodes)
+}
+
+/// Reads a `.poly` file, or with `smesh` an `.smesh` file. `nodes` gives the content of the `.node` file beside it and is
+/// asked only if the file has no points of its own.
+pub(super) fn read_plc(
+    bytes: &[u8],
+    smesh: bool,
+    nodes: impl FnOnce() -> Result<Vec<u8>, Error>,
+) -> Result<Plc, Error> {
+    let mut lines = Lines::new(bytes);
+    let mut section = node_section(&mut lines)?;
+    if section.points.is_empty() {
+        let beside = nodes()?;
+        section =
+            read_nodes(&beside).map_err(|e| Error { message: format!(".node file: {}", e.message), ..e })?;
+    }
+    let base = section.base;
+    let mut plc = section.into_plc();
+    facet_section(&mut lines, &mut plc, base, smesh)?;
+    hole_section(&mut lines, &mut plc)?;
+    region_section(&mut lines, &mut plc)?;
+    lines.expect_end("region")?;
+    Ok(plc)
+}
+
+fn node_section(lines: &mut Lines<'_>) -> Result<Nodes, Error> {
+    let mut line = lines.expect("the number of points")?;
+    let available = lines.remaining().len();
+    let count = line.count("the number of points", 8, available)?;
+    let dimension = line.optional_int("the dimension")?.unwrap_or(3);
+    if dimension != 3 {
+        return Err(bad(line.number(), format_args!("the dimension is {dimension}, not 3")));
+    }
+    let attribute_count = match line.optional_int("the number of attributes")? {
+        None => 0,
+        Some(n) if n >= 0 && (count as u64).saturating_mul(2 * n as u64) <= available as u64 + 1 => {
+            n as usize
+        }
+        Some(n) => return Err(bad(line.number(), format_args!("{n} attributes per point"))),
+    };
+    let marked = line.optional_int("whether there are markers")?.unwrap_or(0) != 0;
+    let mut nodes = Nodes { attribute_count, ..Nodes::default() };
+    nodes.points.try_reserve_exact(count)?;
+    nodes.attributes.try_reserve_exact(count.saturating_mul(attribute_count))?;
+    nodes.markers.try_reserve_exact(if marked { count } else { 0 })?;
+    for i in 0..count {
+        let mut line = lines.expect("a point")?;
+        let number = line.int("the number of a point")?;
+        if i == 0 {
+            nodes.base = number;
+        }
+        if number != nodes.base + i as i64 || !(0..=1).contains(&nodes.base) {
+            let what =
+                format_args!("point {number} where {} was expected", nodes.base.clamp(0, 1) + i as i64);
+            return Err(bad(line.number(), what));
+        }
+        nodes.points.push(line.point()?);
+        for _ in 0..attribute_count {
+            nodes.attributes.push(line.float("an attribute")?);
+        }
+        if marked {
+            nodes.markers.push(line.optional_marker()?);
+        }
+    }
+    Ok(nodes)
+}
+
+/// The corners of a polygon: the count is read from `line`, which is moved on where they continue on further lines.
+fn polygon<'a>(
+    lines: &mut Lines<'a>,
+    line: &mut Line<'a>,
+    base: i64,
+    points: usize,
+) -> Result<Vec<u32>, Error> {
+    let count = line.count("the number of corners", 2, line.rest().len() + lines.remaining().len())?;
+    if count == 0 {
+        return Err(bad(line.number(), "a polygon without corners"));
+    }
+    let mut corners = Vec::new();
+    corners.try_reserve_exact(count)?;
+    while corners.len() < count {
+        let Some(number) = line.optional_int("a point index")? else {
+            *line = lines.expect("a point index")?;
+            continue;
+        };
+        match number.checked_sub(base).and_then(|i| usize::try_from(i).ok()) {
+            Some(index) if index < points => corners.push(index as u32),
+            _ => {
+                let last = base + points as i64 - 1;
+                return Err(bad(
+                    line.number(),
+                    format_args!("point index {number}, but the points are {base} to {last}"),
+                ));
+            }
+        }
+    }
+    Ok(corners)
+}
+
+fn facet_section(lines: &mut Lines<'_>, plc: &mut Plc, base: i64, smesh: bool) -> Result<(), Error> {
+    let mut line = lines.expect("the number of facets")?;
+    let count = line.count("the number of facets", 4, lines.remaining().len())?;
+    let marked = line.optional_int("whether there are markers")?.unwrap_or(0) != 0;
+    plc.facets.try_reserve(count)?;
+    for _ in 0..count {
+        let line = lines.expect("a facet")?;
+        let mut facet =
+            if smesh { smesh_facet(lines, line, plc, base)? } else { poly_facet(lines, line, plc, base)? };
+        if !marked {
+            facet.marker = 0;
+        }
+        add_facet(plc, facet)?;
+    }
+    take_triangles(plc)
+}
+
+fn smesh_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i64) -> Result<Facet, Error> {
+    let polygons = vec![polygon(lines, &mut line, base, plc.points.len())?];
+    let marker = line.optional_marker()?;
+    Ok(Facet { polygons, holes: Vec::new(), interior: Interior::FirstMinusOthers, marker })
+}
+
+fn poly_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i64) -> Result<Facet, Error> {
+    let polygon_count = line.count("the number of polygons", 4, lines.remaining().len())?;
+    if polygon_count == 0 {
+        return Err(bad(line.number(), "a facet without polygons"));
+    }
+    let hole_count = line.optional_int("the number of holes")?.unwrap_or(0);
+    if hole_count < 0 || (hole_count as u64).saturating_mul(8) > lines.remaining().len() as u64 {
+        return Err(bad(line.number(), format_args!("{hole_count} holes in a facet")));
+    }
+    let marker = line.optional_marker()?;
+    let mut facet = Facet { marker, ..Facet::default() };
+    facet.polygons.try_reserve_exact(polygon_count)?;
+    for _ in 0..polygon_count {
+        let mut line = lines.expect("a polygon")?;
+        facet.polygons.push(polygon(lines, &mut line, base, plc.points.len())?);
+    }
+    for _ in 0..hole_count {
+        let mut line = lines.expect("a hole of the facet")?;
+        line.int("the number of a hole")?;
+        facet.holes.try_reserve(1)?;
+        facet.holes.push(line.point()?);
+    }
+    if polygon_count > 1 || hole_count > 0 {
+        facet.interior = Interior::Seeds;
+    }
+    Ok(facet)
+}
+
+/// Adds a facet, or the segments that it is made of if it bounds nothing.
+fn add_facet(plc: &mut Plc, facet: Facet) -> Result<(), Error> {
+    if facet.polygons.iter().any(|p| p.len() > 2) {
+        plc.facets.push(facet);
+        return Ok(());
+    }
+    for polygon in &facet.polygons {
+        if let [a, b] = polygon[..] {
+            plc.segments.try_reserve(1)?;
+            plc.segments.push(Segment { ends: [a, b], marker: facet.marker });
+        }
+    }
+    Ok(())
+}
+
+/// Moves the facets to the triangle list if all are triangles; else the numbering would not be the file's.
+fn take_triangles(plc: &mut Plc) -> Result<(), Error> {
+    let simple = |f: &Facet| f.holes.is_empty() && f.polygons.len() == 1 && f.polygons[0].len() == 3;
+    if !plc.facets.iter().all(simple) {
+        return Ok(());
+    }
+    plc.triangles.try_reserve_exact(plc.facets.len())?;
+    let marked = plc.facets.iter().any(|f| f.marker != 0);
+    plc.triangle_markers.try_reserve_exact(if marked { plc.facets.len() } else { 0 })?;
+    for facet in std::mem::take(&mut plc.facets) {
+        plc.triangles.extend(facet.polygons.iter().map(|p| [p[0], p[1], p[2]]));
+        if marked {
+            plc.triangle_markers.push(facet.marker);
+        }
+    }
+    Ok(())
+}
+
+fn hole_section(lines: &mut Lines<'_>, plc: &mut Plc) -> Result<(), Error> {
+    let Some(mut line) = lines.next_line() else { return Ok(()) };
+    let count = line.count("the number of holes", 8, lines.remaining().len())?;
+    plc.holes.try_reserve_exact(count)?;
+    for _ in 0..count {
+        let mut line = lines.expect("a hole")?;
+        line.int("the number of a hole")?;
+        plc.holes.push(line.point()?);
+    }
+    Ok(())
+}
+
+fn region_section(lines: &mut Lines<'_>, plc: &mut Plc) -> Result<(), Error> {
+    let Some(mut line) = lines.next_line() else { return Ok(()) };
+    let count = line.count("the number of regions", 10, lines.remaining().len())?;
+    plc.regions.try_reserve_exact(count)?;
+    for _ in 0..count {
+        let mut line = lines.expect("a region")?;
+        line.int("the number of a region")?;
+        let point = line.point()?;
+        let attribute = line.float("the attribute of a region")?;
+        let max_volume =
+            if line.rest().trim_ascii().is_empty() { None } else { Some(line.float("a volume bound")?) };
+        plc.regions.push(RegionSeed { point, attribute, max_volume: max_volume.filter(|&v| v > 0.0) });
+    }
+    Ok(())
+}
+
+/// What `.node` and `.ele` files hold.
+pub(super) struct Tets {
+    /// The points.
+    pub nodes: Nodes,
+    /// The tetrahedra.
+    pub tets: Vec<[u32; 4]>,
+    /// The first attribute of each tetrahedron; empty if they have none.
+    pub attributes: Vec<f64>,
+}
+
+/// Reads a mesh from the contents of its `.node` and `.ele` files.
+pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<Tets, Error> {
+    let nodes = read_nodes(node).map_err(|e| Error { message: format!(".node file: {}", e.message), ..e })?;
+    let mut lines = Lines::new(ele);
+    let mut line = lines.expect("the number of tetrahedra")?;
+    let count = line.count("the number of tetrahedra", 10, lines.remaining().len())?;
+    let corners = line.optional_int("the number of corners")?.unwrap_or(4);
+    if corners != 4 {
+        return Err(Error::new(
+            Status::Unsupported,
+            format!("tetrahedra of {corners} corners are not supported"),
+        ));
+    }
+    let attributed = line.optional_int("the number of attributes")?.unwrap_or(0) > 0;
+    let (mut tets, mut attributes) = (Vec::new(), Vec::new());
+    tets.try_reserve_exact(count)?;
+    attributes.try_reserve_exact(if attributed { count } else { 0 })?;
+    for tet in 0..count {
+        let mut line = lines.expect("a tetrahedron")?;
+        line.int("the number of a tetrahedron")?;
+        let corners = index_row::<4>(&mut line, &nodes, Element::Tet(tet as u32))?;
+        tets.push(corners);
+        if attributed {
+            attributes.push(line.float("an attribute")?);
+        }
+    }
+    lines.expect_end("tetrahedron")?;
+    Ok(Tets { nodes, tets, attributes })
+}
+
+/// The triangles of a `.face` file with their markers.
+pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes) -> Result<Vec<([u32; 3], i32)>, Error> {
+    let mut lines = Lines::new(bytes);
+    let mut line = lines.expect("the number of faces")?;
+    let count = line.count("the number of faces", 8, lines.remaining().len())?;
+    let mut faces = Vec::new();
+    faces.try_reserve_exact(count)?;
+    for face in 0..count {
+        let mut line = lines.expect("a face")?;
+        line.int("the number of a face")?;
+        let corners = index_row::<3>(&mut line, nodes, Element::Facet(face as u32))?;
+        faces.push((corners, line.optional_marker()?));
+    }
+    lines.expect_end("face")?;
+    Ok(faces)
+}
+
+fn index_row<const N: usize>(
+    line: &mut Line<'_>,
+    nodes: &Nodes,
+    element: Element,
+) -> Result<[u32; N], Error> {
+    let mut row = [0; N];
+    for corner in &mut row {
+        let index = line.int("a point index")?.saturating_sub(nodes.base);
+        if index < 0 || index as usize >= nodes.points.len() {
+            let error = out_of_range(element, nodes.points.len());
+            return Err(Error { message: format!("line {}: {}", line.number(), error.message), ..error });
+        }
+        *corner = index as u32;
+    }
+    Ok(row)
+}

@@ -1,0 +1,263 @@
+//! Surface files: OFF, STL, OBJ, PLY and TetGen's `.node`, `.poly`, `.smesh`. What a format cannot express is refused, not
+//! dropped. Sources: as the readers of the formats.
+use super::output_files::{Out, OutputFiles};
+use super::Format;
+use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::plc::{Facet, Interior, Plc};
+use std::io;
+use std::path::Path;
+
+/// Writes a PLC in the format of the path.
+pub(super) fn write(files: &mut OutputFiles, path: &Path, plc: &Plc) -> Result<(), Error> {
+    check_finite(plc)?;
+    let refuse = |what: &str| Error::new(Status::Unsupported, format!("{}: {what}", path.display()));
+    let simple = |f: &Facet| f.polygons.len() == 1 && f.holes.is_empty();
+    let seeds = !plc.holes.is_empty() || !plc.regions.is_empty();
+    match Format::of(path)? {
+        Format::Poly if plc.facets.iter().all(|f| simple(f) || f.interior == Interior::Seeds) => {
+            files.write(path, |out| poly(out, plc))
+        }
+        Format::Poly => Err(refuse("facets with inner rings need a point in each hole to be written")),
+        Format::Node => files.write(path, |out| nodes(out, plc)),
+        Format::Smesh if plc.facets.iter().all(simple) && plc.segments.is_empty() => {
+            files.write(path, |out| smesh(out, plc))
+        }
+        Format::Smesh => Err(refuse("a .smesh holds neither segments nor facets of several polygons")),
+        format if format.is_mesh() => Err(refuse("not a surface format")),
+        _ if seeds => Err(refuse("the format has no hole or region seeds; .poly has")),
+        _ if !plc.facets.iter().all(simple) => {
+            Err(refuse("the format has no facets of several polygons; .poly has"))
+        }
+        Format::Off => files.write(path, |out| off(out, plc)),
+        Format::Obj => files.write(path, |out| obj(out, plc)),
+        Format::Ply => files.write(path, |out| ply(out, plc)),
+        _ if plc.facets.iter().any(|f| f.polygons[0].len() != 3) || !plc.segments.is_empty() => {
+            Err(refuse("an STL file holds triangles only"))
+        }
+        _ => files.write(path, |out| stl(out, plc)),
+    }
+}
+
+fn check_finite(plc: &Plc) -> Result<(), Error> {
+    match plc.points.iter().position(|p| p.iter().any(|x| !x.is_finite())) {
+        None => Ok(()),
+        Some(i) => {
+            let first = Element::Point(i as u32);
+            let defect = Defect { kind: DefectKind::NonFinite, first, second: None, point: None };
+            Err(Error::with_defect(
+                Status::NonFinitePoint,
+                format!("{first} has a coordinate that is not finite"),
+                defect,
+            ))
+        }
+    }
+}
+
+/// The rings of all facets in order, with markers (simple facets only).
+fn rings(plc: &Plc) -> impl Iterator<Item = (&[u32], i32)> {
+    let triangles = plc.triangles.iter().enumerate().map(|(i, t)| (&t[..], plc.facet_marker(i)));
+    triangles.chain(plc.facets.iter().map(|f| (f.polygons.first().map_or(&[][..], |p| &p[..]), f.marker)))
+}
+
+fn points(out: &mut Out, plc: &Plc, prefix: &str) -> io::Result<()> {
+    plc.points.iter().try_for_each(|point| {
+        out.put(prefix)?;
+        out.point(point)?;
+        out.put("\n")
+    })
+}
+
+fn off(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    out.put(format!("OFF\n{} {} 0\n", plc.points.len(), plc.facet_count() + plc.segments.len()))?;
+    points(out, plc, "")?;
+    for (ring, _) in rings(plc) {
+        polygon(out, ring)?;
+        out.put("\n")?;
+    }
+    for segment in &plc.segments {
+        polygon(out, &segment.ends)?;
+        out.put("\n")?;
+    }
+    Ok(())
+}
+
+/// A count and the corners.
+fn polygon(out: &mut Out, corners: &[u32]) -> io::Result<()> {
+    out.int(corners.len())?;
+    corners.iter().try_for_each(|&c| out.blank_int(c))
+}
+
+fn obj(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    points(out, plc, "v ")?;
+    let mut current = 0;
+    for (ring, marker) in rings(plc) {
+        if marker != current {
+            out.put(format!("g marker_{marker}\n"))?;
+            current = marker;
+        }
+        out.put("f")?;
+        ring.iter().try_for_each(|&c| out.blank_int(u64::from(c) + 1))?;
+        out.put("\n")?;
+    }
+    for segment in &plc.segments {
+        out.put("l")?;
+        segment.ends.iter().try_for_each(|&c| out.blank_int(u64::from(c) + 1))?;
+        out.put("\n")?;
+    }
+    Ok(())
+}
+
+fn ply(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    let marked = rings(plc).any(|(_, marker)| marker != 0);
+    out.put(format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+        plc.points.len()
+    ))?;
+    let wide = rings(plc).any(|(ring, _)| ring.len() > 255);
+    let count_type = if wide { "uint" } else { "uchar" };
+    out.put(format!("element face {}\nproperty list {count_type} uint vertex_indices\n", plc.facet_count()))?;
+    if marked {
+        out.put("property int marker\n")?;
+    }
+    if !plc.segments.is_empty() {
+        let count = plc.segments.len();
+        out.put(format!(
+            "element edge {count}\nproperty uint vertex1\nproperty uint vertex2\nproperty int marker\n"
+        ))?;
+    }
+    out.put("end_header\n")?;
+    for x in plc.points.iter().flatten() {
+        out.put(x.to_le_bytes())?;
+    }
+    for (ring, marker) in rings(plc) {
+        if wide {
+            out.put((ring.len() as u32).to_le_bytes())?;
+        } else {
+            out.put([ring.len() as u8])?;
+        }
+        ring.iter().try_for_each(|c| out.put(c.to_le_bytes()))?;
+        if marked {
+            out.put(marker.to_le_bytes())?;
+        }
+    }
+    for segment in &plc.segments {
+        segment.ends.iter().try_for_each(|c| out.put(c.to_le_bytes()))?;
+        out.put(segment.marker.to_le_bytes())?;
+    }
+    Ok(())
+}
+
+fn stl(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    let mut header = [b' '; 80];
+    header[..7].copy_from_slice(b"delotet");
+    out.put(header)?;
+    out.put((plc.facet_count() as u32).to_le_bytes())?;
+    for (ring, _) in rings(plc) {
+        let corner = |i: usize| plc.points.get(ring[i] as usize).copied().unwrap_or_default();
+        let (a, b, c) = (corner(0), corner(1), corner(2));
+        for point in [normal(a, b, c), a, b, c] {
+            point.iter().try_for_each(|&x| out.put((x as f32).to_le_bytes()))?;
+        }
+        out.put([0, 0])?;
+    }
+    Ok(())
+}
+
+/// The unit normal, zero where it cannot be computed.
+fn normal(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> [f64; 3] {
+    let u: [f64; 3] = std::array::from_fn(|i| b[i] - a[i]);
+    let v: [f64; 3] = std::array::from_fn(|i| c[i] - a[i]);
+    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if length.is_normal() {
+        n.map(|x| x / length)
+    } else {
+        [0.0; 3]
+    }
+}
+
+fn nodes(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    let attributes = plc.point_attribute_count;
+    let marked = !plc.point_markers.is_empty();
+    out.put(format!("{}  3  {attributes}  {}\n", plc.points.len(), u8::from(marked)))?;
+    for (i, point) in plc.points.iter().enumerate() {
+        out.int(i)?;
+        out.put(" ")?;
+        out.point(point)?;
+        for k in 0..attributes {
+            out.blank_float(plc.point_attributes.get(i * attributes + k).copied().unwrap_or(0.0))?;
+        }
+        if marked {
+            out.blank_int(plc.point_markers.get(i).copied().unwrap_or(0))?;
+        }
+        out.put("\n")?;
+    }
+    Ok(())
+}
+
+fn smesh(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    nodes(out, plc)?;
+    out.put(format!("{}  1\n", plc.facet_count()))?;
+    for (ring, marker) in rings(plc) {
+        polygon(out, ring)?;
+        out.put("  ")?;
+        out.int(marker)?;
+        out.put("\n")?;
+    }
+    seeds(out, plc)
+}
+
+fn poly(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    nodes(out, plc)?;
+    out.put(format!("{}  1\n", plc.facet_count() + plc.segments.len()))?;
+    for (i, triangle) in plc.triangles.iter().enumerate() {
+        out.put("1 0 ")?;
+        out.int(plc.facet_marker(i))?;
+        out.put("\n")?;
+        polygon(out, triangle)?;
+        out.put("\n")?;
+    }
+    for facet in &plc.facets {
+        out.put(format!("{} {} {}\n", facet.polygons.len(), facet.holes.len(), facet.marker))?;
+        for ring in &facet.polygons {
+            polygon(out, ring)?;
+            out.put("\n")?;
+        }
+        numbered(out, &facet.holes)?;
+    }
+    for segment in &plc.segments {
+        out.put(format!("1 0 {}\n", segment.marker))?;
+        polygon(out, &segment.ends)?;
+        out.put("\n")?;
+    }
+    seeds(out, plc)
+}
+
+/// Points with their numbers.
+fn numbered(out: &mut Out, points: &[[f64; 3]]) -> io::Result<()> {
+    for (i, point) in points.iter().enumerate() {
+        out.int(i)?;
+        out.put(" ")?;
+        out.point(point)?;
+        out.put("\n")?;
+    }
+    Ok(())
+}
+
+/// The hole and region sections.
+fn seeds(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    out.put(format!("{}\n", plc.holes.len()))?;
+    numbered(out, &plc.holes)?;
+    out.put(format!("{}\n", plc.regions.len()))?;
+    for (i, region) in plc.regions.iter().enumerate() {
+        out.int(i)?;
+        out.put(" ")?;
+        out.point(&region.point)?;
+        out.blank_float(region.attribute)?;
+        if let Some(volume) = region.max_volume {
+            out.blank_float(volume)?;
+        }
+        out.put("\n")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,167 @@
+//! Tetrahedra and their adjacency: topology only, no coordinates.
+//!
+//! Structure of arrays (engine notes §3). The convex hull is closed by *ghost tetrahedra* `(a, b, c, GHOST)`: their first three
+//! vertices are a hull face seen from outside in the same sense as any face from its tetrahedron, so cavity code has no
+//! special case. The ghost vertex is always in slot 3.
+//!
+//! Invariants between operations: every live tetrahedron has four live neighbours; `adj[adj[c]] == c` for every corner code
+//! `c = 4·t + f`; the two tetrahedra share the three vertices of that face.
+pub mod check;
+pub mod star;
+pub mod tables;
+
+use crate::error::{Error, Status};
+use tables::FACE;
+
+/// The vertex at infinity.
+pub const GHOST: u32 = u32::MAX;
+/// No tetrahedron.
+pub const NONE: u32 = u32::MAX;
+/// Most tetrahedra that corner codes can address.
+pub const MAX_TETS: usize = 1 << 30;
+
+/// Flag bits of a tetrahedron.
+pub mod flag {
+    /// Bit of face 0 being a subface; face `i` is `FACE << i`.
+    pub const FACE: u16 = 1;
+    /// All four face bits.
+    pub const FACES: u16 = 0xf;
+    /// Bit of edge 0 being a subsegment; edge `i` is `EDGE << i`.
+    pub const EDGE: u16 = 1 << 4;
+    /// All six edge bits.
+    pub const EDGES: u16 = 0x3f << 4;
+    /// A scratch mark: clear between operations.
+    pub const MARK: u16 = 1 << 10;
+    /// The slot is free.
+    pub const DEAD: u16 = 1 << 11;
+}
+
+/// Tetrahedra with vertices, neighbours and flags.
+#[derive(Clone, Debug, Default)]
+pub struct Tetrahedra {
+    /// Vertices of each tetrahedron.
+    pub verts: Vec<[u32; 4]>,
+    /// Corner codes: `4·t' + f'` of the neighbour across each face and the face as seen from there.
+    pub adj: Vec<[u32; 4]>,
+    /// Flag bits, see [`flag`].
+    pub flags: Vec<u16>,
+    /// Free slots.
+    pub free: Vec<u32>,
+}
+
+impl Tetrahedra {
+    /// Forgets everything, keeps the memory.
+    pub fn clear(&mut self) {
+        self.verts.clear();
+        self.adj.clear();
+        self.flags.clear();
+        self.free.clear();
+    }
+
+    /// How many slots there are (live and free).
+    #[inline(always)]
+    pub fn slot_count(&self) -> usize {
+        self.verts.len()
+    }
+
+    /// How many tetrahedra live, ghosts included.
+    pub fn live_count(&self) -> usize {
+        self.verts.len() - self.free.len()
+    }
+
+    /// Bytes held by the arrays.
+    pub fn bytes(&self) -> usize {
+        self.verts.capacity() * 16 + self.adj.capacity() * 16 + self.flags.capacity() * 2 + self.free.capacity() * 4
+    }
+
+    /// Makes room for `extra` more slots.
+    #[inline(always)]
+    pub fn reserve(&mut self, extra: usize) -> Result<(), Error> {
+        if self.verts.capacity() - self.verts.len() < extra || self.flags.capacity() - self.flags.len() < extra {
+            self.grow(extra)?;
+        }
+        Ok(())
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn grow(&mut self, extra: usize) -> Result<(), Error> {
+        if self.verts.len() + extra > MAX_TETS {
+            return Err(Error::new(Status::TooLarge, "more than 2^30 tetrahedra"));
+        }
+        self.verts.try_reserve(extra)?;
+        self.adj.try_reserve(extra)?;
+        self.flags.try_reserve(extra)?;
+        self.free.try_reserve(extra)?;
+        Ok(())
+    }
+
+    /// A slot for a new tetrahedron: a free one or a new one at the end. Its content is undefined but for the vertices.
+    #[inline(always)]
+    pub fn allocate(&mut self, verts: [u32; 4]) -> u32 {
+        if let Some(t) = self.free.pop() {
+            self.verts[t as usize] = verts;
+            self.flags[t as usize] = 0;
+            t
+        } else {
+            let t = self.verts.len() as u32;
+            self.verts.push(verts);
+            self.adj.push([NONE; 4]);
+            self.flags.push(0);
+            t
+        }
+    }
+
+    /// Frees a slot.
+    #[inline(always)]
+    pub fn release(&mut self, t: u32) {
+        self.flags[t as usize] = flag::DEAD;
+        self.free.push(t);
+    }
+
+    /// The slot is in use.
+    #[inline(always)]
+    pub fn is_live(&self, t: u32) -> bool {
+        self.flags[t as usize] & flag::DEAD == 0
+    }
+
+    /// The tetrahedron has the vertex at infinity.
+    #[inline(always)]
+    pub fn is_ghost(&self, t: u32) -> bool {
+        self.verts[t as usize][3] == GHOST
+    }
+
+    /// Makes two corner codes neighbours.
+    #[inline(always)]
+    pub fn link(&mut self, a: u32, b: u32) {
+        self.adj[(a >> 2) as usize][(a & 3) as usize] = b;
+        self.adj[(b >> 2) as usize][(b & 3) as usize] = a;
+    }
+
+    /// The corner code across corner code `c`.
+    #[inline(always)]
+    pub fn across(&self, c: u32) -> u32 {
+        self.adj[(c >> 2) as usize][(c & 3) as usize]
+    }
+
+    /// The vertices of the face opposite corner `c`, such that `(opposite, x, y, z)` is positive.
+    #[inline(always)]
+    pub fn face(&self, c: u32) -> [u32; 3] {
+        let v = &self.verts[(c >> 2) as usize];
+        let f = &FACE[(c & 3) as usize];
+        [v[f[0] as usize], v[f[1] as usize], v[f[2] as usize]]
+    }
+
+    /// The vertex of corner `c`.
+    #[inline(always)]
+    pub fn apex(&self, c: u32) -> u32 {
+        self.verts[(c >> 2) as usize][(c & 3) as usize]
+    }
+
+    /// The slot of vertex `v` in tetrahedron `t`, if it is one of its vertices.
+    #[inline(always)]
+    pub fn slot_of(&self, t: u32, v: u32) -> Option<u32> {
+        let w = &self.verts[t as usize];
+        (0..4u32).find(|&i| w[i as usize] == v)
+    }
+}

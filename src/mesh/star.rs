@@ -1,0 +1,118 @@
+//! Stars: the tetrahedra around a vertex or an edge.
+use super::tables::{EDGE_OF, OTHERS};
+use super::{flag, Tetrahedra};
+
+/// Scratch space for star searches.
+#[derive(Clone, Debug, Default)]
+pub struct StarSearch {
+    /// The tetrahedra found by the last search.
+    pub tets: Vec<u32>,
+}
+
+impl StarSearch {
+    /// Collects the star of vertex `v` into `self.tets`, starting from `start`, a tetrahedron with that vertex.
+    pub fn vertex_star(&mut self, mesh: &mut Tetrahedra, v: u32, start: u32) {
+        self.tets.clear();
+        self.tets.push(start);
+        mesh.flags[start as usize] |= flag::MARK;
+        let mut next = 0;
+        while next < self.tets.len() {
+            let t = self.tets[next] as usize;
+            next += 1;
+            for f in 0..4 {
+                if mesh.verts[t][f] == v {
+                    continue;
+                }
+                let n = mesh.adj[t][f] >> 2;
+                if mesh.flags[n as usize] & flag::MARK == 0 {
+                    mesh.flags[n as usize] |= flag::MARK;
+                    self.tets.push(n);
+                }
+            }
+        }
+        for &t in &self.tets {
+            mesh.flags[t as usize] &= !flag::MARK;
+        }
+    }
+
+    /// A tetrahedron with the edge `v w`, if that is an edge of the mesh; `start` has vertex `v`. Searches the star of `v`
+    /// breadth-first and stops at the first hit.
+    pub fn find_edge(&mut self, mesh: &mut Tetrahedra, v: u32, w: u32, start: u32) -> Option<u32> {
+        self.tets.clear();
+        self.tets.push(start);
+        mesh.flags[start as usize] |= flag::MARK;
+        let mut next = 0;
+        let mut found = None;
+        while next < self.tets.len() {
+            let t = self.tets[next];
+            next += 1;
+            let verts = mesh.verts[t as usize];
+            if verts.contains(&w) {
+                found = Some(t);
+                break;
+            }
+            for f in 0..4 {
+                if verts[f] == v {
+                    continue;
+                }
+                let n = mesh.adj[t as usize][f] >> 2;
+                if mesh.flags[n as usize] & flag::MARK == 0 {
+                    mesh.flags[n as usize] |= flag::MARK;
+                    self.tets.push(n);
+                }
+            }
+        }
+        for &t in &self.tets {
+            mesh.flags[t as usize] &= !flag::MARK;
+        }
+        found
+    }
+}
+
+/// Walks once around an edge.
+///
+/// Yields `(t, i, j, k, l)`: the tetrahedron, the slots of the edge's ends and of the two other vertices, such that
+/// `(i, j, k, l)` is an even permutation; the next tetrahedron lies across the face opposite slot `k`.
+pub struct EdgeRing<'a> {
+    mesh: &'a Tetrahedra,
+    ends: [u32; 2],
+    start: u32,
+    current: Option<u32>,
+}
+
+impl<'a> EdgeRing<'a> {
+    /// A ring around the edge `a b` of tetrahedron `t`.
+    pub fn new(mesh: &'a Tetrahedra, t: u32, a: u32, b: u32) -> Self {
+        EdgeRing { mesh, ends: [a, b], start: t, current: Some(t) }
+    }
+}
+
+impl Iterator for EdgeRing<'_> {
+    type Item = (u32, u32, u32, u32, u32);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let t = self.current?;
+        let i = self.mesh.slot_of(t, self.ends[0])?;
+        let j = self.mesh.slot_of(t, self.ends[1])?;
+        let [k, l] = OTHERS[i as usize][j as usize];
+        let next = self.mesh.adj[t as usize][k as usize] >> 2;
+        self.current = if next == self.start { None } else { Some(next) };
+        Some((t, i, j, k as u32, l as u32))
+    }
+}
+
+/// Sets or clears the subsegment flag of edge `a b` in every tetrahedron around it; `t` is one of them.
+pub fn flag_edge(mesh: &mut Tetrahedra, t: u32, a: u32, b: u32, on: bool) {
+    let mut current = t;
+    loop {
+        let (Some(i), Some(j)) = (mesh.slot_of(current, a), mesh.slot_of(current, b)) else { return };
+        let bit = flag::EDGE << EDGE_OF[i as usize][j as usize];
+        let flags = &mut mesh.flags[current as usize];
+        *flags = if on { *flags | bit } else { *flags & !bit };
+        let [k, _] = OTHERS[i as usize][j as usize];
+        current = mesh.adj[current as usize][k as usize] >> 2;
+        if current == t {
+            return;
+        }
+    }
+}

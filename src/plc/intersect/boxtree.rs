@@ -1,0 +1,188 @@
+//! A bounding volume hierarchy over axis-parallel boxes, and all pairs of boxes that meet.
+//!
+//! Boxes are sorted along a Morton curve and cut into leaves of equal size; the hierarchy above is a complete binary tree in
+//! an array (node `i` has children `2i + 1` and `2i + 2`), so neither building nor traversing recurses (linear BVH:
+//! Lauterbach et al. 2009). Pairs come from a traversal of the tree against itself.
+//!
+//! Boxes are exact bounds of double coordinates: comparing them is exact, and touching boxes meet.
+use crate::error::Error;
+
+/// An axis-parallel box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bounds {
+    low: [f64; 3],
+    high: [f64; 3],
+}
+
+impl Bounds {
+    const EMPTY: Bounds = Bounds { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
+
+    /// The smallest box around points.
+    pub(super) fn of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Bounds {
+        points.fold(Bounds::EMPTY, |bounds, p| bounds.union(&Bounds { low: *p, high: *p }))
+    }
+
+    fn union(&self, other: &Bounds) -> Bounds {
+        Bounds {
+            low: std::array::from_fn(|k| self.low[k].min(other.low[k])),
+            high: std::array::from_fn(|k| self.high[k].max(other.high[k])),
+        }
+    }
+
+    /// Whether two closed boxes have a point in common.
+    #[inline(always)]
+    pub(super) fn meets(&self, other: &Bounds) -> bool {
+        // Without short circuits: six comparisons are cheaper than mispredicted branches.
+        (self.low[0] <= other.high[0])
+            & (other.low[0] <= self.high[0])
+            & (self.low[1] <= other.high[1])
+            & (other.low[1] <= self.high[1])
+            & (self.low[2] <= other.high[2])
+            & (other.low[2] <= self.high[2])
+    }
+}
+
+/// Boxes per leaf.
+const LEAF: usize = 4;
+
+/// The hierarchy.
+pub(super) struct BoxTree {
+    /// Input index of each box, in the order of the curve.
+    order: Vec<u32>,
+    /// The boxes in that order.
+    bounds: Vec<Bounds>,
+    /// Boxes of the tree's nodes: `leaves − 1` inner nodes, then `leaves` (a power of two) leaves.
+    nodes: Vec<Bounds>,
+    /// Number of leaves.
+    leaves: usize,
+}
+
+impl BoxTree {
+    /// Builds the tree over `bounds`.
+    pub(super) fn new(bounds: &[Bounds]) -> Result<BoxTree, Error> {
+        let mut keyed = Vec::new();
+        keyed.try_reserve_exact(bounds.len())?;
+        let all = bounds.iter().fold(Bounds::EMPTY, |all, b| all.union(b));
+        keyed.extend((0u32..).zip(bounds).map(|(i, b)| (morton_code(b, &all), i)));
+        keyed.sort_unstable();
+        let (mut order, mut sorted, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
+        order.try_reserve_exact(bounds.len())?;
+        sorted.try_reserve_exact(bounds.len())?;
+        order.extend(keyed.iter().map(|&(_, i)| i));
+        sorted.extend(order.iter().map(|&i| bounds[i as usize]));
+        let leaves = bounds.len().div_ceil(LEAF).next_power_of_two();
+        nodes.try_reserve_exact(2 * leaves)?;
+        nodes.resize(2 * leaves - 1, Bounds::EMPTY);
+        for (leaf, chunk) in sorted.chunks(LEAF).enumerate() {
+            nodes[leaves - 1 + leaf] = chunk.iter().fold(Bounds::EMPTY, |all, b| all.union(b));
+        }
+        for i in (0..leaves - 1).rev() {
+            nodes[i] = nodes[2 * i + 1].union(&nodes[2 * i + 2]);
+        }
+        Ok(BoxTree { order, bounds: sorted, nodes, leaves })
+    }
+
+    /// The input index of each box in the order of the curve.
+    pub(super) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// Calls `visit(i, j, done)` once for each pair of boxes that meet, given by their places in the curve's order, until it
+    /// fails; `done` grows from 0 to 1.
+    pub(super) fn for_each_pair(
+        &self,
+        mut visit: impl FnMut(usize, usize, f64) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let first_leaf = self.leaves - 1;
+        let mut finished = 0usize;
+        let mut stack: Vec<(usize, usize)> = Vec::new();
+        stack.try_reserve(256)?;
+        stack.push((0, 0));
+        while let Some((x, y)) = stack.pop() {
+            stack.try_reserve(4)?;
+            if x == y {
+                if x >= first_leaf {
+                    finished += 1;
+                    self.pairs_in_leaf(x - first_leaf, finished as f64 / self.leaves as f64, &mut visit)?;
+                } else {
+                    // The pair of different children is done between the two, near both in memory.
+                    stack.extend([(2 * x + 2, 2 * x + 2), (2 * x + 1, 2 * x + 2), (2 * x + 1, 2 * x + 1)]);
+                }
+            } else if self.nodes[x].meets(&self.nodes[y]) {
+                if x >= first_leaf {
+                    let done = finished as f64 / self.leaves as f64;
+                    self.pairs_of_leaves(x - first_leaf, y - first_leaf, done, &mut visit)?;
+                } else {
+                    // x and y are always on one level: the tree is complete.
+                    let (a, b) = (2 * x + 1, 2 * y + 1);
+                    stack.extend([(a, b), (a, b + 1), (a + 1, b), (a + 1, b + 1)]);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn leaf(&self, leaf: usize) -> std::ops::Range<usize> {
+        let start = (leaf * LEAF).min(self.order.len());
+        start..(start + LEAF).min(self.order.len())
+    }
+
+    fn pairs_in_leaf(
+        &self,
+        leaf: usize,
+        done: f64,
+        visit: &mut impl FnMut(usize, usize, f64) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let range = self.leaf(leaf);
+        for i in range.clone() {
+            for j in i + 1..range.end {
+                if self.bounds[i].meets(&self.bounds[j]) {
+                    visit(i, j, done)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn pairs_of_leaves(
+        &self,
+        x: usize,
+        y: usize,
+        done: f64,
+        visit: &mut impl FnMut(usize, usize, f64) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let other = &self.nodes[self.leaves - 1 + y];
+        for i in self.leaf(x) {
+            let bounds = &self.bounds[i];
+            if !bounds.meets(other) {
+                continue;
+            }
+            for j in self.leaf(y) {
+                if bounds.meets(&self.bounds[j]) {
+                    visit(i, j, done)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The position of a box's centre on a Morton curve of 21 bits per axis. Any value would be valid: it only steers speed.
+fn morton_code(bounds: &Bounds, all: &Bounds) -> u64 {
+    (0..3).fold(0, |code, k| {
+        let extent = all.high[k] - all.low[k];
+        let centre = 0.5 * (bounds.low[k] + bounds.high[k]) - all.low[k];
+        // The cast saturates: NaN and negative numbers become 0.
+        let cell = (centre / extent * 2_097_152.0) as u64;
+        code | spread_bits(cell.min(2_097_151)) << k
+    })
+}
+
+/// Moves bit `i` to bit `3i`, for 21 bits.
+fn spread_bits(mut bits: u64) -> u64 {
+    bits = (bits | bits << 32) & 0x001f_0000_0000_ffff;
+    bits = (bits | bits << 16) & 0x001f_0000_ff00_00ff;
+    bits = (bits | bits << 8) & 0x100f_00f0_0f00_f00f;
+    bits = (bits | bits << 4) & 0x10c3_0c30_c30c_30c3;
+    (bits | bits << 2) & 0x1249_2492_4924_9249
+}

@@ -1,0 +1,197 @@
+//! Gathers contacts: sorted lists without duplicates, one defect per pair of elements, no more listed than allowed.
+use super::locate_point::Triangle;
+use super::Intersections;
+use crate::error::{Defect, DefectKind, Element, Error};
+
+/// What makes two findings one defect. For a segment across a triangle's edge the edge counts, not the facet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct DefectKey {
+    first: Element,
+    second: Element,
+    kind: DefectKind,
+}
+
+/// A proper crossing of an input segment with an edge of a triangle.
+#[derive(Clone, Copy, Debug)]
+struct EdgeCrossing {
+    segment: u32,
+    edge: [u32; 2],
+    facet: u32,
+    triangle: u32,
+    /// The segment lies in the triangle's plane.
+    coplanar: bool,
+    point: [f64; 3],
+}
+
+/// The growing result.
+pub(super) struct Collector {
+    found: Intersections,
+    max_defects: usize,
+    /// One key per defect; compacted when it has doubled.
+    keys: Vec<DefectKey>,
+    compacted_keys: usize,
+    /// The listed defects; cut to the first `max_defects` when it has grown well beyond.
+    listed: Vec<Defect>,
+    crossings: Vec<EdgeCrossing>,
+}
+
+/// Lists shorter than this are not worth compacting.
+const COMPACT_FROM: usize = 1 << 12;
+
+impl Collector {
+    pub(super) fn new(max_defects: usize) -> Collector {
+        Collector {
+            found: Intersections::default(),
+            max_defects,
+            keys: Vec::new(),
+            compacted_keys: 0,
+            listed: Vec::new(),
+            crossings: Vec::new(),
+        }
+    }
+
+    /// `vertex` lies strictly inside input segment `segment`.
+    pub(super) fn vertex_on_segment(&mut self, segment: u32, vertex: u32) -> Result<(), Error> {
+        push(&mut self.found.vertex_on_segment, (segment, vertex))
+    }
+
+    /// `vertex` lies strictly inside the edge of a triangle.
+    pub(super) fn vertex_on_edge(&mut self, edge: [u32; 2], vertex: u32) -> Result<(), Error> {
+        push(&mut self.found.vertex_on_edge, (sorted(edge), vertex))
+    }
+
+    /// `vertex` lies strictly inside a triangle.
+    pub(super) fn vertex_in_triangle(&mut self, triangle: u32, vertex: u32) -> Result<(), Error> {
+        push(&mut self.found.vertex_in_triangle, (triangle, vertex))
+    }
+
+    /// `segment` lies in the plane of `triangle` and passes through its interior.
+    pub(super) fn segment_in_facet(&mut self, segment: u32, triangle: u32) -> Result<(), Error> {
+        push(&mut self.found.segment_in_facet, (segment, triangle))
+    }
+
+    /// Two triangles meet where they must not.
+    pub(super) fn triangles(
+        &mut self,
+        kind: DefectKind,
+        a: &Triangle,
+        b: &Triangle,
+        point: [f64; 3],
+    ) -> Result<(), Error> {
+        let (first, second) = (a.facet.min(b.facet), a.facet.max(b.facet));
+        self.defect(kind, Element::Facet(first), Element::Facet(second), point)
+    }
+
+    /// An input segment pierces a triangle.
+    pub(super) fn pierced(
+        &mut self,
+        segment: u32,
+        triangle: &Triangle,
+        point: [f64; 3],
+    ) -> Result<(), Error> {
+        self.defect(
+            DefectKind::SegmentFacet,
+            Element::Segment(segment),
+            Element::Facet(triangle.facet),
+            point,
+        )
+    }
+
+    /// Two input segments cross.
+    pub(super) fn segments(&mut self, a: u32, b: u32, point: [f64; 3]) -> Result<(), Error> {
+        let (first, second) = (Element::Segment(a.min(b)), Element::Segment(a.max(b)));
+        self.defect(DefectKind::SegmentSegment, first, second, point)
+    }
+
+    /// An input segment crosses edge `k` of a triangle at an inner point of both.
+    pub(super) fn edge_crossed(
+        &mut self,
+        segment: u32,
+        triangle: &Triangle,
+        k: usize,
+        coplanar: bool,
+        point: [f64; 3],
+    ) -> Result<(), Error> {
+        let edge = sorted(triangle.edge(k));
+        let (facet, triangle) = (triangle.facet, triangle.index);
+        push(&mut self.crossings, EdgeCrossing { segment, edge, facet, triangle, coplanar, point })
+    }
+
+    fn defect(
+        &mut self,
+        kind: DefectKind,
+        first: Element,
+        second: Element,
+        point: [f64; 3],
+    ) -> Result<(), Error> {
+        push(&mut self.keys, DefectKey { first, second, kind })?;
+        if self.keys.len() > COMPACT_FROM.max(2 * self.compacted_keys) {
+            self.compact_keys();
+        }
+        push(&mut self.listed, Defect { kind, first, second: Some(second), point: Some(point) })?;
+        if self.listed.len() > COMPACT_FROM.max(self.max_defects.saturating_mul(2)) {
+            self.compact_listed();
+        }
+        Ok(())
+    }
+
+    fn compact_keys(&mut self) {
+        self.keys.sort_unstable();
+        self.keys.dedup();
+        self.compacted_keys = self.keys.len();
+    }
+
+    fn compact_listed(&mut self) {
+        let key = |d: &Defect| (d.first, d.second, d.kind);
+        // Stable: of equal keys the first one found stays, with its point.
+        self.listed.sort_by_key(key);
+        self.listed.dedup_by_key(|d| key(d));
+        self.listed.truncate(self.max_defects);
+    }
+
+    /// Every triangle at a crossed edge has met the segment, so the crossings of one edge tell whether all its triangles lie in one
+    /// plane with the segment: then the edge is inside a flat patch and may be cut; else it is part of the surface's shape.
+    fn resolve_crossings(&mut self) -> Result<(), Error> {
+        let mut crossings = std::mem::take(&mut self.crossings);
+        crossings.sort_by_key(|c| (c.segment, c.edge, c.facet, c.triangle));
+        crossings.dedup_by_key(|c| (c.segment, c.edge, c.triangle));
+        for group in crossings.chunk_by(|x, y| (x.segment, x.edge) == (y.segment, y.edge)) {
+            let flat = group.len() > 1 && group.iter().all(|c| c.coplanar);
+            if let (false, Some(c)) = (flat, group.first()) {
+                let (first, second) = (Element::Segment(c.segment), Element::Facet(c.facet));
+                self.defect(DefectKind::SegmentSegment, first, second, c.point)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The sorted lists.
+    pub(super) fn finish(mut self) -> Result<Intersections, Error> {
+        self.resolve_crossings()?;
+        self.compact_keys();
+        self.compact_listed();
+        let mut found = self.found;
+        found.defect_count = self.keys.len();
+        found.defects = self.listed;
+        sort_unique(&mut found.vertex_on_segment);
+        sort_unique(&mut found.vertex_on_edge);
+        sort_unique(&mut found.vertex_in_triangle);
+        sort_unique(&mut found.segment_in_facet);
+        Ok(found)
+    }
+}
+
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+fn push<T>(list: &mut Vec<T>, value: T) -> Result<(), Error> {
+    list.try_reserve(1)?;
+    list.push(value);
+    Ok(())
+}
+
+fn sort_unique<T: Ord>(list: &mut Vec<T>) {
+    list.sort_unstable();
+    list.dedup();
+}

@@ -1,0 +1,136 @@
+//! Real models: valid ones have no defect, invalid ones the recorded number. Reads OFF files of the corpus beside the project if it is there.
+use super::*;
+use crate::error::DefectKind;
+use crate::progress::Silent;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+fn corpus() -> Option<PathBuf> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/corpus");
+    if path.join("index.tsv").exists() {
+        return Some(path);
+    }
+    eprintln!("no corpus beside the project: real models are not tested");
+    None
+}
+
+/// Points with equal ones merged, and triangles without degenerate ones.
+struct Surface {
+    points: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// Reads an OFF file with one element per line, polygons as fans; colours and normals are skipped. None where it is not one.
+fn read_off(path: &Path) -> Option<Surface> {
+    let text = std::fs::read_to_string(path).ok()?;
+    let mut lines =
+        text.lines().map(|line| line.split('#').next().unwrap_or("").trim()).filter(|l| !l.is_empty());
+    if !lines.next()?.ends_with("OFF") {
+        return None;
+    }
+    let mut counts = lines.next()?.split_whitespace().map(|word| word.parse::<usize>().unwrap_or(0));
+    let (count, faces) = (counts.next()?, counts.next()?);
+    let mut merged = BTreeMap::new();
+    let (mut points, mut map) = (Vec::new(), Vec::new());
+    for line in lines.by_ref().take(count) {
+        let mut words = line.split_whitespace().map(|word| word.parse::<f64>().ok());
+        let p = [words.next()??, words.next()??, words.next()??];
+        let key = p.map(|x| (x + 0.0).to_bits());
+        map.push(*merged.entry(key).or_insert_with(|| {
+            points.push(p);
+            points.len() as u32 - 1
+        }));
+    }
+    let mut triangles = Vec::new();
+    for line in lines.take(faces) {
+        let mut words = line.split_whitespace().map_while(|word| word.parse::<usize>().ok());
+        let n = words.next()?;
+        let ring = words.take(n).map(|v| map.get(v).copied()).collect::<Option<Vec<u32>>>()?;
+        triangles.extend((2..ring.len()).map(|i| [ring[0], ring[i - 1], ring[i]]));
+    }
+    triangles.retain(|t: &[u32; 3]| {
+        let corners = t.map(|v| points[v as usize]);
+        !locate_point::collinear(&corners[0], &corners[1], &corners[2])
+    });
+    Some(Surface { points, triangles })
+}
+
+fn find(surface: &Surface) -> (Intersections, f64) {
+    let vertices: Vec<u32> = (0..surface.points.len() as u32).collect();
+    let facets: Vec<u32> = (0..surface.triangles.len() as u32).collect();
+    let input = IntersectInput {
+        points: &surface.points,
+        vertices: &vertices,
+        triangles: &surface.triangles,
+        triangle_facet: &facets,
+        segments: &[],
+    };
+    let start = Instant::now();
+    let found = find_intersections(&input, 100, &mut Silent).unwrap();
+    (found, start.elapsed().as_secs_f64() * 1e3)
+}
+
+fn describe(name: &str, surface: &Surface, found: &Intersections, ms: f64) {
+    eprintln!(
+        "{name}: {} triangles, {ms:.1} ms, {} defects, vertices: {} on edges, {} in triangles",
+        surface.triangles.len(),
+        found.defect_count,
+        found.vertex_on_edge.len(),
+        found.vertex_in_triangle.len(),
+    );
+}
+
+/// Too slow without optimisation: all models there, a few small ones in a debug build.
+fn names(corpus: &Path, list: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(corpus.join(list)).unwrap();
+    let all = text.lines().filter_map(|line| line.split_whitespace().next());
+    let off =
+        all.filter(|name| name.ends_with(".off") && !name.contains("bad_fmt") && !name.contains("bad_made"));
+    let small = |name: &&str| {
+        !cfg!(debug_assertions) || std::fs::metadata(corpus.join(name)).is_ok_and(|m| m.len() < 200_000)
+    };
+    off.filter(small).map(String::from).collect()
+}
+
+#[test]
+fn valid_models_have_no_defects() {
+    let Some(corpus) = corpus() else { return };
+    let mut wrong = Vec::new();
+    for name in names(&corpus, "public.txt") {
+        let Some(surface) = read_off(&corpus.join(&name)) else {
+            wrong.push(format!("{name}: cannot be read"));
+            continue;
+        };
+        let (found, ms) = find(&surface);
+        describe(&name, &surface, &found, ms);
+        if found.defect_count > 0 {
+            wrong.push(format!("{name}: {:?}", found.defects));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn invalid_models_have_the_recorded_number_of_intersecting_pairs() {
+    let Some(corpus) = corpus() else { return };
+    let notes = std::fs::read_to_string(corpus.join("invalid.txt")).unwrap();
+    let mut wrong = Vec::new();
+    for name in names(&corpus, "invalid.txt") {
+        let Some(surface) = read_off(&corpus.join(&name)) else { continue };
+        let note = notes.lines().find(|line| line.starts_with(&name)).unwrap_or("");
+        let recorded = note
+            .split(';')
+            .find_map(|part| part.trim().strip_suffix(" intersecting facet pairs")?.parse::<usize>().ok())
+            .unwrap_or(0);
+        let (found, ms) = find(&surface);
+        describe(&name, &surface, &found, ms);
+        if found.defect_count != recorded {
+            let mut kinds = BTreeMap::<DefectKind, usize>::new();
+            found.defects.iter().for_each(|d| *kinds.entry(d.kind).or_default() += 1);
+            wrong
+                .push(format!("{name}: {} found, {recorded} recorded, listed {kinds:?}", found.defect_count));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

@@ -1,0 +1,162 @@
+//! A triangle with its corners at hand, its projection along an axis, and the place of a point of its plane in it.
+use crate::predicates::{orient2d, orient3d, Sign};
+
+/// A triangle of the input.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Triangle {
+    /// Index among the triangles.
+    pub(super) index: u32,
+    /// The facet it is part of.
+    pub(super) facet: u32,
+    /// Corner ids. Edge `k` runs from corner `k` to corner `k + 1`.
+    pub(super) ids: [u32; 3],
+    /// Corner coordinates.
+    pub(super) corners: [[f64; 3]; 3],
+    /// The projection along about the longest component of the normal; none if the triangle is degenerate.
+    pub(super) projection: Option<Projection>,
+    /// The normal, rounded.
+    normal: [f64; 3],
+    /// For each component of the normal, the sum of the sizes of the two products it is the difference of.
+    permanent: [f64; 3],
+}
+
+/// Bound on the relative error of a determinant as [`Triangle::side`] rounds it, against the permanent: above (7 + 56 u) u with
+/// u = 2^-53, which Shewchuk 1997 (section 4.4, stage A) proves for three minors times differences, in whatever order of rows.
+const FILTER: f64 = 8.0 / 9_007_199_254_740_992.0;
+
+impl Triangle {
+    pub(super) fn new(points: &[[f64; 3]], index: u32, facet: u32, ids: [u32; 3]) -> Triangle {
+        let corners = ids.map(|v| points[v as usize]);
+        let [a, b, c] = &corners;
+        let (mut normal, mut permanent) = ([0.0; 3], [0.0; 3]);
+        for k in 0..3 {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            let (plus, minus) = ((b[i] - a[i]) * (c[j] - a[j]), (b[j] - a[j]) * (c[i] - a[i]));
+            normal[k] = plus - minus;
+            permanent[k] = plus.abs() + minus.abs();
+        }
+        let longest = (1..3).fold(0, |l, k| if normal[k].abs() > normal[l].abs() { k } else { l });
+        let projection = Projection::along(longest, &corners).or_else(|| Projection::of(&corners));
+        Triangle { index, facet, ids, corners, projection, normal, permanent }
+    }
+
+    /// On which side of the plane a point lies, if rounded arithmetic can tell.
+    #[inline(always)]
+    pub(super) fn side_by_filter(&self, p: &[f64; 3]) -> Option<Sign> {
+        let a = &self.corners[0];
+        let d = [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        let (n, m) = (&self.normal, &self.permanent);
+        let det = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
+        let permanent = d[0].abs() * m[0] + d[1].abs() * m[1] + d[2].abs() * m[2];
+        let bound = FILTER * permanent;
+        if det > bound {
+            Some(Sign::Positive)
+        } else if det < -bound {
+            Some(Sign::Negative)
+        } else if permanent == 0.0 {
+            // Every product vanishes: no rounding took place (as in planes across an axis).
+            Some(Sign::Zero)
+        } else {
+            None
+        }
+    }
+
+    /// On which side of the plane a point lies.
+    #[inline]
+    pub(super) fn side(&self, p: &[f64; 3]) -> Sign {
+        let [a, b, c] = &self.corners;
+        self.side_by_filter(p).unwrap_or_else(|| orient3d(a, b, c, p))
+    }
+
+    /// The ids of an edge's ends.
+    pub(super) fn edge(&self, k: usize) -> [u32; 2] {
+        [self.ids[k], self.ids[(k + 1) % 3]]
+    }
+
+    /// The ends of an edge.
+    pub(super) fn edge_points(&self, k: usize) -> [&[f64; 3]; 2] {
+        [&self.corners[k], &self.corners[(k + 1) % 3]]
+    }
+}
+
+/// A projection along an axis in which a triangle keeps an area and turns left.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Projection {
+    pub(super) x: usize,
+    pub(super) y: usize,
+}
+
+impl Projection {
+    /// The projection for a triangle; none if it is degenerate.
+    pub(super) fn of(corners: &[[f64; 3]; 3]) -> Option<Projection> {
+        (0..3).find_map(|axis| Projection::along(axis, corners))
+    }
+
+    /// The projection along one axis; none if the triangle loses its area in it.
+    fn along(axis: usize, corners: &[[f64; 3]; 3]) -> Option<Projection> {
+        let [a, b, c] = corners;
+        let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
+        let projection = Projection { x, y };
+        match projection.turn(a, b, c) {
+            Sign::Positive => Some(projection),
+            Sign::Negative => Some(Projection { x: y, y: x }),
+            Sign::Zero => None,
+        }
+    }
+
+    /// Positive when `a`, `b`, `c` turn left in the projection.
+    #[inline]
+    pub(super) fn turn(&self, a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
+        let flat = |p: &[f64; 3]| [p[self.x], p[self.y]];
+        orient2d(flat(a), flat(b), flat(c))
+    }
+}
+
+/// Where a point of the plane lies with respect to a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Location {
+    /// Not on the closed triangle.
+    Outside,
+    /// On a corner.
+    Corner,
+    /// Strictly inside edge `k`.
+    Edge(usize),
+    /// Strictly inside.
+    Inside,
+}
+
+impl Location {
+    /// From the sides of the three edges (positive is inward).
+    pub(super) fn from_sides(sides: [Sign; 3]) -> Location {
+        if sides.contains(&Sign::Negative) {
+            return Location::Outside;
+        }
+        let on = |k: &usize| sides[*k] == Sign::Zero;
+        match ((0..3).filter(on).count(), (0..3).find(on)) {
+            (0, _) => Location::Inside,
+            (1, Some(k)) => Location::Edge(k),
+            _ => Location::Corner,
+        }
+    }
+}
+
+/// Locates a point that lies in the triangle's plane.
+pub(super) fn locate_in_plane(triangle: &Triangle, projection: &Projection, p: &[f64; 3]) -> Location {
+    Location::from_sides(std::array::from_fn(|k| {
+        let [a, b] = triangle.edge_points(k);
+        projection.turn(a, b, p)
+    }))
+}
+
+/// Whether `p` lies strictly between `a` and `b` on their segment.
+pub(super) fn strictly_between(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> bool {
+    if p == a || p == b || (0..3).any(|k| (p[k] < a[k] && p[k] < b[k]) || (p[k] > a[k] && p[k] > b[k])) {
+        return false;
+    }
+    collinear(p, a, b)
+}
+
+/// Whether three points lie on a line: exactly when all three projections do.
+pub(super) fn collinear(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> bool {
+    [(0, 1), (1, 2), (2, 0)].into_iter().all(|(x, y)| Projection { x, y }.turn(a, b, c) == Sign::Zero)
+}

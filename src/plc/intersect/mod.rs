@@ -1,0 +1,192 @@
+//! Every contact among the triangles, segments and vertices of a PLC: the legal ones that split something, and all defects.
+//!
+//! Two elements may meet in common vertices and edges, and where a vertex of one lies on the other; after such vertices
+//! have split what they lie on, everything meets in shared vertices and edges only. Every other contact is a defect.
+//! All decisions are exact signs of determinants of the given doubles. Candidates come from a box hierarchy ([`boxtree`]);
+//! each candidate pair is visited once and classified by the signs of its corners against each other's planes
+//! (Möller 1997, "A fast triangle-triangle intersection test", with exact signs; Guigue & Devillers 2003 for the predicates).
+//!
+//! Invariant: the lists are sorted and free of duplicates, and depend on the input alone.
+use crate::error::{Defect, Error};
+use crate::progress::{report, Observer, Phase};
+use boxtree::{Bounds, BoxTree};
+use collector::Collector;
+use locate_point::Triangle;
+
+mod boxtree;
+mod collector;
+mod coplanar;
+#[cfg(test)]
+mod corpus_tests;
+mod locate_point;
+mod segment_segment;
+mod segment_triangle;
+#[cfg(test)]
+mod tests;
+mod triangle_triangle;
+
+/// The elements to test against each other. All indices refer to `points`; no two vertices have equal coordinates.
+#[derive(Clone, Copy, Debug)]
+pub struct IntersectInput<'a> {
+    /// Coordinates, #points by 3, finite.
+    pub points: &'a [[f64; 3]],
+    /// All vertices of the PLC, each once. Those of no triangle and no segment are tested as isolated vertices.
+    pub vertices: &'a [u32],
+    /// Triangles with three corners that are not collinear.
+    pub triangles: &'a [[u32; 3]],
+    /// The facet each triangle is part of, for reports: #triangles.
+    pub triangle_facet: &'a [u32],
+    /// Input segments with two different ends; the index is the id in reports.
+    pub segments: &'a [[u32; 2]],
+}
+
+/// What was found. The first four lists are legal contacts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Intersections {
+    /// (segment, vertex): the vertex lies strictly inside the segment and splits it.
+    pub vertex_on_segment: Vec<(u32, u32)>,
+    /// (edge of a triangle as sorted ends, vertex): the vertex lies strictly inside the edge and splits it.
+    pub vertex_on_edge: Vec<([u32; 2], u32)>,
+    /// (triangle, vertex): the vertex lies strictly inside the triangle and splits it.
+    pub vertex_in_triangle: Vec<(u32, u32)>,
+    /// (segment, triangle): the segment lies in the triangle's plane and passes through its interior.
+    pub segment_in_facet: Vec<(u32, u32)>,
+    /// Defects, at most as many as the caller allows: the first ones in the order of elements and kinds.
+    pub defects: Vec<Defect>,
+    /// How many defects there are in all.
+    pub defect_count: usize,
+}
+
+/// How many candidate pairs are classified between two calls of the observer.
+const PAIRS_PER_REPORT: u32 = 1 << 14;
+
+/// Finds all contacts. A pair of facets, a segment and a facet, or a segment and an edge counts as one defect.
+///
+/// # Errors
+/// `Cancelled` by the observer, `OutOfMemory`, `IndexOutOfRange` where an index refers to no point.
+pub fn find_intersections(
+    input: &IntersectInput,
+    max_defects: usize,
+    observer: &mut dyn Observer,
+) -> Result<Intersections, Error> {
+    check_indices(input)?;
+    report(observer, Phase::Validate, 0.0)?;
+    let (elements, bounds) = list_elements(input)?;
+    let tree = BoxTree::new(&bounds)?;
+    drop(bounds);
+    let scene = Scene::new(input, &elements, tree.order())?;
+    let mut collector = Collector::new(max_defects);
+    let mut countdown = PAIRS_PER_REPORT;
+    tree.for_each_pair(|i, j, done| {
+        countdown -= 1;
+        if countdown == 0 {
+            countdown = PAIRS_PER_REPORT;
+            report(observer, Phase::Validate, done)?;
+        }
+        scene.classify(i, j, &mut collector)
+    })?;
+    collector.finish()
+}
+
+/// An element in the tree. The order of variants is the order in which `classify` expects a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Item {
+    Vertex(u32),
+    Segment(u32),
+    Triangle(u32),
+}
+
+fn check_indices(input: &IntersectInput) -> Result<(), Error> {
+    use crate::error::Status::{IndexOutOfRange, InvalidArgument, TooLarge};
+    let count = input.points.len();
+    let valid = |&i: &u32| (i as usize) < count;
+    if input.triangle_facet.len() != input.triangles.len() {
+        return Err(Error::new(InvalidArgument, "one facet per triangle is required"));
+    }
+    if input.triangles.len().max(input.segments.len()).max(input.vertices.len()) > (u32::MAX / 4) as usize {
+        return Err(Error::new(TooLarge, "too many elements for the intersection test"));
+    }
+    let triangles = input.triangles.iter().all(|t| t.iter().all(valid));
+    let segments = input.segments.iter().all(|s| s.iter().all(valid));
+    if !(triangles && segments && input.vertices.iter().all(valid)) {
+        return Err(Error::new(IndexOutOfRange, "an element refers to a point that does not exist"));
+    }
+    Ok(())
+}
+
+/// Triangles, segments and isolated vertices with their boxes.
+fn list_elements(input: &IntersectInput) -> Result<(Vec<Item>, Vec<Bounds>), Error> {
+    let mut used = Vec::new();
+    used.try_reserve_exact(input.points.len())?;
+    used.resize(input.points.len(), false);
+    let corners = input.triangles.iter().flatten().chain(input.segments.iter().flatten());
+    corners.for_each(|&v| used[v as usize] = true);
+    let isolated = input.vertices.iter().filter(|&&v| !used[v as usize]);
+    let count = input.triangles.len() + input.segments.len() + isolated.clone().count();
+    let (mut elements, mut bounds) = (Vec::new(), Vec::new());
+    elements.try_reserve_exact(count)?;
+    bounds.try_reserve_exact(count)?;
+    let mut add = |item: Item, corners: &[u32]| {
+        elements.push(item);
+        bounds.push(Bounds::of(corners.iter().map(|&v| &input.points[v as usize])));
+    };
+    (0..).zip(input.triangles).for_each(|(i, corners)| add(Item::Triangle(i), corners));
+    (0..).zip(input.segments).for_each(|(i, ends)| add(Item::Segment(i), ends));
+    isolated.for_each(|&v| add(Item::Vertex(v), &[v]));
+    Ok((elements, bounds))
+}
+
+/// All elements in the order of the tree, so that neighbours in space are neighbours in memory.
+struct Scene<'a> {
+    input: &'a IntersectInput<'a>,
+    /// A triangle is given by its place in `triangles`.
+    items: Vec<Item>,
+    triangles: Vec<Triangle>,
+}
+
+impl<'a> Scene<'a> {
+    fn new(input: &'a IntersectInput<'a>, elements: &[Item], order: &[u32]) -> Result<Scene<'a>, Error> {
+        let (mut items, mut triangles) = (Vec::new(), Vec::new());
+        items.try_reserve_exact(elements.len())?;
+        triangles.try_reserve_exact(input.triangles.len())?;
+        for &i in order {
+            let mut item = elements[i as usize];
+            if let Item::Triangle(t) = item {
+                item = Item::Triangle(triangles.len() as u32);
+                let (facet, corners) = (input.triangle_facet[t as usize], input.triangles[t as usize]);
+                triangles.push(Triangle::new(input.points, t, facet, corners));
+            }
+            items.push(item);
+        }
+        Ok(Scene { input, items, triangles })
+    }
+
+    /// Classifies the contact of two elements, given by their places in the tree's order, whose boxes meet.
+    #[inline]
+    fn classify(&self, x: usize, y: usize, out: &mut Collector) -> Result<(), Error> {
+        let points = self.input.points;
+        let triangle = |i: u32| &self.triangles[i as usize];
+        let segment = |i: u32| (i, self.input.segments[i as usize]);
+        let (x, y) = (self.items[x], self.items[y]);
+        match if x <= y { (x, y) } else { (y, x) } {
+            (Item::Triangle(i), Item::Triangle(j)) => {
+                let (a, b) = (triangle(i), triangle(j));
+                let (a, b) = if a.index <= b.index { (a, b) } else { (b, a) };
+                triangle_triangle::classify(a, b, out)
+            }
+            (Item::Segment(i), Item::Triangle(j)) => {
+                segment_triangle::classify(points, segment(i), triangle(j), out)
+            }
+            (Item::Segment(i), Item::Segment(j)) => {
+                segment_segment::classify(points, segment(i), segment(j), out)
+            }
+            (Item::Vertex(v), Item::Triangle(i)) => {
+                segment_triangle::classify_vertex(points, v, triangle(i), out)
+            }
+            (Item::Vertex(v), Item::Segment(i)) => {
+                segment_segment::classify_vertex(points, v, segment(i), out)
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Two triangles: legal contact or defect.
+//!
+//! Most candidate pairs are neighbours. Two triangles with a common edge and different planes meet in that edge alone; two with a
+//! common vertex are done when the other corners of one lie strictly on one side of the other's plane. The rest is
+//! decided on the line where the planes meet: a crossing by an open edge is a defect; without one, the common part
+//! ends in vertices, and is legal if it is a point or runs along an edge of both.
+use super::collector::Collector;
+use super::coplanar::{self, centroid, opposite, record_vertex};
+use super::locate_point::{locate_in_plane, Location, Triangle};
+use super::segment_triangle::{pierce, piercing_point};
+use crate::error::{DefectKind, Error};
+use crate::predicates::Sign;
+
+/// Classifies two triangles.
+#[inline]
+pub(super) fn classify(a: &Triangle, b: &Triangle, out: &mut Collector) -> Result<(), Error> {
+    let b_shared = b.ids.map(|v| a.ids.contains(&v));
+    let shared = b_shared.iter().filter(|&&s| s).count();
+    if shared == 3 {
+        return out.triangles(DefectKind::DuplicateFacet, a, b, centroid(a));
+    }
+    let a_shared = a.ids.map(|v| b.ids.contains(&v));
+    if one_side_by_filter(b, &b_shared, a) || (shared < 2 && one_side_by_filter(a, &a_shared, b)) {
+        return Ok(());
+    }
+    if separated_in_projection(a, b, &b_shared) || separated_in_projection(b, a, &a_shared) {
+        return Ok(());
+    }
+    classify_exactly(a, &a_shared, b, &b_shared, out)
+}
+
+/// Whether rounded arithmetic can tell that all corners of `t` that are not common to both lie strictly on one side of `of`.
+#[inline(always)]
+fn one_side_by_filter(t: &Triangle, shared: &[bool; 3], of: &Triangle) -> bool {
+    let mut seen = None;
+    for k in (0..3).filter(|&k| !shared[k]) {
+        match of.side_by_filter(&t.corners[k]) {
+            Some(Sign::Zero) | None => return false,
+            side if seen.is_none() => seen = side,
+            side if seen != side => return false,
+            _ => {}
+        }
+    }
+    true
+}
+
+/// Whether in `a`'s projection the line of one of `a`'s edges has all corners of `b` on its outer side, and those on the line are
+/// common corners. Then nothing else is common, in space either. This spares exact signs in flat patches.
+fn separated_in_projection(a: &Triangle, b: &Triangle, b_shared: &[bool; 3]) -> bool {
+    let Some(projection) = a.projection else {
+        return false;
+    };
+    (0..3).any(|k| {
+        let ([p, q], ends) = (a.edge_points(k), a.edge(k));
+        (0..3).all(|i| {
+            if b_shared[i] {
+                ends.contains(&b.ids[i])
+            } else {
+                projection.turn(p, q, &b.corners[i]) == Sign::Negative
+            }
+        })
+    })
+}
+
+fn classify_exactly(
+    a: &Triangle,
+    a_shared: &[bool; 3],
+    b: &Triangle,
+    b_shared: &[bool; 3],
+    out: &mut Collector,
+) -> Result<(), Error> {
+    let shared = b_shared.iter().filter(|&&s| s).count();
+    let b_sides = sides(b, b_shared, a);
+    if apart(&b_sides, shared) {
+        return Ok(());
+    }
+    if b_sides == [Sign::Zero; 3] {
+        return coplanar::classify(a, b, out);
+    }
+    let a_sides = sides(a, a_shared, b);
+    if apart(&a_sides, shared) {
+        return Ok(());
+    }
+    let on_a = vertices_on(a, b, &b_sides, out)?;
+    let on_b = vertices_on(b, a, &a_sides, out)?;
+    if let Some(point) = crossing(a, &a_sides, b).or_else(|| crossing(b, &b_sides, a)) {
+        return out.triangles(DefectKind::FacetFacet, a, b, point);
+    }
+    // Two corners in the other's plane: the line where the planes meet carries an edge; else it runs through the interior.
+    let along_edge = |sides: &[Sign; 3]| sides.iter().filter(|&&s| s == Sign::Zero).count() == 2;
+    if shared + on_a.count + on_b.count < 2 || (along_edge(&a_sides) && along_edge(&b_sides)) {
+        return Ok(());
+    }
+    out.triangles(DefectKind::FacetFacet, a, b, middle_of_contact(a, b, &on_a, &on_b))
+}
+
+/// Sides of `t`'s corners from the plane of `of`; common corners are known to lie in it.
+#[inline]
+fn sides(t: &Triangle, shared: &[bool; 3], of: &Triangle) -> [Sign; 3] {
+    std::array::from_fn(|k| if shared[k] { Sign::Zero } else { of.side(&t.corners[k]) })
+}
+
+/// Whether only the common corners (at most two) lie in the other's plane, and the rest strictly on one side.
+#[inline]
+fn apart(sides: &[Sign; 3], shared: usize) -> bool {
+    let count = |sign| sides.iter().filter(|&&s| s == sign).count();
+    count(Sign::Zero) == shared && (count(Sign::Positive) == 0 || count(Sign::Negative) == 0)
+}
+
+/// Where an open edge of `a` pierces `b` at a point that is no vertex.
+fn crossing(a: &Triangle, a_sides: &[Sign; 3], b: &Triangle) -> Option<[f64; 3]> {
+    (0..3).find_map(|k| {
+        let [p, q] = a.edge_points(k);
+        if !opposite(a_sides[k], a_sides[(k + 1) % 3]) {
+            return None;
+        }
+        match pierce(b, p, q, a_sides[k]) {
+            Location::Edge(_) | Location::Inside => Some(piercing_point(b, p, q)),
+            Location::Outside | Location::Corner => None,
+        }
+    })
+}
+
+/// A point between two of the vertices in which the common part of two triangles ends, rounded.
+fn middle_of_contact(a: &Triangle, b: &Triangle, on_a: &OnTriangle, on_b: &OnTriangle) -> [f64; 3] {
+    let common = a.ids.iter().zip(&a.corners).find(|(v, _)| b.ids.contains(v)).map(|(_, p)| *p);
+    let mut ends = [on_a.last, on_b.last, on_a.first, on_b.first, common].into_iter().flatten();
+    let first = ends.next().unwrap_or(a.corners[0]);
+    let second = ends.find(|p| *p != first).unwrap_or(first);
+    std::array::from_fn(|k| 0.5 * first[k] + 0.5 * second[k])
+}
+
+/// Vertices of one triangle on another.
+struct OnTriangle {
+    count: usize,
+    first: Option<[f64; 3]>,
+    last: Option<[f64; 3]>,
+}
+
+/// Records the corners of `t`, not common to both, that lie on `of`.
+fn vertices_on(
+    of: &Triangle,
+    t: &Triangle,
+    sides: &[Sign; 3],
+    out: &mut Collector,
+) -> Result<OnTriangle, Error> {
+    let mut found = OnTriangle { count: 0, first: None, last: None };
+    for k in (0..3).filter(|&k| sides[k] == Sign::Zero && !of.ids.contains(&t.ids[k])) {
+        let Some(projection) = of.projection else {
+            return Ok(found);
+        };
+        let location = locate_in_plane(of, &projection, &t.corners[k]);
+        if record_vertex(of, t.ids[k], location, out)? {
+            found.count += 1;
+            found.first = found.first.or(Some(t.corners[k]));
+            found.last = Some(t.corners[k]);
+        }
+    }
+    Ok(found)
+}

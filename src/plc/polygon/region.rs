@@ -1,0 +1,220 @@
+//! Which triangles of a facet's triangulation belong to the facet.
+//!
+//! A flood from the outside counts, for the outer ring and for the hole at hand, how often the ring winds round each triangle.
+//! A ring bounds a region exactly if its winding numbers are 0 and one of +1, −1: it may touch itself, or run along a bridge
+//! forth and back, but not cross itself.
+use super::constraint::Cover;
+use super::delaunay::{Triangulation, GHOST};
+use super::{Fault, FaultKind, Role};
+use crate::error::Error;
+use crate::plc::Interior;
+use crate::INVALID;
+
+/// How the rings wind round a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Winding {
+    outer: i32,
+    hole: u32,
+    hole_winding: i32,
+}
+
+const OUTSIDE: Winding = Winding { outer: 0, hole: INVALID, hole_winding: 0 };
+
+/// Finds the inside; its storage is used again from facet to facet.
+#[derive(Default)]
+pub struct Regions {
+    /// Per triangle whether it belongs to the facet.
+    pub inside: Vec<bool>,
+    /// Whether the triangulation's triangles have the outer ring's sense.
+    pub counter_clockwise: bool,
+    winding: Vec<Winding>,
+    visited: Vec<bool>,
+    stack: Vec<u32>,
+    hole_sense: Vec<i32>,
+}
+
+impl Regions {
+    /// Classifies all triangles. `roles` has one entry per polygon, `seeds` are in projection.
+    pub fn classify(
+        &mut self,
+        mesh: &Triangulation,
+        covers: &[Cover],
+        roles: &[Role],
+        interior: Interior,
+        seeds: &[[f64; 2]],
+    ) -> Result<Result<(), Fault>, Error> {
+        let count = mesh.triangle_count() as usize;
+        self.inside.clear();
+        self.visited.clear();
+        self.inside.try_reserve(count)?;
+        self.visited.try_reserve(count)?;
+        self.stack.clear();
+        self.stack.try_reserve(count)?;
+        self.visited.resize(count, false);
+        Ok(match interior {
+            Interior::FirstMinusOthers => {
+                self.inside.resize(count, false);
+                self.winding.clear();
+                self.winding.try_reserve(count)?;
+                self.winding.resize(count, OUTSIDE);
+                self.hole_sense.clear();
+                self.hole_sense.try_reserve(roles.len())?;
+                self.hole_sense.resize(roles.len(), 0);
+                self.wind(mesh, covers, roles)
+            }
+            Interior::Seeds => {
+                self.inside.resize(count, true);
+                self.flood_seeds(mesh, covers, seeds)
+            }
+        })
+    }
+
+    /// A triangle with the vertex at infinity: where every flood begins.
+    fn start(mesh: &Triangulation) -> u32 {
+        (0..mesh.triangle_count()).find(|&t| mesh.is_ghost(t)).unwrap_or(0)
+    }
+
+    fn wind(&mut self, mesh: &Triangulation, covers: &[Cover], roles: &[Role]) -> Result<(), Fault> {
+        let start = Self::start(mesh);
+        self.visited[start as usize] = true;
+        self.stack.push(start);
+        let mut sense = 0;
+        while let Some(t) = self.stack.pop() {
+            for h in 3 * t..3 * t + 3 {
+                let beyond = mesh.twin[h as usize] / 3;
+                if std::mem::replace(&mut self.visited[beyond as usize], true) {
+                    continue;
+                }
+                let mut w = self.winding[t as usize];
+                if mesh.mark[h as usize] != INVALID && !step(mesh, covers, roles, h, &mut w) {
+                    return Err(fault(mesh, beyond, FaultKind::Nesting));
+                }
+                self.winding[beyond as usize] = w;
+                if !fits(&mut sense, w.outer)
+                    || (w.hole != INVALID && !fits(&mut self.hole_sense[w.hole as usize], w.hole_winding))
+                {
+                    return Err(fault(mesh, beyond, FaultKind::Crossing));
+                }
+                if w.hole != INVALID && w.outer == 0 {
+                    return Err(fault(mesh, beyond, FaultKind::Nesting));
+                }
+                self.inside[beyond as usize] = w.outer != 0 && w.hole == INVALID;
+                self.stack.push(beyond);
+            }
+        }
+        self.counter_clockwise = sense > 0;
+        Ok(())
+    }
+
+    fn flood_seeds(
+        &mut self,
+        mesh: &Triangulation,
+        covers: &[Cover],
+        seeds: &[[f64; 2]],
+    ) -> Result<(), Fault> {
+        self.erase(mesh, Self::start(mesh));
+        // Before holes are taken out, only the outer boundary borders on the outside.
+        self.counter_clockwise = (0..mesh.corner.len() as u32)
+            .find(|&h| {
+                self.inside[h as usize / 3]
+                    && !self.inside[mesh.twin[h as usize] as usize / 3]
+                    && mesh.mark[h as usize] != INVALID
+            })
+            .is_none_or(|h| covers[mesh.mark[h as usize] as usize].from == mesh.from(h));
+        for &seed in seeds {
+            match find(mesh, seed) {
+                Some((_, true)) => return Err(Fault { kind: FaultKind::Seed, vertices: [INVALID; 4] }),
+                Some((t, false)) => self.erase(mesh, t),
+                None => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Marks as outside what can be reached without crossing a constrained edge.
+    fn erase(&mut self, mesh: &Triangulation, start: u32) {
+        if std::mem::replace(&mut self.visited[start as usize], true) {
+            return;
+        }
+        self.stack.push(start);
+        while let Some(t) = self.stack.pop() {
+            self.inside[t as usize] = false;
+            for h in 3 * t as usize..3 * t as usize + 3 {
+                let beyond = mesh.twin[h] / 3;
+                if mesh.mark[h] == INVALID && !std::mem::replace(&mut self.visited[beyond as usize], true) {
+                    self.stack.push(beyond);
+                }
+            }
+        }
+    }
+}
+
+/// Whether a winding number agrees with the ring's sense, which the first non-zero one sets.
+fn fits(sense: &mut i32, winding: i32) -> bool {
+    if *sense == 0 {
+        *sense = winding;
+    }
+    winding == 0 || (winding == *sense && winding.abs() == 1)
+}
+
+fn fault(mesh: &Triangulation, t: u32, kind: FaultKind) -> Fault {
+    let v = mesh.corners(t).into_iter().find(|&v| v != GHOST).unwrap_or(0);
+    Fault { kind, vertices: [v; 4] }
+}
+
+/// Carries the winding across half-edge `h`; false if that enters a second hole.
+fn step(mesh: &Triangulation, covers: &[Cover], roles: &[Role], h: u32, w: &mut Winding) -> bool {
+    let uses = || {
+        let mut at = mesh.mark[h as usize];
+        std::iter::from_fn(move || {
+            let cover = *covers.get(at as usize)?;
+            at = cover.next;
+            // The triangle of `h` is left of it.
+            Some((cover.polygon, if cover.from == mesh.from(h) { -1 } else { 1 }))
+        })
+    };
+    for (polygon, change) in uses() {
+        match roles[polygon as usize] {
+            Role::Outer => w.outer += change,
+            Role::Hole if polygon == w.hole => w.hole_winding += change,
+            _ => {}
+        }
+    }
+    let left = w.hole;
+    if w.hole_winding == 0 {
+        w.hole = INVALID;
+    }
+    for (polygon, change) in
+        uses().filter(|&(polygon, _)| roles[polygon as usize] == Role::Hole && polygon != left)
+    {
+        if w.hole != INVALID && w.hole != polygon {
+            return false;
+        }
+        w.hole_winding += change;
+        w.hole = if w.hole_winding == 0 { INVALID } else { polygon };
+    }
+    true
+}
+
+/// The finite triangle that holds `p` in its closure, and whether `p` is on a constrained edge.
+fn find(mesh: &Triangulation, p: [f64; 2]) -> Option<(u32, bool)> {
+    use crate::predicates::{orient2d, Sign};
+    let at = |v: u32| mesh.points[v as usize];
+    (0..mesh.triangle_count()).filter(|&t| !mesh.is_ghost(t)).find_map(|t| {
+        let signs = [0, 1, 2].map(|i| orient2d(at(mesh.from(3 * t + i)), at(mesh.to(3 * t + i)), p));
+        let on = (0..3).any(|i| signs[i] == Sign::Zero && mesh.mark[3 * t as usize + i] != INVALID);
+        (!signs.contains(&Sign::Negative)).then_some((t, on))
+    })
+}
+
+/// Whether the edge of `h` is used by a polygon that constrains only.
+pub fn constrains(mesh: &Triangulation, covers: &[Cover], roles: &[Role], h: u32) -> bool {
+    let mut at = mesh.mark[h as usize];
+    while let Some(cover) = covers.get(at as usize) {
+        if roles[cover.polygon as usize] == Role::Edge {
+            return true;
+        }
+        at = cover.next;
+    }
+    false
+}

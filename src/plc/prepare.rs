@@ -1,0 +1,462 @@
+//! From PLC to surface: the steps in their order, and the collection of defects.
+//!
+//! Indices and coordinates first, since nothing else can be looked at while they are wrong; then equal points, facets one by
+//! one, then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
+use super::duplicates::first_equal;
+use super::intersect::{find_intersections, IntersectInput, Intersections};
+use super::patch::{connect, FixedEdge};
+use super::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
+use super::split::split;
+use super::surface::Surface;
+use super::{Facet, Interior, Plc};
+use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::options::Options;
+use crate::progress::{report, Observer, Phase};
+use crate::INVALID;
+
+/// Defects found so far, as many as the caller wants to see.
+pub(crate) struct Defects {
+    limit: usize,
+    list: Vec<Defect>,
+    count: usize,
+    /// Defects per kind, in order of first sight.
+    kinds: Vec<(DefectKind, usize)>,
+}
+
+impl Defects {
+    pub(crate) fn new(limit: usize) -> Self {
+        Defects { limit, list: Vec::new(), count: 0, kinds: Vec::new() }
+    }
+
+    pub(crate) fn push(
+        &mut self,
+        kind: DefectKind,
+        first: Element,
+        second: Option<Element>,
+        point: Option<[f64; 3]>,
+    ) {
+        self.count += 1;
+        match self.kinds.iter_mut().find(|k| k.0 == kind) {
+            Some(k) => k.1 += 1,
+            None => self.kinds.push((kind, 1)),
+        }
+        if self.list.len() < self.limit && self.list.try_reserve(1).is_ok() {
+            self.list.push(Defect { kind, first, second, point });
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// An error if there are defects.
+    pub(crate) fn into_result(self) -> Result<(), Error> {
+        let Some(status) = self.kinds.iter().map(|k| status_of(k.0)).max_by_key(|&s| severity(s)) else {
+            return Ok(());
+        };
+        let parts: Vec<String> =
+            self.kinds.iter().map(|(kind, count)| format!("{count} {}", kind.name())).collect();
+        let message =
+            format!("{} defect{}: {}", self.count, if self.count == 1 { "" } else { "s" }, parts.join(", "));
+        Err(Error { status, message, defects: self.list, defect_count: self.count })
+    }
+}
+
+fn status_of(kind: DefectKind) -> Status {
+    match kind {
+        DefectKind::NonFinite => Status::NonFinitePoint,
+        DefectKind::CoordinateRange => Status::CoordinateRange,
+        DefectKind::IndexOutOfRange => Status::IndexOutOfRange,
+        DefectKind::DegenerateSegment | DefectKind::DegenerateFacet | DefectKind::RingNesting => {
+            Status::DegenerateFacet
+        }
+        DefectKind::NonPlanarFacet => Status::NonPlanarFacet,
+        DefectKind::SeedOnFacet | DefectKind::SeedOutside => Status::SeedOutside,
+        _ => Status::SelfIntersection,
+    }
+}
+
+/// Which of several classes names the error.
+fn severity(status: Status) -> u32 {
+    match status {
+        Status::NonFinitePoint => 6,
+        Status::IndexOutOfRange => 5,
+        Status::CoordinateRange => 4,
+        Status::SelfIntersection => 3,
+        Status::NonPlanarFacet => 2,
+        Status::DegenerateFacet => 1,
+        _ => 0,
+    }
+}
+
+/// Checks a PLC and makes it ready for tetrahedralization.
+///
+/// # Errors
+/// All defects found, with the worst class as status; without `options.validate` crossings of elements are not looked for.
+/// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
+pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Surface, Error> {
+    report(observer, Phase::Validate, 0.0)?;
+    check_references(plc, options.max_defects)?;
+    let mut defects = Defects::new(options.max_defects);
+    let mut surface = Surface::default();
+    scale_points(plc, &mut surface, &mut defects)?;
+    surface.alias = first_equal(&surface.points)?;
+    report(observer, Phase::Validate, 0.05)?;
+    let mut fixed = Fixed::default();
+    alias_segments(plc, &surface, &mut fixed, &mut defects)?;
+    triangulate_facets(plc, &mut surface, &mut fixed, &mut defects, observer)?;
+    let marker = |facet: u32| plc.facet_marker(facet as usize);
+    if options.validate {
+        let mut part = Part { observer: &mut *observer, from: 0.3, to: 0.9 };
+        let found = intersect(&surface, &fixed, &mut defects, &mut part)?;
+        if defects.is_empty() {
+            let may_join = |f: u32, g: u32| f == g || marker(f) == marker(g);
+            let crossings = split(&mut surface, &mut fixed.edges, &found, may_join)?;
+            for (edge, triangle) in crossings {
+                let facet = Element::Facet(surface.triangle_facet[triangle as usize]);
+                defects.push(DefectKind::SegmentSegment, fixed.owner[edge as usize], Some(facet), None);
+            }
+        }
+    } else {
+        find_duplicates(&surface, &mut defects)?;
+    }
+    defects.into_result()?;
+    connect(&mut surface, &fixed.edges, marker)?;
+    report(observer, Phase::Validate, 1.0)?;
+    Ok(surface)
+}
+
+/// Edges that constrain by themselves, and the elements they come from.
+#[derive(Default)]
+struct Fixed {
+    edges: Vec<FixedEdge>,
+    owner: Vec<Element>,
+}
+
+impl Fixed {
+    fn push(&mut self, ends: [u32; 2], owner: Element) -> Result<(), Error> {
+        self.edges.try_reserve(1)?;
+        self.owner.try_reserve(1)?;
+        let parent = if let Element::Segment(i) = owner { i } else { INVALID };
+        self.edges.push(FixedEdge { ends, parent });
+        self.owner.push(owner);
+        Ok(())
+    }
+}
+
+/// Hands on a part of a phase's progress.
+struct Part<'a> {
+    observer: &'a mut dyn Observer,
+    from: f64,
+    to: f64,
+}
+
+impl Observer for Part<'_> {
+    fn progress(&mut self, phase: Phase, fraction: f64) -> std::ops::ControlFlow<()> {
+        self.observer.progress(phase, self.from + (self.to - self.from) * fraction)
+    }
+
+    fn log(&mut self, message: &str) {
+        self.observer.log(message);
+    }
+}
+
+/// Finds all contacts; those that are defects are added to the others.
+fn intersect(
+    surface: &Surface,
+    fixed: &Fixed,
+    defects: &mut Defects,
+    observer: &mut dyn Observer,
+) -> Result<Intersections, Error> {
+    let mut vertices: Vec<u32> = Vec::new();
+    vertices.try_reserve_exact(surface.points.len())?;
+    vertices.extend((0..).zip(&surface.alias).filter(|(i, alias)| i == *alias).map(|(i, _)| i));
+    let mut segments: Vec<[u32; 2]> = Vec::new();
+    segments.try_reserve_exact(fixed.edges.len())?;
+    segments.extend(fixed.edges.iter().map(|edge| edge.ends));
+    let input = IntersectInput {
+        points: &surface.points,
+        vertices: &vertices,
+        triangles: &surface.triangles,
+        triangle_facet: &surface.triangle_facet,
+        segments: &segments,
+    };
+    let found = find_intersections(&input, defects.limit, observer)?;
+    let owner = |element: Element| match element {
+        Element::Segment(i) => fixed.owner[i as usize],
+        other => other,
+    };
+    for d in &found.defects {
+        let point = d.point.map(|p| p.map(|x| scale(x, -surface.scale)));
+        defects.push(d.kind, owner(d.first), d.second.map(owner), point);
+    }
+    defects.count += found.defect_count - found.defects.len().min(found.defect_count);
+    Ok(found)
+}
+
+/// Reports every defect of a PLC.
+///
+/// # Errors
+/// As [`prepare`] with validation on.
+pub fn check(plc: &Plc, max_defects: usize, observer: &mut dyn Observer) -> Result<(), Error> {
+    prepare(plc, &Options { max_defects, validate: true, ..Options::default() }, observer).map(|_| ())
+}
+
+/// Coordinates are finite, indices refer to points.
+fn check_references(plc: &Plc, max_defects: usize) -> Result<(), Error> {
+    if plc.points.len() >= INVALID as usize
+        || plc.facet_count() >= INVALID as usize
+        || plc.segments.len() >= INVALID as usize
+    {
+        return Err(Error::new(
+            Status::TooLarge,
+            "the input has more elements than 32-bit indices can address",
+        ));
+    }
+    let mut defects = Defects::new(max_defects);
+    let finite = |p: &[f64; 3]| p.iter().all(|x| x.is_finite());
+    for (i, p) in plc.points.iter().enumerate().filter(|(_, p)| !finite(p)) {
+        defects.push(DefectKind::NonFinite, Element::Point(i as u32), None, Some(*p));
+    }
+    for (i, p) in plc.holes.iter().enumerate().filter(|(_, p)| !finite(p)) {
+        defects.push(DefectKind::NonFinite, Element::Hole(i as u32), None, Some(*p));
+    }
+    for (i, r) in plc.regions.iter().enumerate().filter(|(_, r)| !finite(&r.point)) {
+        defects.push(DefectKind::NonFinite, Element::Region(i as u32), None, Some(r.point));
+    }
+    let known = |v: &u32| (*v as usize) < plc.points.len();
+    let mut bad = |element: Element| defects.push(DefectKind::IndexOutOfRange, element, None, None);
+    for (i, _) in plc.segments.iter().enumerate().filter(|(_, s)| !s.ends.iter().all(known)) {
+        bad(Element::Segment(i as u32));
+    }
+    for (i, _) in plc.triangles.iter().enumerate().filter(|(_, t)| !t.iter().all(known)) {
+        bad(Element::Facet(i as u32));
+    }
+    for (i, _) in plc.facets.iter().enumerate().filter(|(_, f)| !f.polygons.iter().flatten().all(known)) {
+        bad(Element::Facet((plc.triangles.len() + i) as u32));
+    }
+    for (i, facet) in plc.facets.iter().enumerate() {
+        for p in facet.holes.iter().filter(|p| !finite(p)) {
+            defects.push(
+                DefectKind::NonFinite,
+                Element::Facet((plc.triangles.len() + i) as u32),
+                None,
+                Some(*p),
+            );
+        }
+    }
+    defects.into_result()
+}
+
+/// Brings the points into the range of exact arithmetic.
+fn scale_points(plc: &Plc, surface: &mut Surface, defects: &mut Defects) -> Result<(), Error> {
+    surface.points.try_reserve_exact(plc.points.len())?;
+    match range_scale(&plc.points) {
+        Ok(k) => surface.scale = k,
+        Err(point) => {
+            defects.push(
+                DefectKind::CoordinateRange,
+                Element::Point(point as u32),
+                None,
+                plc.points.get(point).copied(),
+            );
+            return std::mem::replace(defects, Defects::new(0)).into_result();
+        }
+    }
+    surface.points.extend(plc.points.iter().map(|p| p.map(|x| scale(x, surface.scale))));
+    Ok(())
+}
+
+/// The power of two that brings all coordinates to at most 2^200 in size and, unless zero, to at least 2^-161: then no term
+/// of an exact insphere overflows or underflows. Else the point that does not fit.
+fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
+    let (mut low, mut high) = ((i32::MAX, 0), (i32::MIN, 0));
+    for (i, p) in points.iter().enumerate() {
+        for x in p.iter().filter(|x| **x != 0.0) {
+            let exponent = exponent(*x);
+            low = low.min((exponent, i));
+            high = high.max((exponent, i));
+        }
+    }
+    if low.0 == i32::MAX || (low.0 >= -161 && high.0 < 200) {
+        return Ok(0);
+    }
+    let k = -high.0;
+    if low.0 + k >= -161 {
+        Ok(k)
+    } else {
+        Err(low.1)
+    }
+}
+
+/// The binary exponent of a finite number that is not zero.
+fn exponent(x: f64) -> i32 {
+    let raw = (x.abs().to_bits() >> 52) as i32;
+    if raw == 0 {
+        -1011 - x.abs().to_bits().leading_zeros() as i32
+    } else {
+        raw - 1023
+    }
+}
+
+/// `x · 2^k`, in two steps, since `2^k` alone may be out of range.
+fn scale(x: f64, k: i32) -> f64 {
+    if k == 0 {
+        return x;
+    }
+    let half = k / 2;
+    x * 2f64.powi(half) * 2f64.powi(k - half)
+}
+
+/// Input segments between representatives.
+fn alias_segments(
+    plc: &Plc,
+    surface: &Surface,
+    fixed: &mut Fixed,
+    defects: &mut Defects,
+) -> Result<(), Error> {
+    for (i, segment) in plc.segments.iter().enumerate() {
+        let ends = segment.ends.map(|v| surface.alias[v as usize]);
+        if ends[0] == ends[1] {
+            let point = plc.points[ends[0] as usize];
+            defects.push(DefectKind::DegenerateSegment, Element::Segment(i as u32), None, Some(point));
+        } else {
+            fixed.push(ends, Element::Segment(i as u32))?;
+        }
+    }
+    Ok(())
+}
+
+/// Triangles of all facets; edges in them that constrain are added to `fixed`.
+fn triangulate_facets(
+    plc: &Plc,
+    surface: &mut Surface,
+    fixed: &mut Fixed,
+    defects: &mut Defects,
+    observer: &mut dyn Observer,
+) -> Result<(), Error> {
+    surface.triangles.try_reserve(plc.triangles.len())?;
+    surface.triangle_facet.try_reserve(plc.triangles.len())?;
+    for (i, corners) in plc.triangles.iter().enumerate() {
+        let corners = corners.map(|v| surface.alias[v as usize]);
+        if collinear(&surface.points, corners[0], corners[1], corners[2]) {
+            let point = plc.points[corners[0] as usize];
+            defects.push(DefectKind::DegenerateFacet, Element::Facet(i as u32), None, Some(point));
+        } else {
+            surface.triangles.push(corners);
+            surface.triangle_facet.push(i as u32);
+        }
+    }
+    if plc.facets.is_empty() {
+        return Ok(());
+    }
+    let mut triangulator = Triangulator::new(plc.points.len())?;
+    for (i, facet) in plc.facets.iter().enumerate() {
+        if i % 4096 == 0 {
+            report(observer, Phase::Validate, 0.05 + 0.25 * i as f64 / plc.facets.len() as f64)?;
+        }
+        let number = (plc.triangles.len() + i) as u32;
+        match triangulate_facet(facet, surface, &mut triangulator)? {
+            Ok(()) => {
+                surface.triangles.try_reserve(triangulator.triangles.len())?;
+                surface.triangle_facet.try_reserve(triangulator.triangles.len())?;
+                surface.triangles.extend_from_slice(&triangulator.triangles);
+                surface.triangle_facet.resize(surface.triangles.len(), number);
+                for &ends in &triangulator.edges {
+                    fixed.push(ends, Element::Facet(number))?;
+                }
+            }
+            Err(fault) => {
+                let Some(kind) = defect_kind(fault.kind) else {
+                    return Err(Error::internal("the triangulation of a facet failed"));
+                };
+                defects.push(kind, Element::Facet(number), None, fault_point(&plc.points, fault));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// One general facet.
+fn triangulate_facet(
+    facet: &Facet,
+    surface: &Surface,
+    triangulator: &mut Triangulator,
+) -> Result<Result<(), Fault>, Error> {
+    triangulator.clear();
+    let mut rings = 0;
+    for polygon in &facet.polygons {
+        let role = match (polygon.len(), facet.interior) {
+            (0..=2, _) => Role::Edge,
+            (_, Interior::FirstMinusOthers) if rings > 0 => Role::Hole,
+            _ => Role::Outer,
+        };
+        rings += usize::from(role != Role::Edge);
+        let number = triangulator.add_polygon(role)?;
+        let corner = |i: usize| surface.alias[polygon[i] as usize];
+        for i in 0..polygon.len() {
+            triangulator.add_edge(number, corner(i), corner((i + 1) % polygon.len()))?;
+        }
+    }
+    let mut seeds = Vec::new();
+    seeds.try_reserve_exact(facet.holes.len())?;
+    seeds.extend(facet.holes.iter().map(|p| p.map(|x| scale(x, surface.scale))));
+    triangulator.triangulate(&surface.points, facet.interior, &seeds)
+}
+
+fn defect_kind(kind: FaultKind) -> Option<DefectKind> {
+    match kind {
+        FaultKind::Degenerate => Some(DefectKind::DegenerateFacet),
+        FaultKind::Crossing => Some(DefectKind::RingIntersection),
+        FaultKind::Nesting => Some(DefectKind::RingNesting),
+        FaultKind::NonPlanar => Some(DefectKind::NonPlanarFacet),
+        FaultKind::Seed => Some(DefectKind::SeedOnFacet),
+        FaultKind::Broken => None,
+    }
+}
+
+/// Where a fault is seen: about where the two edges cross, or at the vertex.
+fn fault_point(points: &[[f64; 3]], fault: Fault) -> Option<[f64; 3]> {
+    if fault.vertices.contains(&INVALID) {
+        return None;
+    }
+    let [p, q, r, s] = fault.vertices.map(|v| points[v as usize]);
+    let minus = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+    let cross = |a: [f64; 3], b: [f64; 3]| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let (d, e) = (minus(q, p), minus(s, r));
+    let normal = cross(d, e);
+    let t = dot(cross(minus(r, p), e), normal) / dot(normal, normal);
+    Some(if t.is_finite() { [0, 1, 2].map(|k| p[k] + t * d[k]) } else { p })
+}
+
+/// Facets that cover the same triangle.
+fn find_duplicates(surface: &Surface, defects: &mut Defects) -> Result<(), Error> {
+    let mut keys: Vec<([u32; 3], u32)> = Vec::new();
+    keys.try_reserve_exact(surface.triangles.len())?;
+    keys.extend(surface.triangles.iter().zip(&surface.triangle_facet).map(|(corners, &facet)| {
+        let mut corners = *corners;
+        corners.sort_unstable();
+        (corners, facet)
+    }));
+    keys.sort_unstable();
+    let mut pairs: Vec<(u32, u32, u32)> = Vec::new();
+    for pair in keys.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        pairs.try_reserve(1)?;
+        pairs.push((pair[0].1, pair[1].1, pair[0].0[0]));
+    }
+    pairs.sort_unstable();
+    pairs.dedup_by_key(|pair| (pair.0, pair.1));
+    for (first, second, v) in pairs {
+        let point = surface.points[v as usize].map(|x| scale(x, -surface.scale));
+        defects.push(
+            DefectKind::DuplicateFacet,
+            Element::Facet(first),
+            Some(Element::Facet(second)),
+            Some(point),
+        );
+    }
+    Ok(())
+}

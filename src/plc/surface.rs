@@ -1,0 +1,27 @@
+//! The PLC made ready for constrained Delaunay tetrahedralization: what [`prepare`](super::prepare::prepare) returns.
+//!
+//! Invariants: the points are distinct up to `alias`; every segment and triangle refers to alias representatives only; no
+//! vertex lies inside a segment, a triangle or an edge of a triangle.
+
+/// The PLC made ready: distinct vertices, constrained edges, and a triangulation of all facets that conforms to all vertices.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Surface {
+    /// All input points, scaled by `2^scale` (#points by 3).
+    pub points: Vec<[f64; 3]>,
+    /// The power of two that brings the input into the range of exact arithmetic; 0 for ordinary input.
+    pub scale: i32,
+    /// Per input point the first point equal to it (itself if none).
+    pub alias: Vec<u32>,
+    /// Every constrained edge once, smaller index first, sorted (#segments by 2).
+    pub segments: Vec<[u32; 2]>,
+    /// Per segment the first input segment it lies on, or [`INVALID`](crate::INVALID) for an edge of facets only.
+    pub segment_parent: Vec<u32>,
+    /// The triangulation of all facets (#triangles by 3).
+    pub triangles: Vec<[u32; 3]>,
+    /// Per triangle its facet, in the numbering of the PLC.
+    pub triangle_facet: Vec<u32>,
+    /// Per triangle its patch: patches are maximal sets of triangles connected through flat edges.
+    pub triangle_patch: Vec<u32>,
+    /// How many patches there are.
+    pub patch_count: u32,
+}

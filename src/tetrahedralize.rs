@@ -1,0 +1,244 @@
+//! The pipeline: prepare → Delaunay → segments → facets → regions → rounding → output → audit. The only place that knows the
+//! order.
+use crate::check::check_mesh;
+use crate::constrain::facet::FacetRecovery;
+use crate::constrain::segment::{Recovery, Segments};
+use crate::constrain::subface::{Subfaces, Triangles};
+use crate::delaunay::order::insertion_order;
+use crate::delaunay::Delaunay;
+use crate::error::{Error, Status};
+use crate::mesh::flag;
+use crate::options::{Mode, Options};
+use crate::output::{Region, Statistics, TetMesh};
+use crate::plc::surface::Surface;
+use crate::plc::{Plc, RegionSeed};
+use crate::predicates::{scale, Points};
+use crate::progress::{report, Observer, Phase};
+use crate::region::{components, label, Components, Regions, Seeds};
+use crate::rounding::{round, Rounded};
+use crate::INVALID;
+use std::time::Instant;
+
+mod assemble;
+
+/// Makes a tetrahedral mesh of a PLC.
+///
+/// The result is constrained Delaunay (or Delaunay, by [`Mode`]), its tetrahedra are all positive in exact arithmetic on
+/// the returned doubles, and input points come back first, in order, bit for bit. See [`Status`] for what can fail; a
+/// valid PLC does not.
+pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<TetMesh, Error> {
+    if options.threads == 0 {
+        return Err(Error::new(Status::InvalidArgument, "the number of threads must be at least 1"));
+    }
+    let mut run = Run { clock: Instant::now(), statistics: Statistics::default(), observer };
+    let surface = run.prepare(plc, options)?;
+    let mut engine = Engine::new(&surface, options)?;
+    run.delaunay(&mut engine)?;
+    let mut mesh = match options.mode {
+        Mode::Delaunay => engine.output_delaunay(plc, &surface)?,
+        Mode::Constrained => run.constrain(plc, &surface, options, &mut engine)?,
+    };
+    run.audit(plc, options, &mut mesh)?;
+    Ok(mesh)
+}
+
+/// Clock, counts and the caller's observer.
+struct Run<'a> {
+    clock: Instant,
+    statistics: Statistics,
+    observer: &'a mut dyn Observer,
+}
+
+/// The working state: vertices in insertion order and their triangulation.
+pub(crate) struct Engine {
+    pub(crate) points: Points,
+    pub(crate) delaunay: Delaunay,
+    /// Input point of each engine vertex (Steiner points excluded).
+    pub(crate) input_of: Vec<u32>,
+    /// Engine vertex of each input point (of its first equal one).
+    pub(crate) engine_of: Vec<u32>,
+    /// Coordinates are the input's times two to this power.
+    pub(crate) scale: i32,
+}
+
+impl Engine {
+    /// Orders the distinct points and sets up the exact arithmetic.
+    fn new(surface: &Surface, options: &Options) -> Result<Self, Error> {
+        let distinct: Vec<u32> =
+            surface.alias.iter().enumerate().filter(|&(i, &a)| i as u32 == a).map(|(i, _)| i as u32).collect();
+        let input_of =
+            if options.points_sorted { distinct } else { insertion_order(&surface.points, &distinct) };
+        let mut engine_of = vec![INVALID; surface.points.len()];
+        for (engine, &input) in input_of.iter().enumerate() {
+            engine_of[input as usize] = engine as u32;
+        }
+        for i in 0..surface.alias.len() {
+            engine_of[i] = engine_of[surface.alias[i] as usize];
+        }
+        let mut xyz = Vec::new();
+        xyz.try_reserve(input_of.len())?;
+        xyz.extend(input_of.iter().map(|&i| surface.points[i as usize]));
+        Ok(Engine { points: Points::new(xyz), delaunay: Delaunay::new(), input_of, engine_of, scale: surface.scale })
+    }
+
+    fn map<const N: usize>(&self, list: &[[u32; N]]) -> Result<Vec<[u32; N]>, Error> {
+        let mut mapped = Vec::new();
+        mapped.try_reserve(list.len())?;
+        mapped.extend(list.iter().map(|v| v.map(|i| self.engine_of[i as usize])));
+        Ok(mapped)
+    }
+
+    fn output_delaunay(&self, plc: &Plc, surface: &Surface) -> Result<TetMesh, Error> {
+        let mesh = &self.delaunay.mesh;
+        let components = Components { of: vec![0; mesh.slot_count()], count: 1 };
+        let regions = Regions {
+            of_component: vec![0],
+            regions: vec![Region { attribute: 1.0, seed: INVALID, max_volume: None }],
+        };
+        let rounded = Rounded::explicit(&self.points);
+        let mut out = assemble::mesh(self, plc, surface, &components, &regions, &rounded, None)?;
+        out.hull_kept = true;
+        Ok(out)
+    }
+}
+
+impl Run<'_> {
+    /// Books the time since the last call for `phase`.
+    fn lap(&mut self, phase: Phase) {
+        self.statistics.seconds[phase as usize] += self.clock.elapsed().as_secs_f64();
+        self.clock = Instant::now();
+    }
+
+    fn prepare(&mut self, plc: &Plc, options: &Options) -> Result<Surface, Error> {
+        report(self.observer, Phase::Validate, 0.0)?;
+        let surface = match options.mode {
+            Mode::Constrained => crate::plc::prepare(plc, options, self.observer)?,
+            Mode::Delaunay => {
+                let points_only = Plc { points: plc.points.clone(), ..Plc::default() };
+                crate::plc::prepare(&points_only, options, self.observer)?
+            }
+        };
+        self.statistics.duplicate_points =
+            surface.alias.iter().enumerate().filter(|&(i, &a)| i as u32 != a).count() as u64;
+        report(self.observer, Phase::Validate, 1.0)?;
+        self.lap(Phase::Validate);
+        Ok(surface)
+    }
+
+    fn delaunay(&mut self, engine: &mut Engine) -> Result<(), Error> {
+        let mut order: Vec<u32> = (0..engine.points.len() as u32).collect();
+        let total = order.len().max(1) as f64;
+        let observer = &mut *self.observer;
+        engine.delaunay.build(&engine.points, &mut order, &mut |done| {
+            report(observer, Phase::Delaunay, done as f64 / total)
+        })?;
+        self.lap(Phase::Delaunay);
+        Ok(())
+    }
+
+    fn constrain(
+        &mut self,
+        plc: &Plc,
+        surface: &Surface,
+        options: &Options,
+        engine: &mut Engine,
+    ) -> Result<TetMesh, Error> {
+        let segments = self.recover_segments(surface, options, engine)?;
+        let subfaces = self.recover_facets(surface, &segments, engine)?;
+        let (components, regions) = self.find_regions(plc, options, engine)?;
+        report(self.observer, Phase::Round, 0.0)?;
+        let rounded = round(&mut engine.delaunay.mesh, &engine.points, &components, &regions, engine.scale)?;
+        self.lap(Phase::Round);
+        let mut mesh =
+            assemble::mesh(engine, plc, surface, &components, &regions, &rounded, Some((&segments, &subfaces)))?;
+        mesh.hull_kept = options.keep_hull;
+        self.statistics.missing_segments = segments.missing;
+        self.statistics.steiner = segments.steiner_t.len() as u64;
+        self.statistics.steiner_moved = rounded.moved;
+        self.statistics.steiner_exact = mesh.steiner.iter().filter(|s| s.exact).count() as u64;
+        self.lap(Phase::Round);
+        Ok(mesh)
+    }
+
+    fn recover_segments(
+        &mut self,
+        surface: &Surface,
+        options: &Options,
+        engine: &mut Engine,
+    ) -> Result<Segments, Error> {
+        report(self.observer, Phase::Segments, 0.0)?;
+        engine.delaunay.index_vertices(engine.points.len())?;
+        let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+        let observer = &mut *self.observer;
+        let mut best = 0.0f64;
+        Recovery::new(&mut engine.delaunay, &mut engine.points, &mut segments, options.steiner_limit).run(
+            &mut |done, known| {
+                best = best.max(done as f64 / known.max(1) as f64);
+                report(observer, Phase::Segments, best)
+            },
+        )?;
+        self.lap(Phase::Segments);
+        Ok(segments)
+    }
+
+    fn recover_facets(
+        &mut self,
+        surface: &Surface,
+        segments: &Segments,
+        engine: &mut Engine,
+    ) -> Result<Subfaces, Error> {
+        report(self.observer, Phase::Facets, 0.0)?;
+        let triangles = Triangles {
+            corners: &engine.map(&surface.triangles)?,
+            facet: &surface.triangle_facet,
+            patch: &surface.triangle_patch,
+            patch_count: surface.patch_count as usize,
+        };
+        let subfaces = Subfaces::build(&engine.points, &triangles, segments)?;
+        let observer = &mut *self.observer;
+        let mut recovery = FacetRecovery::new(&mut engine.delaunay, &engine.points, &subfaces)?;
+        recovery.run(&mut |done, all| report(observer, Phase::Facets, done as f64 / all.max(1) as f64))?;
+        self.statistics.missing_regions = recovery.regions;
+        drop(recovery);
+        self.lap(Phase::Facets);
+        Ok(subfaces)
+    }
+
+    fn find_regions(
+        &mut self,
+        plc: &Plc,
+        options: &Options,
+        engine: &mut Engine,
+    ) -> Result<(Components, Regions), Error> {
+        report(self.observer, Phase::Regions, 0.0)?;
+        for flags in &mut engine.delaunay.mesh.flags {
+            *flags &= flag::FACES | flag::DEAD;
+        }
+        let components = components(&engine.delaunay.mesh)?;
+        let scaled = |p: [f64; 3]| p.map(|x| scale(x, engine.scale));
+        let holes: Vec<[f64; 3]> = plc.holes.iter().map(|&p| scaled(p)).collect();
+        let seeds: Vec<RegionSeed> =
+            plc.regions.iter().map(|r| RegionSeed { point: scaled(r.point), ..*r }).collect();
+        let regions = label(
+            &engine.delaunay.mesh,
+            &mut engine.points,
+            &components,
+            &Seeds { holes: &holes, regions: &seeds },
+            options.keep_hull,
+        )?;
+        self.statistics.peak_bytes = engine.delaunay.bytes() as u64;
+        self.lap(Phase::Regions);
+        Ok((components, regions))
+    }
+
+    /// The exact audit of what is handed out.
+    fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
+        report(self.observer, Phase::Audit, 0.0)?;
+        check_mesh(plc, mesh, true, options.max_defects)
+            .map_err(|e| Error { status: Status::Internal, message: format!("audit: {}", e.message), ..e })?;
+        report(self.observer, Phase::Audit, 1.0)?;
+        self.lap(Phase::Audit);
+        mesh.statistics = std::mem::take(&mut self.statistics);
+        Ok(())
+    }
+}

@@ -1,0 +1,169 @@
+//! From the engine's arrays to the output: what stays, renumbered, in the caller's coordinates.
+use super::Engine;
+use crate::constrain::face_key;
+use crate::constrain::segment::Segments;
+use crate::constrain::subface::Subfaces;
+use crate::error::Error;
+use crate::mesh::flag;
+use crate::output::{SteinerPoint, Subface, Subsegment, TetMesh};
+use crate::plc::surface::Surface;
+use crate::plc::Plc;
+use crate::predicates::scale;
+use crate::region::{Components, Regions};
+use crate::rounding::Rounded;
+use crate::INVALID;
+use rustc_hash::FxHashMap;
+
+/// The output mesh.
+pub(super) fn mesh(
+    engine: &Engine,
+    plc: &Plc,
+    surface: &Surface,
+    components: &Components,
+    regions: &Regions,
+    rounded: &Rounded,
+    constraints: Option<(&Segments, &Subfaces)>,
+) -> Result<TetMesh, Error> {
+    let mut out = TetMesh {
+        input_point_count: plc.points.len() as u32,
+        point_alias: surface.alias.clone(),
+        regions: regions.regions.clone(),
+        ..TetMesh::default()
+    };
+    let steiner_count = engine.points.len() - engine.input_of.len();
+    out.points.try_reserve(plc.points.len() + steiner_count)?;
+    out.points.extend_from_slice(&plc.points);
+    for p in &rounded.xyz[engine.input_of.len()..engine.points.len()] {
+        out.points.push(p.map(|x| scale(x, -engine.scale)));
+    }
+    let point_of = |v: u32| match engine.input_of.get(v as usize) {
+        Some(&input) => input,
+        None => (plc.points.len() + v as usize - engine.input_of.len()) as u32,
+    };
+    let number = tets(engine, components, regions, &mut out, point_of)?;
+    if let Some((segments, subfaces)) = constraints {
+        steiner(engine, segments, surface, rounded, &mut out, point_of)?;
+        subsegments(plc, surface, segments, &mut out, point_of)?;
+        faces(engine, plc, subfaces, &number, &mut out, point_of)?;
+    }
+    Ok(out)
+}
+
+/// Tetrahedra that stay, their neighbours and regions; returns the new number of each slot.
+fn tets(
+    engine: &Engine,
+    components: &Components,
+    regions: &Regions,
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+) -> Result<Vec<u32>, Error> {
+    let mesh = &engine.delaunay.mesh;
+    let mut number = Vec::new();
+    number.try_reserve(mesh.slot_count())?;
+    number.resize(mesh.slot_count(), INVALID);
+    let stays = |t: u32| {
+        mesh.is_live(t)
+            && !mesh.is_ghost(t)
+            && regions.of_component[components.of[t as usize] as usize] != INVALID
+    };
+    let mut count = 0;
+    for t in 0..mesh.slot_count() as u32 {
+        if stays(t) {
+            number[t as usize] = count;
+            count += 1;
+        }
+    }
+    out.tets.try_reserve(count as usize)?;
+    out.neighbors.try_reserve(count as usize)?;
+    out.tet_region.try_reserve(count as usize)?;
+    for t in 0..mesh.slot_count() as u32 {
+        if number[t as usize] == INVALID {
+            continue;
+        }
+        out.tets.push(mesh.verts[t as usize].map(&point_of));
+        out.neighbors.push(mesh.adj[t as usize].map(|code| number[(code >> 2) as usize]));
+        out.tet_region.push(regions.of_component[components.of[t as usize] as usize]);
+    }
+    Ok(number)
+}
+
+fn steiner(
+    engine: &Engine,
+    segments: &Segments,
+    surface: &Surface,
+    rounded: &Rounded,
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+) -> Result<(), Error> {
+    out.steiner.try_reserve(segments.steiner_t.len())?;
+    for (i, (&s, &t)) in segments.steiner_segment.iter().zip(&segments.steiner_t).enumerate() {
+        let v = segments.first_steiner + i as u32;
+        let exact = engine.points.is_explicit(v) && rounded.xyz[v as usize] == *engine.points.xyz(v);
+        // Scaling back may lose bits of subnormal coordinates.
+        let returned = out.points[point_of(v) as usize].map(|x| scale(x, engine.scale)) == rounded.xyz[v as usize];
+        out.steiner.push(SteinerPoint {
+            ends: segments.ends[s as usize].map(&point_of),
+            t,
+            segment: surface.segment_parent[s as usize],
+            exact: exact && returned,
+        });
+    }
+    Ok(())
+}
+
+fn subsegments(
+    plc: &Plc,
+    surface: &Surface,
+    segments: &Segments,
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+) -> Result<(), Error> {
+    out.subsegments.try_reserve(segments.pieces.len())?;
+    let mut pieces: Vec<_> = segments.pieces.iter().collect();
+    pieces.sort_unstable_by(|x, y| x.segment.cmp(&y.segment).then(x.t[0].total_cmp(&y.t[0])));
+    for piece in pieces {
+        let segment = surface.segment_parent[piece.segment as usize];
+        let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);
+        out.subsegments.push(Subsegment { ends: piece.ends.map(&point_of), segment, marker });
+    }
+    Ok(())
+}
+
+/// Subfaces with the tetrahedra on both sides.
+fn faces(
+    engine: &Engine,
+    plc: &Plc,
+    subfaces: &Subfaces,
+    number: &[u32],
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+) -> Result<(), Error> {
+    let mesh = &engine.delaunay.mesh;
+    let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+    code_of.try_reserve(subfaces.verts.len()).map_err(|_| Error::new(crate::Status::OutOfMemory, "out of memory"))?;
+    for t in 0..mesh.slot_count() as u32 {
+        for f in 0..4 {
+            if mesh.is_live(t) && mesh.flags[t as usize] & (flag::FACE << f) != 0 {
+                code_of.insert(face_key(mesh.face(4 * t + f)), 4 * t + f);
+            }
+        }
+    }
+    out.subfaces.try_reserve(subfaces.verts.len())?;
+    for (s, &corners) in subfaces.verts.iter().enumerate() {
+        let Some(&code) = code_of.get(&face_key(corners)) else {
+            return Err(Error::internal("a subface is no face of the mesh"));
+        };
+        // (apex, x, y, z) is positive, so (x, y, z, apex) is not: the normal of (x, y, z) points away from the apex.
+        let found = mesh.face(code);
+        let same = (0..3).any(|k| found[0] == corners[k] && found[1] == corners[(k + 1) % 3]);
+        let (behind, ahead) = if same { (code, mesh.across(code)) } else { (mesh.across(code), code) };
+        let facet = subfaces.facet[s];
+        out.subfaces.push(Subface {
+            corners: corners.map(&point_of),
+            facet,
+            marker: plc.facet_marker(facet as usize),
+            tets: [number[(behind >> 2) as usize], number[(ahead >> 2) as usize]],
+        });
+    }
+    Ok(())
+}
