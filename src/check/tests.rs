@@ -537,3 +537,41 @@ fn non_planar_polygons_are_tiled_between_their_corners() {
     mesh.steiner[0].ends = [1, 3];
     assert!(check(&plc, &mesh).contains(&DefectKind::FacetMissing));
 }
+
+/// A cubic grid of `n`³ cubes in six tetrahedra each, its boundary triangles as facets.
+fn grid(n: u32) -> (Plc, TetMesh) {
+    let at = |x: u32, y: u32, z: u32| x + (n + 1) * (y + (n + 1) * z);
+    let mut plc = Plc::default();
+    for i in 0..(n + 1).pow(3) {
+        plc.points.push([i % (n + 1), i / (n + 1) % (n + 1), i / (n + 1).pow(2)].map(|k| f64::from(k) / 3.0));
+    }
+    let mut mesh = TetMesh { points: plc.points.clone(), ..TetMesh::default() };
+    for cube in 0..n.pow(3) {
+        let (x, y, z) = (cube % n, cube / n % n, cube / n / n);
+        let vertex = |c: u32| at(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2));
+        mesh.tets.extend(kuhn().iter().map(|t| t.map(vertex)));
+    }
+    let table = super::faces::FaceTable::new(&mesh.tets, mesh.points.len()).unwrap();
+    for (corners, run) in table.runs() {
+        if let [only] = run {
+            let facet = plc.triangles.len() as u32;
+            plc.triangles.push(corners);
+            let tet = mesh.tets[only.handle as usize / 4];
+            let apex = tet[only.handle as usize % 4];
+            let [p, q, r] = corners.map(|v| &mesh.points[v as usize]);
+            let positive = orient3d(p, q, r, &mesh.points[apex as usize]) == Sign::Positive;
+            let mut tets = [INVALID; 2];
+            tets[usize::from(positive)] = only.handle / 4;
+            mesh.subfaces.push(Subface { corners, facet, marker: 0, tets });
+        }
+    }
+    (plc, mesh)
+}
+
+#[test]
+fn grids_pass() {
+    let (plc, mut mesh) = grid(8);
+    assert_eq!(check(&plc, &mesh), vec![]);
+    mesh.subfaces.truncate(mesh.subfaces.len() - 1);
+    assert_eq!(check(&plc, &mesh), vec![DefectKind::FacetMissing, DefectKind::HullOffFacets]);
+}
