@@ -56,6 +56,17 @@ fn double(p: Point) -> [f64; 3] {
     p.map(f64::from)
 }
 
+/// The corners of a cube of that size: something to be inside of.
+fn cube(size: i32) -> Vec<[f64; 3]> {
+    (0..8).map(|i| double([i & 1, i >> 1 & 1, i >> 2].map(|x| size * x))).collect()
+}
+
+/// Multiplies all coordinates: by a number that is no binary fraction the grid becomes irregular in the last bits, so that
+/// Steiner points have to be rounded. Axis-parallel planes stay planes.
+fn scaled(plc: &Plc, step: f64) -> Plc {
+    Plc { points: plc.points.iter().map(|p| p.map(|x| x * step)).collect(), ..plc.clone() }
+}
+
 /// Adds the box between two corners as six square facets.
 fn add_box(plc: &mut Plc, low: Point, high: Point, marker: i32) {
     let base = plc.points.len() as u32;
@@ -96,7 +107,7 @@ proptest! {
     /// Triangles anywhere: the validator takes out those that cross, what remains must be meshed.
     #[test]
     fn triangles(corners in prop::collection::vec([point(4), point(4), point(4)], 1..12)) {
-        let mut plc = Plc::default();
+        let mut plc = Plc { points: cube(4), ..Plc::default() };
         for triangle in corners {
             let before = plc.clone();
             let base = plc.points.len() as u32;
@@ -106,12 +117,13 @@ proptest! {
                 plc = before;
             }
         }
+        mesh(&scaled(&plc, 0.1), true)?;
     }
 
     /// Segments anywhere.
     #[test]
     fn segments(ends in prop::collection::vec([point(5), point(5)], 1..12)) {
-        let mut plc = Plc { points: (0..8).map(|i| double([i & 1, i >> 1 & 1, i >> 2].map(|x| 5 * x))).collect(), ..Plc::default() };
+        let mut plc = Plc { points: cube(5), ..Plc::default() };
         for pair in ends {
             let before = plc.clone();
             let base = plc.points.len() as u32;
@@ -121,6 +133,7 @@ proptest! {
                 plc = before;
             }
         }
+        mesh(&scaled(&plc, 0.1), true)?;
     }
 
     /// A box with dangling triangles strictly inside, each kept if the complex stays valid. The volume is the box's.
@@ -141,6 +154,7 @@ proptest! {
                 None => plc = before,
             }
         }
+        mesh(&scaled(&plc, 0.1), false)?;
     }
 
     /// Boxes inside each other: valid by construction, one region each.
@@ -156,6 +170,8 @@ proptest! {
         }
         plc.points.extend(points.into_iter().map(double));
         let mesh = mesh_valid(&plc, false)?;
+        prop_assert_eq!(mesh.regions.len(), inner);
+        let mesh = mesh_valid(&scaled(&plc, 0.1), false)?;
         prop_assert_eq!(mesh.regions.len(), inner);
     }
 }
