@@ -26,13 +26,13 @@
 //! * Face `i` of a tetrahedron is opposite its vertex `i`. Indices are 0-based `u32`; [`INVALID`] means "none".
 #![warn(clippy::all)]
 
+pub mod check;
 pub mod constrain;
 pub mod delaunay;
-pub mod check;
 pub mod error;
-pub mod mesh;
 #[cfg(feature = "io")]
 pub mod io;
+pub mod mesh;
 pub mod options;
 pub mod output;
 pub mod plc;

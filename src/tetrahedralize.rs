@@ -64,8 +64,13 @@ pub(crate) struct Engine {
 impl Engine {
     /// Orders the distinct points and sets up the exact arithmetic.
     fn new(surface: &Surface, options: &Options) -> Result<Self, Error> {
-        let distinct: Vec<u32> =
-            surface.alias.iter().enumerate().filter(|&(i, &a)| i as u32 == a).map(|(i, _)| i as u32).collect();
+        let distinct: Vec<u32> = surface
+            .alias
+            .iter()
+            .enumerate()
+            .filter(|&(i, &a)| i as u32 == a)
+            .map(|(i, _)| i as u32)
+            .collect();
         let input_of =
             if options.points_sorted { distinct } else { insertion_order(&surface.points, &distinct) };
         let mut engine_of = vec![INVALID; surface.points.len()];
@@ -78,7 +83,13 @@ impl Engine {
         let mut xyz = Vec::new();
         xyz.try_reserve(input_of.len())?;
         xyz.extend(input_of.iter().map(|&i| surface.points[i as usize]));
-        Ok(Engine { points: Points::new(xyz), delaunay: Delaunay::new(), input_of, engine_of, scale: surface.scale })
+        Ok(Engine {
+            points: Points::new(xyz),
+            delaunay: Delaunay::new(),
+            input_of,
+            engine_of,
+            scale: surface.scale,
+        })
     }
 
     fn map<const N: usize>(&self, list: &[[u32; N]]) -> Result<Vec<[u32; N]>, Error> {
@@ -149,8 +160,15 @@ impl Run<'_> {
         report(self.observer, Phase::Round, 0.0)?;
         let rounded = round(&mut engine.delaunay.mesh, &engine.points, &components, &regions, engine.scale)?;
         self.lap(Phase::Round);
-        let mut mesh =
-            assemble::mesh(engine, plc, surface, &components, &regions, &rounded, Some((&segments, &subfaces)))?;
+        let mut mesh = assemble::mesh(
+            engine,
+            plc,
+            surface,
+            &components,
+            &regions,
+            &rounded,
+            Some((&segments, &subfaces)),
+        )?;
         mesh.hull_kept = options.keep_hull;
         self.statistics.missing_segments = segments.missing;
         self.statistics.steiner = segments.steiner_t.len() as u64;
@@ -234,8 +252,11 @@ impl Run<'_> {
     /// The exact audit of what is handed out.
     fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
         report(self.observer, Phase::Audit, 0.0)?;
-        check_mesh(plc, mesh, true, options.max_defects)
-            .map_err(|e| Error { status: Status::Internal, message: format!("audit: {}", e.message), ..e })?;
+        check_mesh(plc, mesh, true, options.max_defects).map_err(|e| Error {
+            status: Status::Internal,
+            message: format!("audit: {}", e.message),
+            ..e
+        })?;
         report(self.observer, Phase::Audit, 1.0)?;
         self.lap(Phase::Audit);
         mesh.statistics = std::mem::take(&mut self.statistics);

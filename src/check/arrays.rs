@@ -45,7 +45,7 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     let tet_or_none = |t: u32| t == INVALID || (t as usize) < tets;
     for face in &mesh.subfaces {
         let corners_ok = face.corners.iter().all(|&v| (v as usize) < points);
-        let facet_ok = (face.facet as usize) < plc.facet_count();
+        let facet_ok = face.facet == INVALID || (face.facet as usize) < plc.facet_count();
         if !corners_ok || !facet_ok || !face.tets.iter().all(|&t| tet_or_none(t)) {
             bad_index(report, Element::Facet(face.facet));
         }

@@ -72,9 +72,7 @@ impl<'a, 'b> Chains<'a, 'b> {
             let next = if context.has_edge(current, end) {
                 Some(end)
             } else {
-                let star = context.stars.of(current).iter();
-                let mut corners = star.flat_map(|&t| context.mesh.tets[t as usize]);
-                corners.find(|&v| context.geometry.strictly_between(v, current, end))
+                context.neighbors(current).find(|&v| context.geometry.strictly_between(v, current, end))
             };
             match next {
                 Some(v) => current = v,

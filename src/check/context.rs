@@ -1,9 +1,11 @@
 //! What all checks share: the mesh, its exact coordinates, its faces and stars, and the representatives of equal points.
+use super::carved::carved_edges;
 use super::faces::{FaceTable, Stars};
 use super::geometry::Geometry;
 use crate::error::Error;
 use crate::output::TetMesh;
 use crate::plc::Plc;
+use crate::INVALID;
 
 /// Shared, read-only tables. Built only after the arrays have been found sound.
 pub(super) struct Context<'a> {
@@ -17,12 +19,14 @@ pub(super) struct Context<'a> {
     /// Every point that is not an input point says where on which input edge it lies. False for meshes from files that have
     /// such points: conformity is then judged only where all corners are input points.
     pub(super) parents_known: bool,
+    /// Edges of carved pieces, in both directions, sorted.
+    carved: Vec<[u32; 2]>,
 }
 
 impl<'a> Context<'a> {
     pub(super) fn new(plc: &'a Plc, mesh: &'a TetMesh) -> Result<Self, Error> {
         let alias = first_equal(&plc.points)?;
-        Ok(Context {
+        let mut context = Context {
             geometry: Geometry::new(plc, mesh)?,
             faces: FaceTable::new(&mesh.tets, mesh.points.len())?,
             stars: Stars::new(&mesh.tets, mesh.points.len())?,
@@ -30,7 +34,12 @@ impl<'a> Context<'a> {
             alias,
             plc,
             mesh,
-        })
+            carved: Vec::new(),
+        };
+        if context.parents_known {
+            context.carved = carved_edges(&context)?;
+        }
+        Ok(context)
     }
 
     /// The representative of a vertex: the first input point equal to it, or itself.
@@ -42,13 +51,29 @@ impl<'a> Context<'a> {
         (v as usize) < self.plc.points.len()
     }
 
+    /// Whether `ab` is an edge of the mesh or of a carved piece.
     pub(super) fn has_edge(&self, a: u32, b: u32) -> bool {
-        self.stars.has_edge(&self.mesh.tets, a, b)
+        self.stars.has_edge(&self.mesh.tets, a, b) || self.carved.binary_search(&[a, b]).is_ok()
+    }
+
+    /// All vertices joined with `a` by such an edge, some more than once.
+    pub(super) fn neighbors(&self, a: u32) -> impl Iterator<Item = u32> + '_ {
+        let carved = &self.carved[self.carved.partition_point(|e| e[0] < a)..];
+        let star = self.stars.of(a).iter().flat_map(|&t| self.mesh.tets[t as usize]);
+        star.chain(carved.iter().take_while(move |e| e[0] == a).map(|e| e[1]))
     }
 
     /// Whether the mesh names the facets of its subfaces (or has no facet to name).
     pub(super) fn subfaces_known(&self) -> bool {
-        self.parents_known && (!self.mesh.subfaces.is_empty() || self.plc.facet_count() == 0)
+        self.parents_known
+            && (!self.mesh.subfaces.is_empty() || self.plc.facet_count() == 0)
+            && self.mesh.subfaces.iter().all(|face| face.facet != INVALID)
+    }
+
+    /// Ends of the input edge that a Steiner point lies on.
+    pub(super) fn ends(&self, v: u32) -> Option<[u32; 2]> {
+        let steiner = self.mesh.steiner.get((v as usize).checked_sub(self.plc.points.len())?)?;
+        Some(steiner.ends.map(|end| self.alias(end)))
     }
 
     pub(super) fn position(&self, v: u32) -> Option<[f64; 3]> {

@@ -22,7 +22,7 @@ struct Group<'a> {
     members: Vec<u32>,
     /// Indices of subfaces.
     subfaces: Vec<u32>,
-    /// Edge pieces of the members that can be in the mesh, sorted.
+    /// Edge pieces of the members, sorted.
     pieces: Vec<Piece>,
     planar: bool,
 }
@@ -60,19 +60,12 @@ pub(super) fn check_coverage<'a>(
             facets,
             members: run.iter().map(|x| x.1).collect(),
             subfaces: subfaces[s0..s].iter().map(|x| x.1).collect(),
-            pieces: edges[e0..e].iter().map(|x| x.1).filter(|p| !excused(context, facets, p.facet)).collect(),
+            pieces: edges[e0..e].iter().map(|x| x.1).collect(),
             planar: run.iter().all(|x| facets[x.1 as usize].planar),
         };
         group.check(report);
     }
     Ok(())
-}
-
-/// A facet with a corner that is no vertex of the mesh lies outside: the point check has seen that this corner does, and no
-/// facet changes sides but at the edges of others.
-fn excused(context: &Context, facets: &[Facet], facet: u32) -> bool {
-    let facet = &facets[facet as usize];
-    facet.polygons.iter().flatten().any(|&v| !context.stars.used(v))
 }
 
 impl Group<'_> {
@@ -152,16 +145,22 @@ impl Group<'_> {
         uses
     }
 
-    /// Corners of subfaces lie on the group: exactly in its plane; or, if it has none, on edges of its polygons.
+    /// Corners of subfaces lie on the group: exactly in its plane; or, if it has none, at corners of its polygons or on lines
+    /// between two of them.
     fn check_corners(&self, report: &mut Report) {
         let mut known: Vec<u32> = self.pieces.iter().flat_map(|p| p.ends).collect();
+        for &f in &self.members {
+            known.extend(self.facets[f as usize].corners.iter());
+        }
         known.sort_unstable();
         known.dedup();
+        let knows = |v: u32| known.binary_search(&v).is_ok();
         let plane = self.members.iter().find_map(|&f| self.facets[f as usize].plane);
         for &i in &self.subfaces {
             let face = &self.context.mesh.subfaces[i as usize];
             for &v in &face.corners {
-                let on = known.binary_search(&v).is_ok()
+                let on = knows(v)
+                    || self.context.ends(v).is_some_and(|ends| ends.iter().all(|&e| knows(e)))
                     || self.planar
                         && plane.is_some_and(|[a, b, c]| {
                             self.context.geometry.orient3d([a, b, c, v]) == Sign::Zero
@@ -190,8 +189,7 @@ pub(super) fn check_inner_edges(
     let mut chain = Vec::new();
     for (i, facet) in facets.iter().enumerate() {
         for &[a, b] in &facet.inner_edges {
-            let used = context.stars.used(a) && context.stars.used(b);
-            if a != b && used && !chains.find(a, b, &mut chain)? {
+            if a != b && !chains.find(a, b, &mut chain)? {
                 let at = context.position(a);
                 report.add(DefectKind::SegmentMissing, Element::Facet(i as u32), Some(Element::Point(a)), at);
             }

@@ -15,6 +15,8 @@ use std::collections::HashMap;
 /// A facet: its polygons of three corners or more, as representatives.
 pub(super) struct Facet {
     pub(super) polygons: Vec<Vec<u32>>,
+    /// All corners, also of polygons of one or two.
+    pub(super) corners: Vec<u32>,
     /// Pairs of corners that must be joined in the mesh, but bound nothing.
     pub(super) inner_edges: Vec<[u32; 2]>,
     /// Three corners that are not collinear.
@@ -64,6 +66,7 @@ pub(super) fn facets(context: &Context, report: &mut Report) -> Result<Vec<Facet
 
 fn facet(context: &Context, all: Vec<Vec<u32>>, enclosed: bool, seeded: bool, marker: i32) -> Facet {
     let inner_edges = all.iter().filter(|p| p.len() == 2).map(|p| [p[0], p[1]]).collect();
+    let mut everything: Vec<u32> = all.iter().flatten().copied().collect();
     let polygons: Vec<Vec<u32>> = all.into_iter().filter(|p| p.len() > 2).collect();
     let corners = || polygons.iter().flatten().copied();
     let mut plane = None;
@@ -75,8 +78,10 @@ fn facet(context: &Context, all: Vec<Vec<u32>>, enclosed: bool, seeded: bool, ma
     let in_plane = |[a, b, c]: [u32; 3], v| {
         v == a || v == b || v == c || context.geometry.orient3d([a, b, c, v]) == Sign::Zero
     };
-    let planar = plane.is_some_and(|p| corners().all(|v| in_plane(p, v)));
-    Facet { polygons, inner_edges, plane, planar, enclosed, seeded, marker }
+    let planar = plane.is_some_and(|p| everything.iter().all(|&v| in_plane(p, v)));
+    everything.sort_unstable();
+    everything.dedup();
+    Facet { polygons, corners: everything, inner_edges, plane, planar, enclosed, seeded, marker }
 }
 
 /// The input triangles after the flips of facet merging: each takes two triangles with a common edge and makes the two others of

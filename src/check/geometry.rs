@@ -40,6 +40,11 @@ impl Geometry {
             || self.exact.is_explicit(v) && *self.exact.xyz(v) == self.rounded[v as usize]
     }
 
+    /// The doubles nearest to the exact position (scaled).
+    pub(super) fn nearest(&self, v: u32) -> &[f64; 3] {
+        self.exact.xyz(v)
+    }
+
     /// Orientation of the exact positions.
     pub(super) fn orient3d(&self, [a, b, c, d]: [u32; 4]) -> Sign {
         self.exact.orient3d(a, b, c, d)

@@ -12,11 +12,12 @@
 //! What follows from these: the mesh's boundary is the input's. What does not: that no two layers of tetrahedra without a
 //! common vertex cover the same space.
 //!
-//! A mesh read from files does not know the parents of its Steiner points. Then only doubles are judged: topology, orientation,
-//! points; of faces that have such points the Delaunay property is only counted (their rounding may break it), and conformity
-//! is not judged.
+//! A mesh read from files does not know the parents of its Steiner points and subfaces. Then only doubles are judged: topology,
+//! orientation, points; segments if there are no Steiner points. Of faces that have such points the Delaunay property is only counted
+//! (their rounding may break it), and whether the facets are covered is not judged.
 mod arrays;
 mod boundary;
+mod carved;
 mod chains;
 mod context;
 mod coverage;
@@ -79,6 +80,10 @@ fn check_conformity(context: &Context, report: &mut Report) -> Result<(), Error>
     }
     let chains = chains::Chains::new(context)?;
     segments::check_segments(context, &chains, report)?;
+    if !context.subfaces_known() {
+        report.note("the mesh does not say on which facets its faces lie: coverage was not judged".into());
+        return Ok(());
+    }
     let facets = facets::facets(context, report)?;
     coverage::check_inner_edges(context, &facets, &chains, report)?;
     let pieces = facets::pieces(context, &facets, &chains)?;

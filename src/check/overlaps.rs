@@ -9,7 +9,7 @@ pub(super) fn split_at_each_other(
     context: &Context,
     mut edges: Vec<[u32; 2]>,
 ) -> Result<Vec<Vec<u32>>, Error> {
-    let at = |v: u32, axis: usize| context.mesh.points[v as usize][axis];
+    let at = |v: u32, axis: usize| context.geometry.nearest(v)[axis];
     let low = |e: &[u32; 2], axis: usize| at(e[0], axis).min(at(e[1], axis));
     let high = |e: &[u32; 2], axis: usize| at(e[0], axis).max(at(e[1], axis));
     edges.sort_unstable_by(|e, f| low(e, 0).total_cmp(&low(f, 0)).then(e.cmp(f)));

@@ -26,41 +26,41 @@ pub(super) fn check_points(context: &Context, report: &mut Report) -> Result<(),
     }
     for v in plc.points.len() as u32..mesh.points.len() as u32 {
         let steiner = mesh.steiner.get(v as usize - plc.points.len());
-        if !context.stars.used(v) || steiner.is_some_and(|s| s.exact) && !context.geometry.is_exact(v) {
+        if steiner.is_some_and(|s| s.exact) && !context.geometry.is_exact(v) {
             report.add(DefectKind::PointMoved, Element::Point(v), None, context.position(v));
         }
     }
     check_unused(context, report)
 }
 
-/// An input point that is no vertex must lie outside of every closed tetrahedron.
+/// A point that is no vertex must lie outside of every closed tetrahedron.
 ///
 /// The unused points are sorted by x, so each tetrahedron asks only those in its range. The filter by bounding box takes the
-/// doubles; it is widened to the neighbouring doubles, since a Steiner point's exact position may be beyond its rounding.
+/// nearest doubles; it is widened to the neighbouring ones, since a Steiner point's exact position may be beyond its rounding.
 fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
-    let points = &context.mesh.points;
+    let near = |v: u32| context.geometry.nearest(v);
     let mut unused: Vec<u32> = Vec::new();
-    for i in 0..context.plc.points.len() as u32 {
+    for i in 0..context.mesh.points.len() as u32 {
         if context.alias(i) == i && !context.stars.used(i) {
             unused.try_reserve(1)?;
             unused.push(i);
         }
     }
-    unused.sort_unstable_by(|&i, &j| points[i as usize][0].total_cmp(&points[j as usize][0]).then(i.cmp(&j)));
+    unused.sort_unstable_by(|&i, &j| near(i)[0].total_cmp(&near(j)[0]).then(i.cmp(&j)));
     let mut inside: Vec<(u32, u32)> = Vec::new();
     if unused.is_empty() {
         return Ok(());
     }
     for (t, tet) in context.mesh.tets.iter().enumerate() {
-        let corner = tet.map(|v| points[v as usize]);
+        let corner = tet.map(near);
         let wide = |x: f64| x.abs() * f64::EPSILON + f64::MIN_POSITIVE;
         let low: [f64; 3] =
             std::array::from_fn(|k| corner.iter().map(|p| p[k] - wide(p[k])).fold(f64::INFINITY, f64::min));
         let high: [f64; 3] =
             std::array::from_fn(|k| corner.iter().map(|p| p[k] + wide(p[k])).fold(-f64::INFINITY, f64::max));
-        let from = unused.partition_point(|&i| points[i as usize][0] < low[0]);
-        for &i in unused[from..].iter().take_while(|&&i| points[i as usize][0] <= high[0]) {
-            let p = points[i as usize];
+        let from = unused.partition_point(|&i| near(i)[0] < low[0]);
+        for &i in unused[from..].iter().take_while(|&&i| near(i)[0] <= high[0]) {
+            let p = near(i);
             if (1..3).all(|k| low[k] <= p[k] && p[k] <= high[k]) && in_tet(context, *tet, i) {
                 inside.try_reserve(1)?;
                 inside.push((i, t as u32));
@@ -70,7 +70,7 @@ fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
     inside.sort_unstable();
     inside.dedup_by_key(|pair| pair.0);
     for (i, t) in inside {
-        let at = Some(points[i as usize]);
+        let at = context.position(i);
         report.add(DefectKind::PointMoved, Element::Point(i), Some(Element::Tet(t)), at);
     }
     Ok(())

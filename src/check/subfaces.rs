@@ -1,4 +1,5 @@
 //! Subfaces: each is a face of the mesh, listed once, with the marker of its facet and the right tetrahedra on both sides.
+use super::carved::is_carved;
 use super::context::Context;
 use super::faces::{face_corners, sorted};
 use super::report::Report;
@@ -20,7 +21,9 @@ pub(super) fn check_subfaces(context: &Context, report: &mut Report) -> Result<V
         let element = Element::Facet(face.facet);
         let at = context.position(face.corners[0]);
         if entries.is_empty() {
-            report.add(DefectKind::FacetMissing, element, None, at);
+            if !is_carved(context, face) {
+                report.add(DefectKind::FacetMissing, element, None, at);
+            }
             continue;
         }
         let twice = entries.iter().any(|e| flags[e.handle as usize / 4] >> (e.handle % 4) & 1 == 1);
@@ -48,16 +51,17 @@ fn sides(context: &Context, face: &Subface) -> [u32; 2] {
     tets
 }
 
-/// Without subfaces from the mesher those known to lie on a facet are the input triangles that are faces, and (since nothing
-/// contradicts it here) the boundary.
+/// Without parents, the faces known to lie on a facet are those listed, the input triangles that are faces, and (nothing here
+/// contradicts it) the boundary.
 fn flag_known_faces(context: &Context, flags: &mut [u8]) {
     for (_, run) in context.faces.runs() {
         if let [only] = run {
             flags[only.handle as usize / 4] |= 1 << (only.handle % 4);
         }
     }
-    for triangle in &context.plc.triangles {
-        for e in context.faces.find(triangle.map(|v| context.alias(v))) {
+    let triangles = context.plc.triangles.iter().map(|t| t.map(|v| context.alias(v)));
+    for corners in triangles.chain(context.mesh.subfaces.iter().map(|face| face.corners)) {
+        for e in context.faces.find(corners) {
             flags[e.handle as usize / 4] |= 1 << (e.handle % 4);
         }
     }

@@ -447,3 +447,131 @@ fn coordinates_out_of_the_exact_range() {
     }
     assert_eq!(check_mesh(&plc, &mesh, true, 9).unwrap_err().status, Status::CoordinateRange);
 }
+
+/// A fin outside: its facet and segment are carved, their pieces are listed on no tetrahedron.
+#[test]
+fn carved_pieces_are_outside() {
+    let (mut plc, mut mesh) = cube(kuhn());
+    for points in [&mut plc.points, &mut mesh.points] {
+        points.push([2.0, 0.5, 0.5]);
+    }
+    mesh.point_alias.push(8);
+    plc.triangles.push([1, 5, 8]);
+    plc.segments.push(Segment { ends: [5, 8], marker: 3 });
+    mesh.subsegments.push(Subsegment { ends: [8, 5], segment: 12, marker: 3 });
+    let unlisted = mesh.clone();
+    mesh.subfaces.push(Subface { corners: [1, 5, 8], facet: 12, marker: 0, tets: [INVALID; 2] });
+    assert_eq!(check(&plc, &mesh), vec![]);
+    assert_eq!(check(&plc, &unlisted), vec![DefectKind::FacetMissing]);
+    // The same claim about a facet and a segment inside of the mesh.
+    plc.triangles[12] = [1, 2, 4];
+    plc.segments[12].ends = [1, 6];
+    mesh.subfaces[12].corners = [1, 2, 4];
+    mesh.subsegments[12].ends = [1, 6];
+    let found = check(&plc, &mesh);
+    assert!(found.contains(&DefectKind::FacetMissing) && found.contains(&DefectKind::SegmentMissing));
+}
+
+/// Every triangle between corners of the cube that is no face: with all corners used, outside is decided by signs alone.
+#[test]
+fn outside_by_signs() {
+    // An L of two of the six tetrahedra: 0137 and 0451 7; triangles over the gap are outside, those through tetrahedra are not.
+    let (plc, _) = cube(kuhn());
+    let tets = vec![kuhn()[0], kuhn()[2], kuhn()[4]];
+    let mesh = mesh(&plc, plc.points.clone(), tets.clone());
+    let context = super::context::Context::new(&plc, &mesh).unwrap();
+    let (mut outside, mut inside) = (0, 0);
+    for a in 0..8u32 {
+        for b in (0..8).filter(|&b| b != a) {
+            for c in (0..8).filter(|&c| c != a && c != b) {
+                if !context.faces.find([a, b, c]).is_empty() {
+                    continue;
+                }
+                let found = super::carved::face_outside(&context, [a, b, c]);
+                // Points of the open triangle near its first corner, in exact small binary fractions.
+                let p = |x: f64, y: f64| -> [f64; 3] {
+                    let (a, b, c) = (corner(a), corner(b), corner(c));
+                    std::array::from_fn(|k| a[k] + x * (b[k] - a[k]) + y * (c[k] - a[k]))
+                };
+                let within = |q: [f64; 3]| {
+                    tets.iter().filter(|t| t.contains(&a)).any(|t| {
+                        (0..4).all(|k| {
+                            let mut v = t.map(corner);
+                            v[k] = q;
+                            orient3d(&v[0], &v[1], &v[2], &v[3]) != Sign::Negative
+                        })
+                    })
+                };
+                let e = 1.0 / 1024.0;
+                let met = (1..64).any(|i| within(p(f64::from(i) * e / 64.0, f64::from(64 - i) * e / 64.0)));
+                assert_eq!(found, !met, "{a} {b} {c}");
+                if found {
+                    outside += 1;
+                } else {
+                    inside += 1;
+                }
+            }
+        }
+    }
+    assert!(outside > 10 && inside > 10, "{outside} {inside}");
+}
+
+/// A polygon of four corners that are not coplanar, split by a diagonal with a Steiner point on it.
+#[test]
+fn non_planar_polygons_are_tiled_between_their_corners() {
+    let (mut plc, mut mesh) = split_edge(1.0, 0.5);
+    for points in [&mut plc.points, &mut mesh.points] {
+        points[1] = [0.8; 3];
+    }
+    let at_edge = |t: &[u32; 3]| t.contains(&2) && t.contains(&3);
+    plc.triangles.retain(|t| !at_edge(t));
+    plc.segments.clear();
+    mesh.subsegments.clear();
+    mesh.steiner[0].segment = INVALID;
+    plc.facets.push(Facet { polygons: vec![vec![0, 2, 1, 3]], ..Facet::default() });
+    for face in &mut mesh.subfaces {
+        let same = |t: &[u32; 3]| t.iter().all(|v| face.corners.contains(v));
+        face.facet = plc.triangles.iter().position(same).unwrap_or(plc.triangles.len()) as u32;
+    }
+    assert_eq!(check(&plc, &mesh), vec![]);
+    mesh.steiner[0].ends = [1, 3];
+    assert!(check(&plc, &mesh).contains(&DefectKind::FacetMissing));
+}
+
+/// A cubic grid of `n`³ cubes in six tetrahedra each, its boundary triangles as facets.
+fn grid(n: u32) -> (Plc, TetMesh) {
+    let at = |x: u32, y: u32, z: u32| x + (n + 1) * (y + (n + 1) * z);
+    let mut plc = Plc::default();
+    for i in 0..(n + 1).pow(3) {
+        plc.points.push([i % (n + 1), i / (n + 1) % (n + 1), i / (n + 1).pow(2)].map(|k| f64::from(k) / 3.0));
+    }
+    let mut mesh = TetMesh { points: plc.points.clone(), ..TetMesh::default() };
+    for cube in 0..n.pow(3) {
+        let (x, y, z) = (cube % n, cube / n % n, cube / n / n);
+        let vertex = |c: u32| at(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2));
+        mesh.tets.extend(kuhn().iter().map(|t| t.map(vertex)));
+    }
+    let table = super::faces::FaceTable::new(&mesh.tets, mesh.points.len()).unwrap();
+    for (corners, run) in table.runs() {
+        if let [only] = run {
+            let facet = plc.triangles.len() as u32;
+            plc.triangles.push(corners);
+            let tet = mesh.tets[only.handle as usize / 4];
+            let apex = tet[only.handle as usize % 4];
+            let [p, q, r] = corners.map(|v| &mesh.points[v as usize]);
+            let positive = orient3d(p, q, r, &mesh.points[apex as usize]) == Sign::Positive;
+            let mut tets = [INVALID; 2];
+            tets[usize::from(positive)] = only.handle / 4;
+            mesh.subfaces.push(Subface { corners, facet, marker: 0, tets });
+        }
+    }
+    (plc, mesh)
+}
+
+#[test]
+fn grids_pass() {
+    let (plc, mut mesh) = grid(8);
+    assert_eq!(check(&plc, &mesh), vec![]);
+    mesh.subfaces.truncate(mesh.subfaces.len() - 1);
+    assert_eq!(check(&plc, &mesh), vec![DefectKind::FacetMissing, DefectKind::HullOffFacets]);
+}

@@ -53,7 +53,9 @@ fn check_neighbors(mesh: &TetMesh, adjacency: &[[u32; 4]], report: &mut Report) 
 /// Tetrahedra on both sides of a face that no subface covers belong to one region.
 pub(super) fn check_regions(context: &Context, adjacency: &[[u32; 4]], subfaces: &[u8], report: &mut Report) {
     let regions = &context.mesh.tet_region;
-    if regions.is_empty() {
+    // Without subfaces one cannot tell where regions may change.
+    let unknown = !context.subfaces_known() && context.mesh.subfaces.is_empty();
+    if regions.is_empty() || unknown {
         return;
     }
     for (t, near) in adjacency.iter().enumerate() {

@@ -39,7 +39,11 @@ pub struct FacetRecovery<'a> {
 
 impl<'a> FacetRecovery<'a> {
     /// Prepares a recovery; `delaunay.vertex_tet` must be up to date.
-    pub fn new(delaunay: &'a mut Delaunay, points: &'a Points, subfaces: &'a Subfaces) -> Result<Self, Error> {
+    pub fn new(
+        delaunay: &'a mut Delaunay,
+        points: &'a Points,
+        subfaces: &'a Subfaces,
+    ) -> Result<Self, Error> {
         let mut recovered = Vec::new();
         recovered.try_reserve(subfaces.verts.len())?;
         recovered.resize(subfaces.verts.len(), false);
@@ -127,7 +131,8 @@ impl<'a> FacetRecovery<'a> {
         let [a, b, c] = self.subfaces.verts[s as usize];
         let Some(t) = self.find_edge(a, b) else { return false };
         let mesh = &mut self.delaunay.mesh;
-        let hit = EdgeRing::new(mesh, t, a, b).find(|&(t, _, _, _, l)| mesh.verts[t as usize][l as usize] == c);
+        let hit =
+            EdgeRing::new(mesh, t, a, b).find(|&(t, _, _, _, l)| mesh.verts[t as usize][l as usize] == c);
         let Some((t, _, _, k, _)) = hit else { return false };
         let other = mesh.adj[t as usize][k as usize];
         mesh.flags[t as usize] |= flag::FACE << k;
@@ -205,7 +210,9 @@ impl<'a> FacetRecovery<'a> {
                     let mesh = &self.delaunay.mesh;
                     EdgeRing::new(mesh, t, a, b)
                         .filter(|&(t, ..)| !mesh.is_ghost(t))
-                        .map(|(t, _, _, k, l)| (t, mesh.verts[t as usize][k as usize], mesh.verts[t as usize][l as usize]))
+                        .map(|(t, _, _, k, l)| {
+                            (t, mesh.verts[t as usize][k as usize], mesh.verts[t as usize][l as usize])
+                        })
                         .collect()
                 };
                 for (t, x, y) in ring {

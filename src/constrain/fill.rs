@@ -55,7 +55,12 @@ impl Filler {
     }
 
     /// Fills by the Delaunay tetrahedralization of the vertices; false (and nothing appended) if it lacks a boundary face.
-    fn fill_by_delaunay(&mut self, points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Result<bool, Error> {
+    fn fill_by_delaunay(
+        &mut self,
+        points: &Points,
+        half: &Half,
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
         self.local.build(points, &mut self.vertices, &mut |_| Ok(()))?;
         self.vertices.sort_unstable();
         self.find_faces(half)?;
@@ -99,7 +104,9 @@ impl Filler {
         self.inner.sort_unstable();
         for &code in &self.inner {
             let other = mesh.across(code);
-            if mesh.flags[(other >> 2) as usize] & flag::MARK != 0 && self.inner.binary_search(&other).is_err() {
+            if mesh.flags[(other >> 2) as usize] & flag::MARK != 0
+                && self.inner.binary_search(&other).is_err()
+            {
                 return Ok(false);
             }
         }

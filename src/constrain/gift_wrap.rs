@@ -20,7 +20,12 @@ struct Obstacle {
 }
 
 /// Appends the tetrahedra of `half` to `tets`; `vertices` are the half's.
-pub fn gift_wrap(points: &Points, half: &Half, vertices: &[u32], tets: &mut Vec<[u32; 4]>) -> Result<(), Error> {
+pub fn gift_wrap(
+    points: &Points,
+    half: &Half,
+    vertices: &[u32],
+    tets: &mut Vec<[u32; 4]>,
+) -> Result<(), Error> {
     let obstacles = obstacles(points, half)?;
     // Open faces by key, one entry per side; the stack gives the order.
     let mut open: FxHashMap<[u32; 3], Vec<[u32; 3]>> = FxHashMap::default();
@@ -108,9 +113,12 @@ fn find_apex(
     let [x, y, z] = face;
     candidates.clear();
     candidates.try_reserve(vertices.len())?;
-    candidates.extend(vertices.iter().copied().filter(|v| {
-        !face.contains(v) && points.orient3d(*v, x, y, z) == Sign::Positive
-    }));
+    candidates.extend(
+        vertices
+            .iter()
+            .copied()
+            .filter(|v| !face.contains(v) && points.orient3d(*v, x, y, z) == Sign::Positive),
+    );
     while !candidates.is_empty() {
         let mut first = 0;
         for i in 1..candidates.len() {

@@ -89,9 +89,10 @@ fn acute_vertices(points: &Points, ends: &[[u32; 2]]) -> Result<Vec<bool>, Error
     for group in incident.chunk_by(|x, y| x[0] == y[0]) {
         let v = group[0][0];
         let others = &group[..group.len().min(7)];
-        acute[v as usize] = others.iter().enumerate().any(|(i, x)| {
-            others[..i].iter().any(|y| points.dot_sign(v, x[1], y[1]) == Sign::Positive)
-        });
+        acute[v as usize] = others
+            .iter()
+            .enumerate()
+            .any(|(i, x)| others[..i].iter().any(|y| points.dot_sign(v, x[1], y[1]) == Sign::Positive));
     }
     Ok(acute)
 }
@@ -118,7 +119,14 @@ impl<'a> Recovery<'a> {
         segments: &'a mut Segments,
         limit: Option<u64>,
     ) -> Self {
-        Recovery { delaunay, points, segments, limit, queue: Default::default(), search: StarSearch::default() }
+        Recovery {
+            delaunay,
+            points,
+            segments,
+            limit,
+            queue: Default::default(),
+            search: StarSearch::default(),
+        }
     }
 
     /// Makes every segment a union of edges. `tick` gets the numbers of pieces done and known.
@@ -168,7 +176,13 @@ impl<'a> Recovery<'a> {
         let chosen = choose(self.points, &sub, &context, reference);
         let t = round_parameter(chosen, sub.t[0], sub.t[1], bits)
             .or_else(|| round_parameter(0.5 * (sub.t[0] + sub.t[1]), sub.t[0], sub.t[1], 0))
-            .ok_or_else(|| crossing("a segment cannot be separated from what it touches", Element::Segment(sub.segment), None))?;
+            .ok_or_else(|| {
+                crossing(
+                    "a segment cannot be separated from what it touches",
+                    Element::Segment(sub.segment),
+                    None,
+                )
+            })?;
         let [a, b] = context.ends;
         let p = self.points.push_on_segment(a, b, t)?;
         self.delaunay.cavity.prepare(p as usize + 1)?;
@@ -299,5 +313,6 @@ fn approximate_orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) 
     let u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
     let w = [d[0] - a[0], d[1] - a[1], d[2] - a[2]];
-    u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])
+    u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+        + u[2] * (v[0] * w[1] - v[1] * w[0])
 }

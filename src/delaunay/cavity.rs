@@ -53,7 +53,10 @@ impl Cavity {
     /// Bytes held.
     pub fn bytes(&self) -> usize {
         self.local_number.capacity()
-            + 4 * (self.dead.capacity() + self.boundary.capacity() + self.fresh.capacity() + self.half_edges.capacity())
+            + 4 * (self.dead.capacity()
+                + self.boundary.capacity()
+                + self.fresh.capacity()
+                + self.half_edges.capacity())
             + 16 * self.sorted_edges.capacity()
             + 8 * self.lost_edges.capacity()
     }
@@ -62,7 +65,9 @@ impl Cavity {
     #[inline(always)]
     fn local(&mut self, v: u32) -> Option<usize> {
         if v == GHOST {
-            if self.local_ghost as usize >= self.local_count || self.local_vertex[self.local_ghost as usize] != GHOST {
+            if self.local_ghost as usize >= self.local_count
+                || self.local_vertex[self.local_ghost as usize] != GHOST
+            {
                 if self.local_count == LOCAL {
                     return None;
                 }
@@ -107,7 +112,12 @@ impl Delaunay {
     }
 
     /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`.
-    pub fn insert_at<const CONSTRAINED: bool>(&mut self, points: &Points, p: u32, t: u32) -> Result<u32, Error> {
+    pub fn insert_at<const CONSTRAINED: bool>(
+        &mut self,
+        points: &Points,
+        p: u32,
+        t: u32,
+    ) -> Result<u32, Error> {
         self.collect_conflicts(points, p, t)?;
         self.fill::<CONSTRAINED>(p)?;
         if CONSTRAINED {

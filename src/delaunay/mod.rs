@@ -46,12 +46,12 @@ impl Delaunay {
         if order.len() < 4 {
             return Err(flat());
         }
-        let third = (2..order.len()).find(|&i| !points.collinear(order[0], order[1], order[i])).ok_or_else(flat)?;
+        let third =
+            (2..order.len()).find(|&i| !points.collinear(order[0], order[1], order[i])).ok_or_else(flat)?;
         order[2..=third].rotate_right(1);
         let [a, b, c] = [order[0], order[1], order[2]];
-        let fourth = (3..order.len())
-            .find(|&i| points.orient3d(a, b, c, order[i]) != Sign::Zero)
-            .ok_or_else(flat)?;
+        let fourth =
+            (3..order.len()).find(|&i| points.orient3d(a, b, c, order[i]) != Sign::Zero).ok_or_else(flat)?;
         order[3..=fourth].rotate_right(1);
         let d = order[3];
         let v = if points.orient3d(a, b, c, d) == Sign::Positive { [a, b, c, d] } else { [a, c, b, d] };

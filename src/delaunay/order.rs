@@ -32,7 +32,9 @@ pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Vec<u32> {
     let mut start = 0;
     for &end in ends.iter().rev() {
         keyed.clear();
-        keyed.extend(shuffled[start..end].iter().map(|&(_, id)| (hilbert_key(&points[id as usize], low, scale), id)));
+        keyed.extend(
+            shuffled[start..end].iter().map(|&(_, id)| (hilbert_key(&points[id as usize], low, scale), id)),
+        );
         keyed.sort_unstable();
         order.extend(keyed.iter().map(|&(_, id)| id));
         start = end;

@@ -56,7 +56,8 @@ fn integer_grid_is_filled_without_flat_tetrahedra() {
             let u: [f64; 3] = std::array::from_fn(|k| b[k] - a[k]);
             let v: [f64; 3] = std::array::from_fn(|k| c[k] - a[k]);
             let w: [f64; 3] = std::array::from_fn(|k| d[k] - a[k]);
-            u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])
+            u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+                + u[2] * (v[0] * w[1] - v[1] * w[0])
         })
         .sum();
     // Integer coordinates: the sum is exact.
@@ -66,7 +67,8 @@ fn integer_grid_is_filled_without_flat_tetrahedra() {
 #[test]
 fn nearly_everything_in_one_plane() {
     let mut random = Lcg(7);
-    let mut xyz: Vec<[f64; 3]> = (0..500).map(|_| [(random.next() * 30.0).floor(), (random.next() * 30.0).floor(), 0.0]).collect();
+    let mut xyz: Vec<[f64; 3]> =
+        (0..500).map(|_| [(random.next() * 30.0).floor(), (random.next() * 30.0).floor(), 0.0]).collect();
     xyz.sort_by(|a, b| a.partial_cmp(b).unwrap());
     xyz.dedup();
     xyz.push([3.0, 4.0, 5.0]);

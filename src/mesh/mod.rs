@@ -71,13 +71,18 @@ impl Tetrahedra {
 
     /// Bytes held by the arrays.
     pub fn bytes(&self) -> usize {
-        self.verts.capacity() * 16 + self.adj.capacity() * 16 + self.flags.capacity() * 2 + self.free.capacity() * 4
+        self.verts.capacity() * 16
+            + self.adj.capacity() * 16
+            + self.flags.capacity() * 2
+            + self.free.capacity() * 4
     }
 
     /// Makes room for `extra` more slots.
     #[inline(always)]
     pub fn reserve(&mut self, extra: usize) -> Result<(), Error> {
-        if self.verts.capacity() - self.verts.len() < extra || self.flags.capacity() - self.flags.len() < extra {
+        if self.verts.capacity() - self.verts.len() < extra
+            || self.flags.capacity() - self.flags.len() < extra
+        {
             self.grow(extra)?;
         }
         Ok(())

@@ -94,8 +94,13 @@ fn component_at(
     }
     points.truncate(mark);
     if ambiguous {
-        let defect = Defect { kind: DefectKind::SeedOnFacet, first: element, second: None, point: Some(seed) };
-        return Err(Error::with_defect(Status::SeedOutside, format!("{element} lies exactly on a facet"), defect));
+        let defect =
+            Defect { kind: DefectKind::SeedOnFacet, first: element, second: None, point: Some(seed) };
+        return Err(Error::with_defect(
+            Status::SeedOutside,
+            format!("{element} lies exactly on a facet"),
+            defect,
+        ));
     }
     Ok(found)
 }
@@ -147,9 +152,17 @@ pub fn label(
         let element = Element::Region(i as u32);
         let component = component_at(mesh, points, components, seed.point, element)?;
         let Some(component) = component.filter(|&c| !carved[c as usize]) else {
-            let defect =
-                Defect { kind: DefectKind::SeedOutside, first: element, second: None, point: Some(seed.point) };
-            return Err(Error::with_defect(Status::SeedOutside, format!("{element} lies outside the domain"), defect));
+            let defect = Defect {
+                kind: DefectKind::SeedOutside,
+                first: element,
+                second: None,
+                point: Some(seed.point),
+            };
+            return Err(Error::with_defect(
+                Status::SeedOutside,
+                format!("{element} lies outside the domain"),
+                defect,
+            ));
         };
         if of_component[component as usize] == NONE {
             of_component[component as usize] = regions.len() as u32;

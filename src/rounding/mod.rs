@@ -53,7 +53,8 @@ pub fn round(
     if bad.is_empty() {
         return Ok(rounded);
     }
-    let mut error = Error::new(Status::Rounding, format!("{} tetrahedra are not positive after rounding", bad.len()));
+    let mut error =
+        Error::new(Status::Rounding, format!("{} tetrahedra are not positive after rounding", bad.len()));
     error.defects = bad
         .iter()
         .map(|&t| Defect { kind: DefectKind::Rounding, first: Element::Tet(t), second: None, point: None })

@@ -100,7 +100,8 @@ fn steiner(
         let v = segments.first_steiner + i as u32;
         let exact = engine.points.is_explicit(v) && rounded.xyz[v as usize] == *engine.points.xyz(v);
         // Scaling back may lose bits of subnormal coordinates.
-        let returned = out.points[point_of(v) as usize].map(|x| scale(x, engine.scale)) == rounded.xyz[v as usize];
+        let returned =
+            out.points[point_of(v) as usize].map(|x| scale(x, engine.scale)) == rounded.xyz[v as usize];
         out.steiner.push(SteinerPoint {
             ends: segments.ends[s as usize].map(&point_of),
             t,
@@ -140,7 +141,9 @@ fn faces(
 ) -> Result<(), Error> {
     let mesh = &engine.delaunay.mesh;
     let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-    code_of.try_reserve(subfaces.verts.len()).map_err(|_| Error::new(crate::Status::OutOfMemory, "out of memory"))?;
+    code_of
+        .try_reserve(subfaces.verts.len())
+        .map_err(|_| Error::new(crate::Status::OutOfMemory, "out of memory"))?;
     for t in 0..mesh.slot_count() as u32 {
         for f in 0..4 {
             if mesh.is_live(t) && mesh.flags[t as usize] & (flag::FACE << f) != 0 {

@@ -1,0 +1,179 @@
+//! Random piecewise linear complexes on small integer grids, where degenerate cases are the norm: each valid one is meshed, and
+//! the mesh passes the exact checker. Reduced failures belong into a table of named regression cases, not here.
+use delotet::{check_mesh, tetrahedralize, Error, Facet, Options, Plc, Segment, Silent, Status, TetMesh};
+use proptest::prelude::*;
+
+/// What an input may legitimately end in: not every random complex is valid or encloses something.
+fn refused(error: &Error) -> bool {
+    matches!(
+        error.status,
+        Status::SelfIntersection
+            | Status::DegenerateFacet
+            | Status::DegenerateInput
+            | Status::NonPlanarFacet
+            | Status::NothingEnclosed
+            | Status::DuplicatePoint
+            | Status::Rounding
+            // Off the binary grid, what was coplanar or collinear is apart by an ulp: no sensible number of points parts that.
+            | Status::SteinerLimit
+    )
+}
+
+/// Meshes; the result (if any) must pass the check, and be the same again.
+fn mesh(plc: &Plc, keep_hull: bool) -> Result<Option<TetMesh>, TestCaseError> {
+    let options = Options { keep_hull, steiner_limit: Some(5000), ..Options::default() };
+    let mesh = match tetrahedralize(plc, &options, &mut Silent) {
+        Ok(mesh) => mesh,
+        Err(error) if refused(&error) => return Ok(None),
+        Err(error) => return Err(TestCaseError::fail(format!("{error}: {:?}\n{plc:?}", error.defects))),
+    };
+    if let Err(error) = check_mesh(plc, &mesh, true, 10) {
+        return Err(TestCaseError::fail(format!("{error}: {:?}\n{plc:?}", error.defects)));
+    }
+    Ok(Some(mesh))
+}
+
+/// As [`mesh`] for inputs that are valid by construction: a refusal is a failure.
+fn mesh_valid(plc: &Plc, keep_hull: bool) -> Result<TetMesh, TestCaseError> {
+    match mesh(plc, keep_hull)? {
+        Some(mesh) => Ok(mesh),
+        None => Err(TestCaseError::fail(format!("a valid complex was refused\n{plc:?}"))),
+    }
+}
+
+/// 64 cases each; more by the environment variable `PROPTEST_CASES`.
+fn config() -> ProptestConfig {
+    let default = ProptestConfig::default();
+    let cases = if std::env::var_os("PROPTEST_CASES").is_some() { default.cases } else { 64 };
+    ProptestConfig { cases, failure_persistence: None, ..default }
+}
+
+type Point = [i32; 3];
+
+fn point(size: i32) -> impl Strategy<Value = Point> {
+    [0..=size, 0..=size, 0..=size]
+}
+
+fn double(p: Point) -> [f64; 3] {
+    p.map(f64::from)
+}
+
+/// The corners of a cube of that size: something to be inside of.
+fn cube(size: i32) -> Vec<[f64; 3]> {
+    (0..8).map(|i| double([i & 1, i >> 1 & 1, i >> 2].map(|x| size * x))).collect()
+}
+
+/// Multiplies all coordinates: by a number that is no binary fraction the grid becomes irregular in the last bits, so that
+/// Steiner points have to be rounded. Axis-parallel planes stay planes.
+fn scaled(plc: &Plc, step: f64) -> Plc {
+    Plc { points: plc.points.iter().map(|p| p.map(|x| x * step)).collect(), ..plc.clone() }
+}
+
+/// Adds the box between two corners as six square facets.
+fn add_box(plc: &mut Plc, low: Point, high: Point, marker: i32) {
+    let base = plc.points.len() as u32;
+    for i in 0..8u32 {
+        let corner: Point = std::array::from_fn(|k| if i >> k & 1 == 1 { high[k] } else { low[k] });
+        plc.points.push(double(corner));
+    }
+    for k in 0..3 {
+        let (i, j) = (1u32 << ((k + 1) % 3), 1u32 << ((k + 2) % 3));
+        for start in [base, base + (1 << k)] {
+            let polygons = vec![vec![start, start + i, start + i + j, start + j]];
+            plc.facets.push(Facet { polygons, marker, ..Facet::default() });
+        }
+    }
+}
+
+/// Six times the volume of a mesh of integer points: exact in doubles while small.
+fn volume6(mesh: &TetMesh) -> f64 {
+    let det = |t: &[u32; 4]| {
+        let p = t.map(|v| mesh.points[v as usize]);
+        let [a, b, c] = [1, 2, 3].map(|i| [0, 1, 2].map(|k| p[i][k] - p[0][k]));
+        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+            + a[2] * (b[0] * c[1] - b[1] * c[0])
+    };
+    mesh.tets.iter().map(det).sum()
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    /// Points on a grid, many cospherical, collinear, equal.
+    #[test]
+    fn points(points in prop::collection::vec(point(3), 4..40)) {
+        let plc = Plc { points: points.into_iter().map(double).collect(), ..Plc::default() };
+        mesh(&plc, true)?;
+    }
+
+    /// Triangles anywhere: the validator takes out those that cross, what remains must be meshed.
+    #[test]
+    fn triangles(corners in prop::collection::vec([point(4), point(4), point(4)], 1..12)) {
+        let mut plc = Plc { points: cube(4), ..Plc::default() };
+        for triangle in corners {
+            let before = plc.clone();
+            let base = plc.points.len() as u32;
+            plc.points.extend(triangle.map(double));
+            plc.triangles.push([base, base + 1, base + 2]);
+            if mesh(&plc, true)?.is_none() {
+                plc = before;
+            }
+        }
+        mesh(&scaled(&plc, 0.1), true)?;
+    }
+
+    /// Segments anywhere.
+    #[test]
+    fn segments(ends in prop::collection::vec([point(5), point(5)], 1..12)) {
+        let mut plc = Plc { points: cube(5), ..Plc::default() };
+        for pair in ends {
+            let before = plc.clone();
+            let base = plc.points.len() as u32;
+            plc.points.extend(pair.map(double));
+            plc.segments.push(Segment { ends: [base, base + 1], marker: 1 });
+            if mesh(&plc, true)?.is_none() {
+                plc = before;
+            }
+        }
+        mesh(&scaled(&plc, 0.1), true)?;
+    }
+
+    /// A box with dangling triangles strictly inside, each kept if the complex stays valid. The volume is the box's.
+    #[test]
+    fn dangling(corners in prop::collection::vec([point(4), point(4), point(4)], 1..8)) {
+        let mut plc = Plc::default();
+        add_box(&mut plc, [-1; 3], [5; 3], 0);
+        for (i, triangle) in corners.into_iter().enumerate() {
+            let before = plc.clone();
+            let base = plc.points.len() as u32;
+            plc.points.extend(triangle.map(double));
+            plc.facets.push(Facet { polygons: vec![vec![base, base + 1, base + 2]], marker: i as i32, ..Facet::default() });
+            match mesh(&plc, false)? {
+                Some(mesh) if mesh.steiner.iter().all(|s| s.exact && s.t == 0.5) => {
+                    prop_assert_eq!(volume6(&mesh), 6.0 * 216.0);
+                }
+                Some(_) => {}
+                None => plc = before,
+            }
+        }
+        mesh(&scaled(&plc, 0.1), false)?;
+    }
+
+    /// Boxes inside each other: valid by construction, one region each.
+    #[test]
+    fn nested_boxes(depth in 1..4i32, shift in [0..2i32, 0..2, 0..2], points in prop::collection::vec(point(20), 0..10)) {
+        let mut plc = Plc::default();
+        let mut inner = 0;
+        for i in 0..depth {
+            let low: Point = shift.map(|s| i * (2 + s));
+            let high: Point = [20 - 2 * i; 3];
+            add_box(&mut plc, low, high, i);
+            inner += 1;
+        }
+        plc.points.extend(points.into_iter().map(double));
+        let mesh = mesh_valid(&plc, false)?;
+        prop_assert_eq!(mesh.regions.len(), inner);
+        let mesh = mesh_valid(&scaled(&plc, 0.1), false)?;
+        prop_assert_eq!(mesh.regions.len(), inner);
+    }
+}
