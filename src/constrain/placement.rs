@@ -92,7 +92,8 @@ pub fn round_parameter(t: f64, t0: f64, t1: f64, exact_bits: u32) -> Option<f64>
         let unit = (1u64 << bits.min(52)) as f64;
         (t * unit).round() / unit
     };
-    let exact_is_fine = exact_bits > 0 && (-(exact_bits as f64)).exp2() <= span * (-f64::from(EXACT_BITS)).exp2();
+    let exact_is_fine =
+        exact_bits > 0 && (-(exact_bits as f64)).exp2() <= span * (-f64::from(EXACT_BITS)).exp2();
     let rounded = if exact_is_fine {
         grid(exact_bits)
     } else {
