@@ -15,7 +15,7 @@ use crate::plc::{Plc, RegionSeed};
 use crate::predicates::{scale, Points};
 use crate::progress::{report, Observer, Phase};
 use crate::region::{components, label, Components, Regions, Seeds};
-use crate::rounding::{round, Rounded};
+use crate::rounding::{round, Kept, Rounded};
 use crate::INVALID;
 use std::time::Instant;
 
@@ -154,11 +154,12 @@ impl Run<'_> {
         options: &Options,
         engine: &mut Engine,
     ) -> Result<TetMesh, Error> {
-        let segments = self.recover_segments(surface, options, engine)?;
+        let mut segments = self.recover_segments(surface, options, engine)?;
         let subfaces = self.recover_facets(surface, &segments, engine)?;
         let (components, regions) = self.find_regions(plc, options, engine)?;
         report(self.observer, Phase::Round, 0.0)?;
-        let rounded = round(&mut engine.delaunay.mesh, &engine.points, &components, &regions, engine.scale)?;
+        let kept = Kept { components: &components, regions: &regions };
+        let rounded = round(&mut engine.delaunay, &mut engine.points, &mut segments, &kept, engine.scale)?;
         self.lap(Phase::Round);
         let mut mesh = assemble::mesh(
             engine,

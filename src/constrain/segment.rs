@@ -63,6 +63,35 @@ impl Segments {
         list
     }
 
+    /// Parameters of the neighbours of a Steiner point on its segment.
+    pub fn neighbors_on_segment(&self, v: u32) -> Option<[f64; 2]> {
+        let index = v.checked_sub(self.first_steiner)? as usize;
+        let (segment, t) = (*self.steiner_segment.get(index)?, self.steiner_t[index]);
+        let mut room = [0.0f64, 1.0];
+        for (&s, &other) in self.steiner_segment.iter().zip(&self.steiner_t) {
+            if s == segment && other < t {
+                room[0] = room[0].max(other);
+            } else if s == segment && other > t {
+                room[1] = room[1].min(other);
+            }
+        }
+        Some(room)
+    }
+
+    /// Takes note that a Steiner point moved along its segment, between its neighbours.
+    pub fn move_steiner(&mut self, v: u32, t: f64) {
+        let index = (v - self.first_steiner) as usize;
+        let segment = self.steiner_segment[index];
+        self.steiner_t[index] = t;
+        for piece in self.pieces.iter_mut().filter(|piece| piece.segment == segment) {
+            for end in 0..2 {
+                if piece.ends[end] == v {
+                    piece.t[end] = t;
+                }
+            }
+        }
+    }
+
     fn bits(&mut self, points: &Points, segment: u32) -> u32 {
         if self.exact_bits.is_empty() {
             self.exact_bits.resize(self.ends.len(), u8::MAX);

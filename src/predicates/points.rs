@@ -189,6 +189,14 @@ impl Points {
     /// # Errors
     /// `Internal` unless `a` and `b` are explicit and `2^-60 <= t < 1`; `OutOfMemory`, `TooLarge`.
     pub fn push_on_segment(&mut self, a: u32, b: u32, t: f64) -> Result<u32, Error> {
+        match self.on_segment(a, b, t)? {
+            (p, None) => self.push(p),
+            (p, implicit) => self.append(p, implicit),
+        }
+    }
+
+    /// Nearest doubles of `a + t (b − a)`, and what else is to know if they are not exact.
+    fn on_segment(&self, a: u32, b: u32, t: f64) -> Result<([f64; 3], Option<Implicit>), Error> {
         let known = |i: u32| (i as usize) < self.xyz.len() && self.is_explicit(i);
         if !known(a) || !known(b) || !(range::scale(1.0, -60)..1.0).contains(&t) {
             return Err(Error::internal(format!("invalid Steiner point: {a}, {b}, {t}")));
@@ -196,14 +204,38 @@ impl Points {
         let exact = on_segment(self.xyz(a), self.xyz(b), t);
         let lowest = exact.iter().filter_map(|e| range::lowest_exponent(*e.components().first()?)).min();
         let fine = lowest.is_some_and(|e| e < range::LOWEST_EXPONENT);
-        if !fine && exact.iter().all(|e| e.components().len() <= 1) {
-            return self.push([0, 1, 2].map(|i| exact[i].nearest()));
-        }
         let p = [0, 1, 2].map(|i| exact[i].nearest());
+        if !fine && exact.iter().all(|e| e.components().len() <= 1) {
+            return Ok((p, None));
+        }
         let beyond = [0, 1, 2].map(|i| exact[i].difference(&Expansion::from(p[i])).compressed());
         let two_doubles = beyond.iter().all(|e| e.components().len() <= 1);
         let rest = [0, 1, 2].map(|i| beyond[i].nearest());
-        self.append(p, Some(Implicit { a, b, t, rest, two_doubles, fine }))
+        Ok((p, Some(Implicit { a, b, t, rest, two_doubles, fine })))
+    }
+
+    /// Moves an implicit point along its segment, to parameter `t`; it becomes explicit where it can.
+    ///
+    /// # Errors
+    /// `Internal` if `i` was never implicit or `t` is out of range.
+    pub fn move_on_segment(&mut self, i: u32, ends: [u32; 2], t: f64) -> Result<(), Error> {
+        let (p, implicit) = self.on_segment(ends[0], ends[1], t)?;
+        let slot = i.checked_sub(self.first_implicit).and_then(|k| self.slots.get_mut(k as usize));
+        let Some(slot) = slot else { return Err(Error::internal("a point that was never implicit cannot move")) };
+        match implicit {
+            None => {
+                *slot = NONE;
+                let lowest = p.iter().filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(1000);
+                self.grid = self.grid.min(range::scale(1.0, lowest));
+            }
+            Some(implicit) => {
+                *slot = self.implicit.len() as u32;
+                self.implicit.try_reserve(1)?;
+                self.implicit.push(implicit);
+            }
+        }
+        self.xyz[i as usize] = p;
+        Ok(())
     }
 
     /// The largest `n <= 52` such that `a + t (b − a)` is exactly a double for every `t = k / 2^n`; 0 if there is none.
@@ -292,7 +324,7 @@ impl Points {
             return;
         }
         self.slots.truncate(n.saturating_sub(self.first_implicit as usize));
-        let kept = self.slots.iter().filter(|&&slot| slot != NONE).count();
+        let kept = self.slots.iter().filter(|&&slot| slot != NONE).map(|&slot| slot as usize + 1).max().unwrap_or(0);
         self.implicit.truncate(kept);
         if kept == 0 {
             self.first_implicit = NONE;

@@ -1,19 +1,27 @@
 //! Handing out doubles: positions of implicit Steiner points, with every tetrahedron strictly positive.
 //!
-//! Engine notes §9. A Steiner point that is no double goes to the nearest one; where that flattens or inverts a tetrahedron
-//! of its star, to a neighbouring lattice point at which the whole star is positive in exact arithmetic.
+//! Engine notes §9. A Steiner point that is no double goes to the nearest one. Where that flattens or inverts a tetrahedron,
+//! one of its implicit vertices is moved: along its segment to a parameter that makes it an exact double, if the
+//! exact mesh stays constrained Delaunay; else to a neighbouring lattice point; else along its segment to a parameter whose
+//! rounding is kinder. Every move lowers the number of tetrahedra that are not positive, so the search ends.
+mod candidates;
+
+use crate::constrain::segment::Segments;
+use crate::delaunay::Delaunay;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
-use crate::mesh::Tetrahedra;
-use crate::predicates::{orient3d, Points, Sign};
+use crate::mesh::star::StarSearch;
+use crate::mesh::{flag, Tetrahedra};
+use crate::predicates::{orient3d, scale, Points, Sign};
 use crate::region::{Components, Regions};
 use crate::INVALID;
+use candidates::{lattice, Candidate};
 
 /// Positions in doubles.
 #[derive(Clone, Debug, Default)]
 pub struct Rounded {
     /// One per engine vertex.
     pub xyz: Vec<[f64; 3]>,
-    /// Points that are not at their nearest double.
+    /// Points that are not where segment recovery and rounding to nearest had put them.
     pub moved: u64,
 }
 
@@ -24,40 +32,248 @@ impl Rounded {
     }
 }
 
-/// Rounds the implicit points.
+/// Which tetrahedra are handed out.
+pub struct Kept<'a> {
+    /// The components of the mesh.
+    pub components: &'a Components,
+    /// Their regions.
+    pub regions: &'a Regions,
+}
+
+impl Kept<'_> {
+    fn has(&self, mesh: &Tetrahedra, t: u32) -> bool {
+        mesh.is_live(t)
+            && !mesh.is_ghost(t)
+            && self.regions.of_component[self.components.of[t as usize] as usize] != INVALID
+    }
+}
+
+/// Finds positions in doubles for all vertices. `scale_exponent`: coordinates are the caller's times two to this power.
 pub fn round(
-    mesh: &mut Tetrahedra,
-    points: &Points,
-    components: &Components,
-    regions: &Regions,
-    _scale: i32,
+    delaunay: &mut Delaunay,
+    points: &mut Points,
+    segments: &mut Segments,
+    kept: &Kept,
+    scale_exponent: i32,
 ) -> Result<Rounded, Error> {
-    let rounded = Rounded::explicit(points);
-    let mut bad = Vec::new();
-    for t in 0..mesh.slot_count() as u32 {
-        if !mesh.is_live(t)
-            || mesh.is_ghost(t)
-            || regions.of_component[components.of[t as usize] as usize] == INVALID
-        {
-            continue;
-        }
-        let v = mesh.verts[t as usize];
-        if v.iter().all(|&w| points.is_explicit(w)) {
-            continue;
-        }
-        let [a, b, c, d] = v.map(|w| &rounded.xyz[w as usize]);
-        if orient3d(a, b, c, d) != Sign::Positive {
-            bad.push(t);
-        }
+    let mut rounded = Rounded::explicit(points);
+    for p in &mut rounded.xyz[segments.first_steiner as usize..] {
+        // What comes back to the caller's scale may lose bits of subnormal numbers: round to what survives.
+        *p = p.map(|x| scale(scale(x, -scale_exponent), scale_exponent));
     }
-    if bad.is_empty() {
-        return Ok(rounded);
-    }
-    let mut error =
-        Error::new(Status::Rounding, format!("{} tetrahedra are not positive after rounding", bad.len()));
-    error.defects = bad
-        .iter()
-        .map(|&t| Defect { kind: DefectKind::Rounding, first: Element::Tet(t), second: None, point: None })
+    let mut bad: Vec<u32> = (0..delaunay.mesh.slot_count() as u32)
+        .filter(|&t| kept.has(&delaunay.mesh, t) && !is_positive(&delaunay.mesh, points, &rounded.xyz, t))
         .collect();
-    Err(error)
+    let mut repair = Repair {
+        delaunay,
+        points,
+        segments,
+        kept,
+        scale_exponent,
+        xyz: &mut rounded.xyz,
+        search: StarSearch::default(),
+        moved: 0,
+    };
+    while !bad.is_empty() {
+        let before = repair.moved;
+        for &t in &bad {
+            repair.mend(t)?;
+        }
+        bad.retain(|&t| !is_positive(&repair.delaunay.mesh, repair.points, repair.xyz, t));
+        if repair.moved == before {
+            return Err(failure(&repair, &bad));
+        }
+    }
+    rounded.moved = repair.moved;
+    Ok(rounded)
+}
+
+/// The error that names the points without a valid position.
+fn failure(repair: &Repair, bad: &[u32]) -> Error {
+    let mut vertices: Vec<u32> = bad
+        .iter()
+        .flat_map(|&t| repair.delaunay.mesh.verts[t as usize])
+        .filter(|&v| !repair.points.is_explicit(v))
+        .collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    let mut error = Error::new(
+        Status::Rounding,
+        format!(
+            "{} Steiner points have no valid position in doubles: {} tetrahedra are flat or inverted there",
+            vertices.len(),
+            bad.len()
+        ),
+    );
+    error.defect_count = vertices.len();
+    error.defects = vertices
+        .iter()
+        .map(|&v| Defect {
+            kind: DefectKind::Rounding,
+            first: Element::Segment(repair.segments.steiner_segment[(v - repair.segments.first_steiner) as usize]),
+            second: None,
+            point: Some(repair.xyz[v as usize]),
+        })
+        .collect();
+    error
+}
+
+/// The tetrahedron is positive in doubles; those of explicit points are by construction.
+fn is_positive(mesh: &Tetrahedra, points: &Points, xyz: &[[f64; 3]], t: u32) -> bool {
+    let v = mesh.verts[t as usize];
+    if v.iter().all(|&w| points.is_explicit(w)) {
+        return true;
+    }
+    let [a, b, c, d] = v.map(|w| &xyz[w as usize]);
+    orient3d(a, b, c, d) == Sign::Positive
+}
+
+struct Repair<'a> {
+    delaunay: &'a mut Delaunay,
+    points: &'a mut Points,
+    segments: &'a mut Segments,
+    kept: &'a Kept<'a>,
+    scale_exponent: i32,
+    xyz: &'a mut Vec<[f64; 3]>,
+    search: StarSearch,
+    moved: u64,
+}
+
+impl Repair<'_> {
+    /// Tries to make a tetrahedron positive by moving one of its implicit vertices.
+    fn mend(&mut self, t: u32) -> Result<(), Error> {
+        if is_positive(&self.delaunay.mesh, self.points, self.xyz, t) {
+            return Ok(());
+        }
+        let verts = self.delaunay.mesh.verts[t as usize];
+        for stage in 0..3 {
+            for v in verts {
+                if self.points.is_explicit(v) {
+                    continue;
+                }
+                let start = self.delaunay.vertex_tet[v as usize];
+                self.search.vertex_star(&mut self.delaunay.mesh, v, start);
+                let moved = match stage {
+                    0 => self.try_exact(v)?,
+                    1 => self.try_lattice(v),
+                    _ => self.try_parameters(v)?,
+                };
+                if moved && is_positive(&self.delaunay.mesh, self.points, self.xyz, t) {
+                    return Ok(());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// How many kept tetrahedra of the star are not positive with `v` at `at`, counting no further than `limit`.
+    fn bad_in_star(&self, v: u32, at: [f64; 3], limit: usize) -> usize {
+        let mesh = &self.delaunay.mesh;
+        let mut count = 0;
+        for &t in &self.search.tets {
+            if count >= limit {
+                break;
+            }
+            if !self.kept.has(mesh, t) {
+                continue;
+            }
+            let [a, b, c, d] =
+                mesh.verts[t as usize].map(|w| if w == v { at } else { self.xyz[w as usize] });
+            count += (orient3d(&a, &b, &c, &d) != Sign::Positive) as usize;
+        }
+        count
+    }
+
+    /// Moves `v` in doubles only, to the nearest lattice point that is better.
+    fn try_lattice(&mut self, v: u32) -> bool {
+        let bad = self.bad_in_star(v, self.xyz[v as usize], usize::MAX);
+        let mut best = (bad, self.xyz[v as usize]);
+        for step in lattice() {
+            let Some(at) = self.step_from(v, step) else { continue };
+            let count = self.bad_in_star(v, at, best.0);
+            if count < best.0 {
+                best = (count, at);
+                if count == 0 {
+                    break;
+                }
+            }
+        }
+        if best.0 < bad {
+            self.xyz[v as usize] = best.1;
+            self.moved += 1;
+        }
+        best.0 < bad
+    }
+
+    /// The nearest double of `v`, some units in the last place away, if the caller's scale can hold it.
+    fn step_from(&self, v: u32, step: [i8; 3]) -> Option<[f64; 3]> {
+        let p = self.points.xyz(v);
+        let at: [f64; 3] = std::array::from_fn(|k| {
+            let mut x = p[k];
+            for _ in 0..step[k].unsigned_abs() {
+                x = if step[k] < 0 { x.next_down() } else { x.next_up() };
+            }
+            x
+        });
+        let survives = |x: f64| scale(scale(x, -self.scale_exponent), self.scale_exponent) == x;
+        at.iter().all(|&x| survives(x)).then_some(at)
+    }
+
+    /// Moves `v` along its segment to where it is an exact double.
+    fn try_exact(&mut self, v: u32) -> Result<bool, Error> {
+        let Some(candidate) = Candidate::of(self.points, self.segments, v) else { return Ok(false) };
+        for t in candidate.exact_parameters(self.points) {
+            if self.try_parameter(v, &candidate, t)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Moves `v` along its segment to where its rounding is better.
+    fn try_parameters(&mut self, v: u32) -> Result<bool, Error> {
+        let Some(candidate) = Candidate::of(self.points, self.segments, v) else { return Ok(false) };
+        for t in candidate.nearby_parameters() {
+            if self.try_parameter(v, &candidate, t)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Moves `v` to parameter `t` if the exact mesh stays valid and the rounded one gets better.
+    fn try_parameter(&mut self, v: u32, candidate: &Candidate, t: f64) -> Result<bool, Error> {
+        let old = self.xyz[v as usize];
+        let bad = self.bad_in_star(v, old, usize::MAX);
+        self.points.move_on_segment(v, candidate.ends, t)?;
+        let at = self.points.xyz(v).map(|x| scale(scale(x, -self.scale_exponent), self.scale_exponent));
+        if self.bad_in_star(v, at, bad) < bad && self.star_is_valid() {
+            self.xyz[v as usize] = at;
+            self.segments.move_steiner(v, t);
+            self.moved += 1;
+            return Ok(true);
+        }
+        self.points.move_on_segment(v, candidate.ends, candidate.t)?;
+        Ok(false)
+    }
+
+    /// The star of `v` is positive and constrained Delaunay in exact positions.
+    fn star_is_valid(&self) -> bool {
+        let mesh = &self.delaunay.mesh;
+        self.search.tets.iter().all(|&t| {
+            if mesh.is_ghost(t) {
+                return true;
+            }
+            let [a, b, c, d] = mesh.verts[t as usize];
+            if self.points.orient3d(a, b, c, d) != Sign::Positive {
+                return false;
+            }
+            (0..4u32).all(|f| {
+                let other = mesh.across(4 * t + f);
+                mesh.flags[t as usize] & (flag::FACE << f) != 0
+                    || mesh.is_ghost(other >> 2)
+                    || self.points.insphere(a, b, c, d, mesh.apex(other)) != Sign::Positive
+            })
+        })
+    }
 }
