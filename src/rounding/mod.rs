@@ -5,6 +5,7 @@
 //! exact mesh stays constrained Delaunay; else to a neighbouring lattice point; else along its segment to a parameter whose
 //! rounding is kinder. Every move lowers the number of tetrahedra that are not positive, so the search ends.
 mod candidates;
+mod wedge;
 
 use crate::constrain::segment::Segments;
 use crate::delaunay::Delaunay;
@@ -15,6 +16,7 @@ use crate::predicates::{orient3d, scale, Points, Sign};
 use crate::region::{Components, Regions};
 use crate::INVALID;
 use candidates::{lattice, Candidate};
+use wedge::{escape, Plane, MOST};
 
 /// Positions in doubles.
 #[derive(Clone, Debug, Default)]
@@ -146,7 +148,7 @@ impl Repair<'_> {
             return Ok(());
         }
         let verts = self.delaunay.mesh.verts[t as usize];
-        for stage in 0..3 {
+        for stage in 0..4 {
             for v in verts {
                 if self.points.is_explicit(v) {
                     continue;
@@ -156,7 +158,8 @@ impl Repair<'_> {
                 let moved = match stage {
                     0 => self.try_exact(v)?,
                     1 => self.try_lattice(v),
-                    _ => self.try_parameters(v)?,
+                    2 => self.try_parameters(v)?,
+                    _ => self.try_wedge(v),
                 };
                 if moved && is_positive(&self.delaunay.mesh, self.points, self.xyz, t) {
                     return Ok(());
@@ -203,6 +206,51 @@ impl Repair<'_> {
             self.moved += 1;
         }
         best.0 < bad
+    }
+
+    /// Moves `v` in doubles only, into the wedge between the planes of the faces of its link that it is closest to.
+    fn try_wedge(&mut self, v: u32) -> bool {
+        let old = self.xyz[v as usize];
+        let bad = self.bad_in_star(v, old, usize::MAX);
+        let unit = old.iter().fold(0.0f64, |m, x| m.max(x.abs())) * f64::EPSILON;
+        let planes = self.planes(v, 1024.0 * unit);
+        for power in 0..10 {
+            let Some(d) = escape(&planes, unit * f64::from(1u32 << power)) else { continue };
+            let at: [f64; 3] = std::array::from_fn(|k| {
+                scale(scale(old[k] + d[k], -self.scale_exponent), self.scale_exponent)
+            });
+            if self.bad_in_star(v, at, bad) < bad {
+                self.xyz[v as usize] = at;
+                self.moved += 1;
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Planes of the link's faces nearer to `v` than `reach`, nearest first.
+    fn planes(&self, v: u32, reach: f64) -> Vec<Plane> {
+        let mesh = &self.delaunay.mesh;
+        let p = self.xyz[v as usize];
+        let mut planes = Vec::new();
+        for &t in self.search.tets.iter().filter(|&&t| self.kept.has(mesh, t)) {
+            let Some(slot) = mesh.slot_of(t, v) else { continue };
+            let [a, b, c] = mesh.face(4 * t + slot).map(|w| {
+                let q = self.xyz[w as usize];
+                [q[0] - p[0], q[1] - p[1], q[2] - p[2]]
+            });
+            // (v, a, b, c) is positive where det(a, b, c) > 0; that grows when v moves against (b − a) × (c − a).
+            let (u, w) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
+            let n = [u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]];
+            let size = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+            let height = (a[0] * n[0] + a[1] * n[1] + a[2] * n[2]) / size;
+            if height.abs() < reach {
+                planes.push(Plane { normal: n.map(|x| -x / size), height });
+            }
+        }
+        planes.sort_by(|x, y| x.height.total_cmp(&y.height));
+        planes.truncate(MOST);
+        planes
     }
 
     /// The nearest double of `v`, some units in the last place away, if the caller's scale can hold it.
