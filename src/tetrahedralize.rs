@@ -42,6 +42,9 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     Ok(mesh)
 }
 
+/// How often segments are recovered anew because Steiner points have no valid position in doubles.
+const MOST_ATTEMPTS: u32 = 6;
+
 /// Clock, counts and the caller's observer.
 struct Run<'a> {
     clock: Instant,
@@ -154,29 +157,48 @@ impl Run<'_> {
         options: &Options,
         engine: &mut Engine,
     ) -> Result<TetMesh, Error> {
-        let mut segments = self.recover_segments(surface, options, engine)?;
-        let subfaces = self.recover_facets(surface, &segments, engine)?;
-        let (components, regions) = self.find_regions(plc, options, engine)?;
-        report(self.observer, Phase::Round, 0.0)?;
-        let kept = Kept { components: &components, regions: &regions };
-        let rounded = round(&mut engine.delaunay, &mut engine.points, &mut segments, &kept, engine.scale)?;
-        self.lap(Phase::Round);
-        let mut mesh = assemble::mesh(
-            engine,
-            plc,
-            surface,
-            &components,
-            &regions,
-            &rounded,
-            Some((&segments, &subfaces)),
-        )?;
-        mesh.hull_kept = options.keep_hull;
-        self.statistics.missing_segments = segments.missing;
-        self.statistics.steiner = segments.steiner_t.len() as u64;
-        self.statistics.steiner_moved = rounded.moved;
-        self.statistics.steiner_exact = mesh.steiner.iter().filter(|s| s.exact).count() as u64;
-        self.lap(Phase::Round);
-        Ok(mesh)
+        let mut careful = vec![0u8; surface.segments.len()];
+        let mut attempt = 0;
+        loop {
+            let mut segments = self.recover_segments(surface, options, engine, &careful)?;
+            let subfaces = self.recover_facets(surface, &segments, engine)?;
+            let (components, regions) = self.find_regions(plc, options, engine)?;
+            report(self.observer, Phase::Round, 0.0)?;
+            let kept = Kept { components: &components, regions: &regions };
+            let rounded =
+                round(&mut engine.delaunay, &mut engine.points, &mut segments, &kept, engine.scale)?;
+            self.lap(Phase::Round);
+            if !rounded.crowded.is_empty() && attempt < MOST_ATTEMPTS {
+                // The exact mesh is valid but has no counterpart in doubles: other parameters on those segments make another
+                // exact mesh.
+                attempt += 1;
+                for &v in &rounded.crowded {
+                    careful[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize] += 1;
+                }
+                engine.points.truncate(segments.first_steiner as usize);
+                self.delaunay(engine)?;
+                continue;
+            }
+            let mut mesh = assemble::mesh(
+                engine,
+                plc,
+                surface,
+                &components,
+                &regions,
+                &rounded,
+                Some((&segments, &subfaces)),
+            )?;
+            if !rounded.crowded.is_empty() {
+                return Err(assemble::crowded(&mesh, &segments, &rounded));
+            }
+            mesh.hull_kept = options.keep_hull;
+            self.statistics.missing_segments = segments.missing;
+            self.statistics.steiner = segments.steiner_t.len() as u64;
+            self.statistics.steiner_moved = rounded.moved;
+            self.statistics.steiner_exact = mesh.steiner.iter().filter(|s| s.exact).count() as u64;
+            self.lap(Phase::Round);
+            return Ok(mesh);
+        }
     }
 
     fn recover_segments(
@@ -184,10 +206,12 @@ impl Run<'_> {
         surface: &Surface,
         options: &Options,
         engine: &mut Engine,
+        careful: &[u8],
     ) -> Result<Segments, Error> {
         report(self.observer, Phase::Segments, 0.0)?;
         engine.delaunay.index_vertices(engine.points.len())?;
         let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+        segments.careful = careful.to_vec();
         let observer = &mut *self.observer;
         let mut best = 0.0f64;
         Recovery::new(&mut engine.delaunay, &mut engine.points, &mut segments, options.steiner_limit).run(
@@ -253,7 +277,15 @@ impl Run<'_> {
     /// The exact audit of what is handed out.
     fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
         report(self.observer, Phase::Audit, 0.0)?;
-        check_mesh(plc, mesh, true, options.max_defects).map_err(|e| Error {
+        let points_only;
+        let judged = match options.mode {
+            Mode::Constrained => plc,
+            Mode::Delaunay => {
+                points_only = Plc { points: plc.points.clone(), ..Plc::default() };
+                &points_only
+            }
+        };
+        check_mesh(judged, mesh, true, options.max_defects).map_err(|e| Error {
             status: Status::Internal,
             message: format!("audit: {}", e.message),
             ..e

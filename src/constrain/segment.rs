@@ -14,6 +14,16 @@ use crate::mesh::{flag, NONE};
 use crate::predicates::{Points, Sign};
 use rustc_hash::FxHashMap;
 
+/// Parameters tried on each side of the chosen one for a point near a double, and their distance in units of the piece.
+const KIND_TRIES: i32 = 4;
+const KIND_STEP: f64 = 1.0 / (1u64 << 30) as f64;
+/// The same on segments where rounding failed.
+const CAREFUL_TRIES: i32 = 256;
+const CAREFUL_STEP: f64 = 1.0 / (1u64 << 24) as f64;
+/// The same where it failed again, round one of these parts of the piece.
+const FAR_STEP: f64 = 1.0 / (1u64 << 11) as f64;
+const FAR_CENTERS: [f64; 4] = [0.5, 0.8, 0.2, 0.65];
+
 /// The subsegments of all segments.
 #[derive(Default)]
 pub struct Segments {
@@ -31,6 +41,8 @@ pub struct Segments {
     pub first_steiner: u32,
     /// Segments that were not edges at the start.
     pub missing: u64,
+    /// How often rounding to doubles failed on each segment: its points are chosen with more care.
+    pub careful: Vec<u8>,
     acute: Vec<bool>,
     exact_bits: Vec<u8>,
 }
@@ -212,6 +224,7 @@ impl<'a> Recovery<'a> {
                     None,
                 )
             })?;
+        let t = self.kindest_parameter(&sub, t);
         let [a, b] = context.ends;
         let p = self.points.push_on_segment(a, b, t)?;
         self.delaunay.cavity.prepare(p as usize + 1)?;
@@ -228,6 +241,37 @@ impl<'a> Recovery<'a> {
         }
         self.delaunay.hint = self.delaunay.insert_at::<true>(self.points, p, at)?;
         self.register(piece, sub, p, t)
+    }
+
+    /// Of parameters that differ by less than matters, the one whose point is nearest to a double: that spares the rounding
+    /// step most of its work. On segments where rounding failed the search goes further, at last to either end of the
+    /// piece: which position is best for rounding depends on planes that are a fraction of a unit apart.
+    fn kindest_parameter(&self, sub: &Subsegment, t: f64) -> f64 {
+        let careful = self.segments.careful.get(sub.segment as usize).copied().unwrap_or(0);
+        let span = sub.t[1] - sub.t[0];
+        let (center, step, tries) = match careful {
+            0 => (t, KIND_STEP, KIND_TRIES),
+            1 => (t, CAREFUL_STEP, CAREFUL_TRIES),
+            level => (sub.t[0] + span * FAR_CENTERS[level as usize % 4], FAR_STEP, CAREFUL_TRIES),
+        };
+        let [a, b] = self.segments.ends[sub.segment as usize];
+        let mut best = (self.points.rounding_error(a, b, t), t);
+        if careful > 1 {
+            best.0 = f64::INFINITY;
+        }
+        for k in -tries..=tries {
+            if best.0 == 0.0 {
+                break;
+            }
+            let other = center + step * span * k as f64;
+            if other > sub.t[0] && other < sub.t[1] {
+                let error = self.points.rounding_error(a, b, other);
+                if error < best.0 {
+                    best = (error, other);
+                }
+            }
+        }
+        best.1
     }
 
     /// Replaces the split piece by its halves and queues what the insertion left missing.

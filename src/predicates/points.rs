@@ -214,6 +214,14 @@ impl Points {
         Ok((p, Some(Implicit { a, b, t, rest, two_doubles, fine })))
     }
 
+    /// Square of the distance between `a + t (b − a)` and its nearest double point, approximately; zero exactly if it is one.
+    pub fn rounding_error(&self, a: u32, b: u32, t: f64) -> f64 {
+        self.on_segment(a, b, t)
+            .ok()
+            .and_then(|(_, implicit)| implicit)
+            .map_or(0.0, |implicit| implicit.rest.iter().map(|x| x * x).sum())
+    }
+
     /// Moves an implicit point along its segment, to parameter `t`; it becomes explicit where it can.
     ///
     /// # Errors
@@ -221,7 +229,9 @@ impl Points {
     pub fn move_on_segment(&mut self, i: u32, ends: [u32; 2], t: f64) -> Result<(), Error> {
         let (p, implicit) = self.on_segment(ends[0], ends[1], t)?;
         let slot = i.checked_sub(self.first_implicit).and_then(|k| self.slots.get_mut(k as usize));
-        let Some(slot) = slot else { return Err(Error::internal("a point that was never implicit cannot move")) };
+        let Some(slot) = slot else {
+            return Err(Error::internal("a point that was never implicit cannot move"));
+        };
         match implicit {
             None => {
                 *slot = NONE;
@@ -324,7 +334,8 @@ impl Points {
             return;
         }
         self.slots.truncate(n.saturating_sub(self.first_implicit as usize));
-        let kept = self.slots.iter().filter(|&&slot| slot != NONE).map(|&slot| slot as usize + 1).max().unwrap_or(0);
+        let kept =
+            self.slots.iter().filter(|&&slot| slot != NONE).map(|&slot| slot as usize + 1).max().unwrap_or(0);
         self.implicit.truncate(kept);
         if kept == 0 {
             self.first_implicit = NONE;

@@ -31,8 +31,11 @@ impl Candidate {
         }
         let unit = (1u64 << bits.min(52)) as f64;
         let low = (self.t * unit).floor();
-        let mut list: Vec<f64> =
-            [low, low + 1.0, low - 1.0, low + 2.0].iter().map(|k| k / unit).filter(|&t| self.has_room(t)).collect();
+        let mut list: Vec<f64> = [low, low + 1.0, low - 1.0, low + 2.0]
+            .iter()
+            .map(|k| k / unit)
+            .filter(|&t| self.has_room(t))
+            .collect();
         list.sort_by(|x, y| (x - self.t).abs().total_cmp(&(y - self.t).abs()));
         list
     }

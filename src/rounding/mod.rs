@@ -9,7 +9,7 @@ mod wedge;
 
 use crate::constrain::segment::Segments;
 use crate::delaunay::Delaunay;
-use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::error::Error;
 use crate::mesh::star::StarSearch;
 use crate::mesh::{flag, Tetrahedra};
 use crate::predicates::{orient3d, scale, Points, Sign};
@@ -25,12 +25,14 @@ pub struct Rounded {
     pub xyz: Vec<[f64; 3]>,
     /// Points that are not where segment recovery and rounding to nearest had put them.
     pub moved: u64,
+    /// Steiner points without a valid position: tetrahedra at them are flat or inverted in doubles.
+    pub crowded: Vec<u32>,
 }
 
 impl Rounded {
     /// Positions of points that are all explicit.
     pub fn explicit(points: &Points) -> Self {
-        Rounded { xyz: points.coordinates().to_vec(), moved: 0 }
+        Rounded { xyz: points.coordinates().to_vec(), ..Rounded::default() }
     }
 }
 
@@ -83,15 +85,16 @@ pub fn round(
         }
         bad.retain(|&t| !is_positive(&repair.delaunay.mesh, repair.points, repair.xyz, t));
         if repair.moved == before {
-            return Err(failure(&repair, &bad));
+            rounded.crowded = crowded(&repair, &bad);
+            return Ok(rounded);
         }
     }
     rounded.moved = repair.moved;
     Ok(rounded)
 }
 
-/// The error that names the points without a valid position.
-fn failure(repair: &Repair, bad: &[u32]) -> Error {
+/// The implicit vertices of tetrahedra that are not positive.
+fn crowded(repair: &Repair, bad: &[u32]) -> Vec<u32> {
     let mut vertices: Vec<u32> = bad
         .iter()
         .flat_map(|&t| repair.delaunay.mesh.verts[t as usize])
@@ -99,25 +102,7 @@ fn failure(repair: &Repair, bad: &[u32]) -> Error {
         .collect();
     vertices.sort_unstable();
     vertices.dedup();
-    let mut error = Error::new(
-        Status::Rounding,
-        format!(
-            "{} Steiner points have no valid position in doubles: {} tetrahedra are flat or inverted there",
-            vertices.len(),
-            bad.len()
-        ),
-    );
-    error.defect_count = vertices.len();
-    error.defects = vertices
-        .iter()
-        .map(|&v| Defect {
-            kind: DefectKind::Rounding,
-            first: Element::Segment(repair.segments.steiner_segment[(v - repair.segments.first_steiner) as usize]),
-            second: None,
-            point: Some(repair.xyz[v as usize]),
-        })
-        .collect();
-    error
+    vertices
 }
 
 /// The tetrahedron is positive in doubles; those of explicit points are by construction.
@@ -180,8 +165,7 @@ impl Repair<'_> {
             if !self.kept.has(mesh, t) {
                 continue;
             }
-            let [a, b, c, d] =
-                mesh.verts[t as usize].map(|w| if w == v { at } else { self.xyz[w as usize] });
+            let [a, b, c, d] = mesh.verts[t as usize].map(|w| if w == v { at } else { self.xyz[w as usize] });
             count += (orient3d(&a, &b, &c, &d) != Sign::Positive) as usize;
         }
         count

@@ -3,7 +3,7 @@ use super::Engine;
 use crate::constrain::face_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
-use crate::error::Error;
+use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::mesh::flag;
 use crate::output::{SteinerPoint, Subface, Subsegment, TetMesh};
 use crate::plc::surface::Surface;
@@ -47,6 +47,32 @@ pub(super) fn mesh(
         faces(engine, plc, subfaces, &number, &mut out, point_of)?;
     }
     Ok(out)
+}
+
+/// The error that names the Steiner points without a valid position in doubles.
+pub(super) fn crowded(out: &TetMesh, segments: &Segments, rounded: &Rounded) -> Error {
+    let message = format!(
+        "the exact mesh exists, but {} Steiner points have no valid position in doubles",
+        rounded.crowded.len()
+    );
+    let mut error = Error::new(Status::Rounding, message);
+    error.defect_count = rounded.crowded.len();
+    error.defects = rounded
+        .crowded
+        .iter()
+        .map(|&v| {
+            let index = (v - segments.first_steiner) as usize;
+            let point = out.input_point_count + index as u32;
+            let parent = out.steiner.get(index).map(|s| Element::Point(s.ends[0]));
+            Defect {
+                kind: DefectKind::Rounding,
+                first: Element::Point(point),
+                second: parent,
+                point: out.points.get(point as usize).copied(),
+            }
+        })
+        .collect();
+    error
 }
 
 /// Tetrahedra that stay, their neighbours and regions; returns the new number of each slot.
@@ -143,7 +169,7 @@ fn faces(
     let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
     code_of
         .try_reserve(subfaces.verts.len())
-        .map_err(|_| Error::new(crate::Status::OutOfMemory, "out of memory"))?;
+        .map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
     for t in 0..mesh.slot_count() as u32 {
         for f in 0..4 {
             if mesh.is_live(t) && mesh.flags[t as usize] & (flag::FACE << f) != 0 {
