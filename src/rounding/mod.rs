@@ -76,6 +76,7 @@ pub fn round(
         scale_exponent,
         xyz: &mut rounded.xyz,
         search: StarSearch::default(),
+        touched: Vec::new(),
         moved: 0,
     };
     while !bad.is_empty() {
@@ -83,7 +84,14 @@ pub fn round(
         for &t in &bad {
             repair.mend(t)?;
         }
-        bad.retain(|&t| !is_positive(&repair.delaunay.mesh, repair.points, repair.xyz, t));
+        // A move may trade two bad tetrahedra of a star for another one.
+        bad.append(&mut repair.touched);
+        bad.sort_unstable();
+        bad.dedup();
+        bad.retain(|&t| {
+            kept.has(&repair.delaunay.mesh, t)
+                && !is_positive(&repair.delaunay.mesh, repair.points, repair.xyz, t)
+        });
         if repair.moved == before {
             rounded.crowded = crowded(&repair, &bad);
             return Ok(rounded);
@@ -123,6 +131,8 @@ struct Repair<'a> {
     scale_exponent: i32,
     xyz: &'a mut Vec<[f64; 3]>,
     search: StarSearch,
+    /// Tetrahedra of the stars of moved vertices.
+    touched: Vec<u32>,
     moved: u64,
 }
 
@@ -146,6 +156,10 @@ impl Repair<'_> {
                     2 => self.try_parameters(v)?,
                     _ => self.try_wedge(v),
                 };
+                if moved {
+                    self.touched.try_reserve(self.search.tets.len())?;
+                    self.touched.extend_from_slice(&self.search.tets);
+                }
                 if moved && is_positive(&self.delaunay.mesh, self.points, self.xyz, t) {
                     return Ok(());
                 }
