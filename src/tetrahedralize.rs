@@ -1,6 +1,6 @@
 //! The pipeline: prepare → Delaunay → segments → facets → regions → rounding → output → audit. The only place that knows the
 //! order.
-use crate::check::check_mesh;
+use crate::check::audit;
 use crate::constrain::facet::FacetRecovery;
 use crate::constrain::segment::{Recovery, Segments};
 use crate::constrain::subface::{Subfaces, Triangles};
@@ -277,15 +277,7 @@ impl Run<'_> {
     /// The exact audit of what is handed out.
     fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
         report(self.observer, Phase::Audit, 0.0)?;
-        let points_only;
-        let judged = match options.mode {
-            Mode::Constrained => plc,
-            Mode::Delaunay => {
-                points_only = Plc { points: plc.points.clone(), ..Plc::default() };
-                &points_only
-            }
-        };
-        check_mesh(judged, mesh, true, options.max_defects).map_err(|e| Error {
+        audit(plc, mesh, options.max_defects).map_err(|e| Error {
             status: Status::Internal,
             message: format!("audit: {}", e.message),
             ..e

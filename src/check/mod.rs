@@ -16,6 +16,7 @@
 //! orientation, points; segments if there are no Steiner points. Of faces that have such points the Delaunay property is only counted
 //! (their rounding may break it), and whether the facets are covered is not judged.
 mod arrays;
+mod audit;
 mod boundary;
 mod carved;
 mod chains;
@@ -34,6 +35,8 @@ mod subfaces;
 #[cfg(test)]
 mod tests;
 mod topology;
+
+pub use audit::audit;
 
 use crate::error::Error;
 use crate::output::TetMesh;
