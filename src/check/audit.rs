@@ -1,0 +1,82 @@
+//! The audit of every run: the promises that rounding or renumbering could break, in linear time.
+//!
+//! Input points bit for bit; every tetrahedron strictly positive, in exact arithmetic on the doubles handed out; neighbours
+//! mutual, sharing three vertices; subfaces on the tetrahedra they name. That the mesh is constrained Delaunay and covers
+//! the facets is the algorithm's own doing; [`check_mesh`](super::check_mesh) proves it independently.
+use super::report::Report;
+use crate::error::{DefectKind, Element, Error, Status};
+use crate::output::TetMesh;
+use crate::plc::Plc;
+use crate::predicates::{range_scale, scale, Points, Sign};
+use crate::INVALID;
+
+/// Checks what every result must fulfil.
+///
+/// # Errors
+/// [`Status::CheckFailed`] with the defects, of which at most `max_defects` are listed; [`Status::CoordinateRange`],
+/// [`Status::OutOfMemory`].
+pub fn audit(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<(), Error> {
+    let mut report = Report::new(max_defects);
+    audit_points(plc, mesh, &mut report);
+    audit_orientation(mesh, &mut report)?;
+    audit_neighbors(mesh, &mut report);
+    audit_subfaces(mesh, &mut report);
+    report.finish()
+}
+
+fn audit_points(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
+    for (i, p) in plc.points.iter().enumerate() {
+        let same = mesh.points.get(i).is_some_and(|q| (0..3).all(|k| p[k].to_bits() == q[k].to_bits()));
+        if !same {
+            report.add(DefectKind::PointMoved, Element::Point(i as u32), None, Some(*p));
+        }
+    }
+}
+
+fn audit_orientation(mesh: &TetMesh, report: &mut Report) -> Result<(), Error> {
+    let exponent = range_scale(&mesh.points)
+        .map_err(|i| Error::new(Status::CoordinateRange, format!("point {i} is out of range")))?;
+    let mut scaled = Vec::new();
+    scaled.try_reserve_exact(mesh.points.len())?;
+    scaled.extend(mesh.points.iter().map(|p| if exponent == 0 { *p } else { p.map(|x| scale(x, exponent)) }));
+    let points = Points::new(scaled);
+    for (t, &[a, b, c, d]) in mesh.tets.iter().enumerate() {
+        if points.orient3d(a, b, c, d) != Sign::Positive {
+            let at = mesh.points[a as usize];
+            report.add(DefectKind::NotPositive, Element::Tet(t as u32), None, Some(at));
+        }
+    }
+    Ok(())
+}
+
+fn audit_neighbors(mesh: &TetMesh, report: &mut Report) {
+    for (t, tet) in mesh.tets.iter().enumerate() {
+        for f in 0..4 {
+            let n = mesh.neighbors[t][f];
+            if n == INVALID || (n as usize) < t {
+                continue;
+            }
+            let other = &mesh.tets[n as usize];
+            let mutual = mesh.neighbors[n as usize].iter().zip(other).any(|(&back, v)| back == t as u32 && !tet.contains(v));
+            let shared = (0..4).all(|k| (k == f) != other.contains(&tet[k]));
+            if !mutual || !shared {
+                report.add(
+                    DefectKind::NotConforming,
+                    Element::Tet(t as u32),
+                    Some(Element::Tet(n)),
+                    Some(mesh.points[tet[0] as usize]),
+                );
+            }
+        }
+    }
+}
+
+fn audit_subfaces(mesh: &TetMesh, report: &mut Report) {
+    for subface in &mesh.subfaces {
+        for t in subface.tets.into_iter().filter(|&t| t != INVALID) {
+            if !subface.corners.iter().all(|v| mesh.tets[t as usize].contains(v)) {
+                report.add(DefectKind::FacetMissing, Element::Facet(subface.facet), Some(Element::Tet(t)), None);
+            }
+        }
+    }
+}
