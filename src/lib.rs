@@ -30,6 +30,7 @@ pub mod check;
 pub mod constrain;
 pub mod delaunay;
 pub mod error;
+pub mod ffi;
 #[cfg(feature = "io")]
 pub mod io;
 pub mod mesh;
