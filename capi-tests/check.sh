@@ -1,7 +1,7 @@
 #!/bin/sh
 # Everything about the C and C++ side in one run: the CMake build and its tests, installation, consumers of the moved prefix,
-# sanitizers, valgrind and the ABI guard. Needs: cargo, cmake 3.18, gcc, g++, pkg-config; and valgrind and abidiff (abigail-tools)
-# for the parts that use them.
+# sanitizers, valgrind and the ABI guard. Needs: cargo, cmake 3.18, gcc, g++, pkg-config; and for the parts that use them
+# valgrind, abidiff (abigail-tools), Eigen (libeigen3-dev), CalculiX (calculix-ccx), CGAL (libcgal-dev), TetGen (libtet1.5-dev).
 #   capi-tests/check.sh [folder for builds, default target/check]
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -94,6 +94,16 @@ quiet cmake -S "$root/examples-c" -B "$work/examples" -DCMAKE_PREFIX_PATH="$work
 quiet cmake --build "$work/examples" -j "$jobs"
 quiet ctest --test-dir "$work/examples" -j "$jobs" --output-on-failure --no-tests=error
 grep 'tests passed' "$log"
+
+step "beside CGAL and TetGen"
+if [ -e /usr/include/tetgen.h ] && [ -d /usr/include/CGAL ]; then
+    quiet cmake -S "$root/capi-tests/peers" -B "$work/peers" -DCMAKE_PREFIX_PATH="$work/prefix"
+    quiet cmake --build "$work/peers" -j "$jobs"
+    ctest --test-dir "$work/peers" -V --no-tests=error >"$log" 2>&1 || { cat "$log"; exit 1; }
+    sed -n 's/^[0-9]*: //p; /tests passed/p' "$log" | grep -v '^Test \(command\|timeout\)'
+else
+    echo "skipped: libcgal-dev or libtet1.5-dev is not installed"
+fi
 
 step "add_subdirectory and FetchContent"
 consumer subdirectory subdirectory

@@ -157,6 +157,11 @@ static std::size_t not_covered(const Model &model, const delotet::Mesh &mesh)
     return bad;
 }
 
+static long added(const Result &mesh, const Model &model)
+{
+    return static_cast<long>(mesh.points.size()) - static_cast<long>(model.points.size());
+}
+
 int main(int argc, char **argv)
 {
     std::printf("%-34s %8s | %9s %8s %8s %5s | %9s %8s %8s %5s\n", "", "", "delotet", "", "", "not", "TetGen", "", "", "not");
@@ -164,7 +169,7 @@ int main(int argc, char **argv)
                 "Steiner", "s", "Del.");
     int failures = 0, models = 0, exact = 0, skipped = 0, lost = 0, theirs_not_delaunay = 0;
     double seconds[2] = {0, 0};
-    std::size_t steiner[2] = {0, 0};
+    long steiner[2] = {0, 0}; // Net: TetGen drops points that it takes for equal.
     for (int i = 1; i < argc; i++) {
         const char *slash = std::strrchr(argv[i], '/');
         const char *name = slash ? slash + 1 : argv[i];
@@ -226,8 +231,8 @@ int main(int argc, char **argv)
                     complaints += "  TetGen's volume is another: ours / theirs = " + std::to_string(ratio) + "\n";
                 seconds[0] += ours.seconds;
                 seconds[1] += theirs.seconds;
-                steiner[0] += mesh.steiner_points().size();
-                steiner[1] += theirs.points.size() - model.points.size();
+                steiner[0] += static_cast<long>(mesh.steiner_points().size());
+                steiner[1] += added(theirs, model);
             }
         } else {
             std::printf("%33s | ", delotet_status_name(status));
@@ -236,8 +241,7 @@ int main(int argc, char **argv)
         if (theirs.ok()) {
             const std::size_t wrong = not_delaunay(theirs);
             theirs_not_delaunay += wrong > 0;
-            std::printf("%9zu %8zu %8.3f %5zu\n", theirs.tets.size(), theirs.points.size() - model.points.size(),
-                        theirs.seconds, wrong);
+            std::printf("%9zu %8ld %8.3f %5zu\n", theirs.tets.size(), added(theirs, model), theirs.seconds, wrong);
         } else {
             lost++;
             std::printf("%9s\n", theirs.outcome.c_str());
@@ -246,7 +250,7 @@ int main(int argc, char **argv)
         std::fflush(stdout);
     }
     std::printf("\n%d models (%d more are not OFF triangles), %d enclosed volumes compared exactly. On the %d that TetGen meshes: "
-                "delotet %.2f s, %zu Steiner points; TetGen %.2f s, %zu.\nTetGen: %d abort, crash, time out or fail; %d meshes "
+                "delotet %.2f s, %ld Steiner points; TetGen %.2f s, %ld.\nTetGen: %d abort, crash, time out or fail; %d meshes "
                 "are not constrained Delaunay. delotet: %d failures.\n",
                 models, skipped, exact, models - lost, seconds[0], steiner[0], seconds[1], steiner[1], lost,
                 theirs_not_delaunay, failures);
