@@ -13,7 +13,7 @@
 //!  │            │               │           │             └──────► predicates ──► (robust)
 //!  │            ├──► output     └───────────┴──► plc ──► predicates
 //!  │            └──► check ──► output, plc, predicates
-//!  └──► plc, options, output, check, io
+//!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► plc, output
 //! main (the command line) ──► everything above through the public API
 //! error, options, progress: leaves, imported anywhere
@@ -30,9 +30,11 @@ pub mod check;
 pub mod constrain;
 pub mod delaunay;
 pub mod error;
+pub mod ffi;
 #[cfg(feature = "io")]
 pub mod io;
 pub mod mesh;
+pub mod mesh_query;
 pub mod options;
 pub mod output;
 pub mod plc;

@@ -3,6 +3,7 @@ use crate::progress::Phase;
 
 /// A Steiner point and where it lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct SteinerPoint {
     /// Ends of the input edge (input point indices) that the point was put on: exactly `a + t (b − a)`.
     pub ends: [u32; 2],
@@ -16,6 +17,7 @@ pub struct SteinerPoint {
 
 /// A piece of a facet: a triangle that is a face of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 pub struct Subface {
     /// The corners.
     pub corners: [u32; 3],
@@ -23,13 +25,14 @@ pub struct Subface {
     pub facet: u32,
     /// That facet's marker.
     pub marker: i32,
-    /// The tetrahedra on both sides: first the one on the side that the corners' normal `(b − a) × (c − a)` points away from,
-    /// then the other; [`INVALID`](crate::INVALID) where carved.
+    /// The tetrahedra on both sides, the smaller index first and [`INVALID`](crate::INVALID), where carved, last. The corners'
+    /// normal `(b − a) × (c − a)` points from the first to the second: outward on the boundary.
     pub tets: [u32; 2],
 }
 
 /// A piece of a segment or of a facet's edge: an edge of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 pub struct Subsegment {
     /// The ends.
     pub ends: [u32; 2],
@@ -52,6 +55,7 @@ pub struct Region {
 
 /// A flip of two facets' triangles that facet merging made before meshing: edge `old` became edge `new`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 pub struct FacetFlip {
     /// The removed edge (input point indices).
     pub old: [u32; 2],

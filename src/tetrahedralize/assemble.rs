@@ -187,12 +187,14 @@ fn faces(
         let same = (0..3).any(|k| found[0] == corners[k] && found[1] == corners[(k + 1) % 3]);
         let (behind, ahead) = if same { (code, mesh.across(code)) } else { (mesh.across(code), code) };
         let facet = subfaces.facet[s];
-        out.subfaces.push(Subface {
-            corners: corners.map(&point_of),
-            facet,
-            marker: plc.facet_marker(facet as usize),
-            tets: [number[(behind >> 2) as usize], number[(ahead >> 2) as usize]],
-        });
+        let mut corners = corners.map(&point_of);
+        let mut tets = [number[(behind >> 2) as usize], number[(ahead >> 2) as usize]];
+        if tets[0] > tets[1] {
+            // The smaller index first, INVALID last: on the boundary normals point outward.
+            tets.swap(0, 1);
+            corners.swap(1, 2);
+        }
+        out.subfaces.push(Subface { corners, facet, marker: plc.facet_marker(facet as usize), tets });
     }
     Ok(())
 }

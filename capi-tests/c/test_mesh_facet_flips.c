@@ -1,0 +1,11 @@
+/* delotet_mesh_facet_flips: none unless merging was asked for. */
+#include "test.h"
+
+int main(void)
+{
+    DelotetMesh *mesh = mesh_of(cube());
+    CHECK(delotet_mesh_facet_flips(mesh).data == NULL && delotet_mesh_facet_flips(mesh).count == 0);
+    CHECK(delotet_mesh_facet_flips(NULL).count == 0);
+    delotet_mesh_free(mesh);
+    return 0;
+}

@@ -1,0 +1,25 @@
+/* delotet_mesh_subsegments: edges of facets and marked segments. */
+#include "test.h"
+
+int main(void)
+{
+    DelotetPlc *plc = cube();
+    DelotetMesh *mesh;
+    DelotetSubsegmentsView pieces;
+    size_t i, marked = 0;
+    OK(delotet_plc_add_segment(plc, 0, 1, 9, &error));
+    mesh = mesh_of(plc);
+    pieces = delotet_mesh_subsegments(mesh);
+    CHECK(pieces.count >= 12);
+    for (i = 0; i < pieces.count; i++)
+        if (pieces.data[i].segment == 0) {
+            CHECK(pieces.data[i].marker == 9);
+            CHECK(pieces.data[i].ends[0] + pieces.data[i].ends[1] == 1);
+            marked++;
+        } else
+            CHECK(pieces.data[i].segment == DELOTET_INVALID_INDEX && pieces.data[i].marker == 0);
+    CHECK(marked == 1);
+    CHECK(delotet_mesh_subsegments(NULL).data == NULL);
+    delotet_mesh_free(mesh);
+    return 0;
+}

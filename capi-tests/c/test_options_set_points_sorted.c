@@ -1,0 +1,17 @@
+/* delotet_options_set_points_sorted: a hint: the mesh is a valid one all the same. */
+#include "test.h"
+
+int main(void)
+{
+    DelotetOptions *options = delotet_options_new();
+    DelotetPlc *plc = cube();
+    DelotetMesh *mesh;
+    CHECK(delotet_options_set_points_sorted(options, true) == DELOTET_STATUS_OK);
+    mesh = mesh_with(plc, options);
+    CHECK(near(volume(mesh), 1));
+    delotet_mesh_free(mesh);
+    CHECK(delotet_options_set_points_sorted(NULL, true) == INVALID);
+    delotet_plc_free(plc);
+    delotet_options_free(options);
+    return 0;
+}

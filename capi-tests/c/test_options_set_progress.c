@@ -1,0 +1,47 @@
+/* delotet_options_set_progress: phases in order, fractions that do not fall, and cancelling. */
+#include "test.h"
+
+struct seen {
+    int calls, wrong;
+    uint32_t phase;
+    double fraction;
+};
+
+static int32_t watch(void *user_data, DelotetPhase phase, double fraction)
+{
+    struct seen *seen = (struct seen *)user_data;
+    seen->wrong |= !(fraction >= 0 && fraction <= 1);
+    seen->wrong |= (uint32_t)phase == seen->phase && fraction < seen->fraction;
+    seen->wrong |= strcmp(delotet_phase_name(phase), "unknown") == 0;
+    seen->phase = phase;
+    seen->fraction = fraction;
+    seen->calls++;
+    return 0;
+}
+
+static int32_t refuse(void *user_data, DelotetPhase phase, double fraction)
+{
+    (void)user_data, (void)phase, (void)fraction;
+    return -1;
+}
+
+int main(void)
+{
+    DelotetOptions *options = delotet_options_new();
+    DelotetPlc *plc = nested_boxes();
+    DelotetMesh *mesh;
+    struct seen seen = {0, 0, 0, 0};
+    CHECK(delotet_options_set_progress(options, watch, &seen) == DELOTET_STATUS_OK);
+    mesh = mesh_with(plc, options);
+    CHECK(seen.calls > 0 && !seen.wrong);
+    delotet_mesh_free(mesh);
+    CHECK(delotet_options_set_progress(options, refuse, &seen) == DELOTET_STATUS_OK);
+    FAILS(DELOTET_STATUS_CANCELLED, delotet_tetrahedralize(plc, options, &mesh, &error));
+    CHECK(mesh == NULL);
+    CHECK(delotet_options_set_progress(options, NULL, NULL) == DELOTET_STATUS_OK);
+    delotet_mesh_free(mesh_with(plc, options));
+    CHECK(delotet_options_set_progress(NULL, watch, NULL) == INVALID);
+    delotet_plc_free(plc);
+    delotet_options_free(options);
+    return 0;
+}

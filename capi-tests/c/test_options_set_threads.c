@@ -1,0 +1,22 @@
+/* delotet_options_set_threads: the mesh is the same for any number; 0 is refused. */
+#include "test.h"
+
+int main(void)
+{
+    DelotetOptions *options = delotet_options_new();
+    DelotetPlc *plc = nested_boxes();
+    DelotetMesh *a = mesh_with(plc, options), *b;
+    DelotetTetsView s, t;
+    CHECK(delotet_options_set_threads(options, 0) == INVALID);
+    CHECK(delotet_options_set_threads(NULL, 2) == INVALID);
+    CHECK(delotet_options_set_threads(options, 3) == DELOTET_STATUS_OK);
+    b = mesh_with(plc, options);
+    s = delotet_mesh_tets(a);
+    t = delotet_mesh_tets(b);
+    CHECK(s.count == t.count && memcmp(s.data, t.data, 16 * s.count) == 0);
+    delotet_mesh_free(a);
+    delotet_mesh_free(b);
+    delotet_plc_free(plc);
+    delotet_options_free(options);
+    return 0;
+}

@@ -1,0 +1,146 @@
+#!/bin/sh
+# Everything about the C and C++ side in one run: the CMake build and its tests, installation, consumers of the moved prefix,
+# sanitizers, valgrind and the ABI guard. Needs: cargo, cmake 3.18, gcc, g++, pkg-config; and for the parts that use them
+# valgrind, abidiff (abigail-tools), Eigen (libeigen3-dev), CalculiX (calculix-ccx), CGAL (libcgal-dev), TetGen (libtet1.5-dev).
+#   capi-tests/check.sh [folder for builds, default target/check]
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+mkdir -p "${1:-$root/target/check}"
+work=$(cd "${1:-$root/target/check}" && pwd)
+jobs=$(nproc 2>/dev/null || echo 2)
+log=$work/log.txt
+
+step() { printf '%s\n' "== $*"; }
+# Runs a command quietly; shows what it said if it fails.
+quiet() {
+    "$@" >"$log" 2>&1 || { status=$?; tail -n 60 "$log"; printf 'failed: %s\n' "$*"; exit "$status"; }
+}
+# A consumer project: source folder, build folder, further arguments for cmake.
+consumer() {
+    source=$1 build=$2
+    shift 2
+    rm -rf "$work/$build"
+    # Consumers that build the library themselves find what cargo built before.
+    for seed in delotet _deps/delotet-build; do
+        case $source/$seed in subdirectory/delotet | fetch/_deps/delotet-build)
+            mkdir -p "$work/$build/$seed"
+            cp -a "$work/build/cargo" "$work/$build/$seed/cargo" ;;
+        esac
+    done
+    quiet cmake -S "$root/capi-tests/consumer/$source" -B "$work/$build" "$@"
+    quiet cmake --build "$work/$build" -j "$jobs"
+    quiet ctest --test-dir "$work/$build" --output-on-failure --no-tests=error
+}
+
+step "build and test, shared and static"
+quiet cmake -S "$root/cmake" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DDELOTET_BUILD_TESTS=ON -DDELOTET_INSTALL=ON \
+    -DCMAKE_INSTALL_LIBDIR=lib
+quiet cmake --build "$work/build" -j "$jobs"
+quiet ctest --test-dir "$work/build" -j "$jobs" --output-on-failure --no-tests=error
+grep 'tests passed' "$log"
+sed -n 's/.*\( microseconds per cube\)/&/p' "$work/build/Testing/Temporary/LastTest.log"
+
+step "install, move the prefix, look at the files"
+rm -rf "$work/stage" "$work/prefix"
+quiet env DESTDIR="$work/stage" cmake --install "$work/build" --prefix /opt/delotet
+mv "$work/stage/opt/delotet" "$work/prefix"
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' "$root/Cargo.toml" | head -n 1)
+soname=libdelotet.so.${version%.*}
+for file in include/delotet/delotet.h include/delotet/delotet.hpp lib/libdelotet.a lib/libdelotet.so "lib/$soname" \
+    "lib/libdelotet.so.$version" lib/cmake/delotet/delotetConfig.cmake lib/cmake/delotet/delotetConfigVersion.cmake \
+    lib/pkgconfig/delotet.pc; do
+    [ -e "$work/prefix/$file" ] || { echo "missing: $file"; exit 1; }
+done
+[ "$(readlink "$work/prefix/lib/libdelotet.so")" = "$soname" ]
+[ "$(readlink "$work/prefix/lib/$soname")" = "libdelotet.so.$version" ]
+readelf -d "$work/prefix/lib/libdelotet.so" | grep -q "SONAME.*\[$soname\]"
+! grep -rn "$work\|/opt/delotet" "$work/prefix/lib/cmake" "$work/prefix/lib/pkgconfig" || { echo "not relocatable"; exit 1; }
+
+step "find_package: versions, components, targets"
+minor=${version%.*}
+for request in "" "$minor" "$version" "$minor COMPONENTS shared" "$minor COMPONENTS static" "$minor COMPONENTS shared static"; do
+    consumer find find -DCMAKE_PREFIX_PATH="$work/prefix" -DREQUEST="$request"
+done
+for target in delotet::shared delotet::static; do
+    consumer find find -DCMAKE_PREFIX_PATH="$work/prefix" -DTARGET=$target
+done
+consumer find find -DCMAKE_PREFIX_PATH="$work/prefix" -DBUILD_SHARED_LIBS=OFF
+! readelf -d "$work/find/consumer_c" | grep -q libdelotet || { echo "BUILD_SHARED_LIBS=OFF linked the shared library"; exit 1; }
+consumer find find -DCMAKE_PREFIX_PATH="$work/prefix" -DBUILD_SHARED_LIBS=ON
+readelf -d "$work/find/consumer_c" | grep -q "NEEDED.*\[$soname\]"
+for request in 1.0 99 "0.$((${minor#*.} + 1))" "${version%.*}.$((${version##*.} + 1))" "$minor COMPONENTS nonsense"; do
+    rm -rf "$work/find"
+    quiet cmake -S "$root/capi-tests/consumer/find" -B "$work/find" -DCMAKE_PREFIX_PATH="$work/prefix" \
+        -DREQUEST="$request" -DEXPECT_FAILURE=ON
+done
+
+step "pkg-config, plain gcc"
+export PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig"
+[ "$(pkg-config --modversion delotet)" = "$version" ]
+main=$root/capi-tests/consumer/main
+# shellcheck disable=SC2046
+quiet gcc "$main.c" -o "$work/plain" $(pkg-config --cflags --libs delotet) -Wl,-rpath,"$work/prefix/lib"
+quiet "$work/plain"
+# shellcheck disable=SC2046
+quiet g++ -std=c++17 "$main.cpp" -o "$work/plain" $(pkg-config --cflags --libs delotet) -Wl,-rpath,"$work/prefix/lib"
+quiet "$work/plain"
+# shellcheck disable=SC2046
+quiet gcc -static "$main.c" -o "$work/plain" $(pkg-config --static --cflags --libs delotet)
+quiet "$work/plain"
+
+step "examples, through the installed package"
+rm -rf "$work/examples"
+quiet cmake -S "$root/examples-c" -B "$work/examples" -DCMAKE_PREFIX_PATH="$work/prefix"
+quiet cmake --build "$work/examples" -j "$jobs"
+quiet ctest --test-dir "$work/examples" -j "$jobs" --output-on-failure --no-tests=error
+grep 'tests passed' "$log"
+
+step "beside CGAL and TetGen"
+if [ -e /usr/include/tetgen.h ] && [ -d /usr/include/CGAL ]; then
+    quiet cmake -S "$root/capi-tests/peers" -B "$work/peers" -DCMAKE_PREFIX_PATH="$work/prefix"
+    quiet cmake --build "$work/peers" -j "$jobs"
+    ctest --test-dir "$work/peers" -V --no-tests=error >"$log" 2>&1 || { cat "$log"; exit 1; }
+    sed -n 's/^[0-9]*: //p; /tests passed/p' "$log" | grep -v '^Test \(command\|timeout\)'
+else
+    echo "skipped: libcgal-dev or libtet1.5-dev is not installed"
+fi
+
+step "add_subdirectory and FetchContent"
+consumer subdirectory subdirectory
+if git -C "$root" rev-parse HEAD >/dev/null 2>&1; then
+    consumer fetch fetch -DREPOSITORY="file://$(git -C "$root" rev-parse --show-toplevel)" \
+        -DREVISION="$(git -C "$root" rev-parse HEAD)"
+else
+    echo "no git repository: FetchContent takes the folder"
+    consumer fetch fetch -DFETCHCONTENT_SOURCE_DIR_DELOTET="$root"
+fi
+
+step "AddressSanitizer and UndefinedBehaviorSanitizer"
+quiet cmake -S "$root/cmake" -B "$work/build" -DDELOTET_SANITIZE=ON
+quiet cmake --build "$work/build" -j "$jobs"
+nm "$work/build/capi-tests/cxx_wrapper" | grep -q __asan_init
+quiet ctest --test-dir "$work/build" -j "$jobs" --output-on-failure --no-tests=error
+grep 'tests passed' "$log"
+quiet cmake -S "$root/cmake" -B "$work/build" -DDELOTET_SANITIZE=OFF
+quiet cmake --build "$work/build" -j "$jobs"
+
+step "valgrind"
+if command -v valgrind >/dev/null; then
+    for program in "$work"/build/capi-tests/c_test_* "$work"/build/capi-tests/cxx_wrapper \
+        "$work"/build/capi-tests/cxx_exceptions "$work"/build/capi-tests/cxx_callbacks; do
+        [ -x "$program" ] && [ ! -d "$program" ] || continue
+        (cd "$work" && quiet valgrind -q --leak-check=full --show-leak-kinds=definite,indirect,possible --error-exitcode=9 \
+            --errors-for-leak-kinds=definite,indirect,possible "$program")
+    done
+    echo "$(ls "$work"/build/capi-tests/c_test_* | grep -vc '\.') C programs and 3 C++ programs: no errors, no leaks"
+else
+    echo "skipped: valgrind is not installed"
+fi
+
+step "ABI: abidiff of two builds, and of one with a function removed"
+if command -v abidiff >/dev/null; then
+    "$root/capi-tests/abi/guard.sh" "$work"
+else
+    echo "skipped: abidiff is not installed"
+fi
+step "all passed"

@@ -1,0 +1,23 @@
+// What a call costs: 10,000 cubes of twelve triangles from PLC to mesh. The figure is printed; the bound only catches accidents.
+#include "test.hpp"
+
+#include <chrono>
+
+int main()
+{
+    const std::vector<Point> points = box_points(0, 1);
+    const std::vector<Index> corners = box_corners();
+    const int calls = 10000;
+    std::size_t tets = 0;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < calls; i++) {
+        delotet::Plc plc(points);
+        plc.add_triangles(corners);
+        tets += delotet::tetrahedralize(plc).tets().size();
+    }
+    const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
+    std::printf("%.1f microseconds per cube, %.1f tetrahedra each\n", time.count() / calls,
+                static_cast<double>(tets) / calls);
+    CHECK(time.count() / calls < 2000);
+    return 0;
+}

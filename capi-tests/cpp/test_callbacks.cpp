@@ -1,0 +1,93 @@
+// Callbacks: they may throw anything, cancel, run other meshes; exceptions never pass through the library.
+#include "test.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+struct Counted {
+    static int alive;
+    Counted() { alive++; }
+    Counted(const Counted &) { alive++; }
+    ~Counted() { alive--; }
+};
+int Counted::alive = 0;
+
+int main()
+{
+    const delotet::Plc plc = nested_boxes();
+
+    int calls = 0;
+    delotet::Options counting;
+    counting.on_progress([&](delotet::Phase, double) { return ++calls > 0; });
+    const delotet::Mesh whole = delotet::tetrahedralize(plc, counting);
+    CHECK(calls > 2);
+
+    // Every single call may throw.
+    for (int last = 1; last <= calls; last++) {
+        int count = 0;
+        delotet::Options options;
+        options.on_progress([&](delotet::Phase, double) {
+            const Counted counted;
+            if (++count == last)
+                throw std::runtime_error("thrown at " + std::to_string(last));
+            return true;
+        });
+        const auto e = caught<std::runtime_error>([&] { delotet::tetrahedralize(plc, options); });
+        CHECK(e.what() == "thrown at " + std::to_string(last) && Counted::alive == 0);
+        CHECK(count == last); // Cancelled at once.
+    }
+
+    // What is thrown need not be an exception class; the status form lets it out, too.
+    delotet::Options rude;
+    rude.on_progress([](delotet::Phase, double) -> bool { throw 42; });
+    CHECK(caught<int>([&] { delotet::tetrahedralize(plc, rude); }) == 42);
+    CHECK(caught<int>([&] { plc.check(rude); }) == 42);
+    delotet::Mesh mesh;
+    delotet::Error error;
+    CHECK(caught<int>([&] { delotet::tetrahedralize(plc, rude, mesh, error); }) == 42);
+    CHECK(mesh.get() == nullptr);
+
+    // Cancelling is not throwing.
+    delotet::Options cancelling;
+    cancelling.on_progress([](delotet::Phase, double) { return false; });
+    CHECK(caught<delotet::Exception>([&] { delotet::tetrahedralize(plc, cancelling); }).status() ==
+          DELOTET_STATUS_CANCELLED);
+    CHECK(delotet::tetrahedralize(plc, cancelling, mesh, error) == DELOTET_STATUS_CANCELLED && error);
+
+    // The log; whether a run has anything to say is its affair.
+    bool said = false;
+    delotet::Options logging;
+    logging.on_log([&](const char *) { said = true; });
+    delotet::tetrahedralize(plc, logging);
+    logging.on_log([](const char *) { throw std::string("log"); });
+    if (said)
+        CHECK(caught<std::string>([&] { delotet::tetrahedralize(plc, logging); }) == "log");
+
+    // A callback may make another mesh with other callbacks; each exception belongs to its own run.
+    int inner_calls = 0;
+    delotet::Options outer, inner;
+    inner.on_progress([&](delotet::Phase, double) -> bool {
+        inner_calls++;
+        throw std::string("inner");
+    });
+    outer.on_progress([&](delotet::Phase, double) {
+        CHECK(caught<std::string>([&] { delotet::tetrahedralize(cube(), inner); }) == "inner");
+        return true;
+    });
+    const delotet::Mesh nested = delotet::tetrahedralize(plc, outer);
+    CHECK(inner_calls > 0 && nested.tets().size() == whole.tets().size());
+
+    // One set of options in several threads: every exception arrives where it was thrown.
+    delotet::Options shared;
+    shared.on_progress([](delotet::Phase, double) -> bool { throw std::this_thread::get_id(); });
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; i++)
+        threads.emplace_back([&] {
+            const auto id = caught<std::thread::id>([&] { delotet::tetrahedralize(plc, shared); });
+            CHECK(id == std::this_thread::get_id());
+        });
+    for (std::thread &thread : threads)
+        thread.join();
+    return 0;
+}

@@ -1,0 +1,47 @@
+// Failures as exceptions: they carry status, message and all elements at fault, and may be copied and kept.
+#include "test.hpp"
+
+int main()
+{
+    const delotet::Exception crossing = caught<delotet::Exception>([] { delotet::tetrahedralize(pierced()); });
+    CHECK(crossing.status() == DELOTET_STATUS_SELF_INTERSECTION);
+    CHECK(std::strlen(crossing.what()) > 0 && crossing.defect_count() >= crossing.defects().size());
+    bool seen = false;
+    for (const delotet::Defect &defect : crossing.defects())
+        seen = seen || (defect.first_element == DELOTET_ELEMENT_FACET && defect.second_element == DELOTET_ELEMENT_FACET &&
+                        defect.first + defect.second == 4 && defect.has_point && defect.point[2] * defect.point[2] < 1e-20);
+    CHECK(seen);
+    const delotet::Exception copy = crossing;
+    CHECK(copy.defects().data() == crossing.defects().data() && copy.what() == crossing.what());
+    CHECK(caught<std::exception>([] { pierced().check(); }).what() != nullptr);
+
+    // Misuse that only the wrapper can see: sizes that do not fit together.
+    const auto invalid = [](auto &&call) {
+        const delotet::Exception e = caught<delotet::Exception>(call);
+        return e.status() == DELOTET_STATUS_INVALID_ARGUMENT && e.defects().empty() && e.what()[0] != '\0';
+    };
+    const std::vector<Marker> three(3);
+    const std::size_t nine[] = {9};
+    CHECK(invalid([&] { delotet::Plc(std::vector<double>(7)); }));
+    CHECK(invalid([&] { cube().add_triangles(std::vector<Index>(7)); }));
+    CHECK(invalid([&] { cube().add_triangles(box_corners(), three); }));
+    CHECK(invalid([&] { cube().add_segments(std::vector<Index>(3)); }));
+    CHECK(invalid([&] { cube().set_point_markers(three); }));
+    CHECK(invalid([&] { cube().set_point_attributes(std::vector<double>(9)); }));
+    CHECK(invalid([&] { cube().add_facet(box_corners(), nine); }));
+    CHECK(invalid([&] { cube().add_polygons(std::vector<Index>(9, 0), nine, three); }));
+    CHECK(invalid([&] {
+        std::vector<Index> tets(2);
+        delotet::tetrahedralize(cube()).locate(std::vector<Point>(1), tets);
+    }));
+    // A value that a setter refused stops the run; empty handles are refused by the library.
+    CHECK(invalid([] {
+        delotet::Options options;
+        delotet::tetrahedralize(cube(), std::move(options.threads(0)));
+    }));
+    CHECK(invalid([] { delotet::tetrahedralize(delotet::Plc()); }));
+    CHECK(invalid([] { delotet::Mesh().faces(); }));
+    CHECK(caught<delotet::Exception>([] { cube().add_segment(0, 8); }).status() == DELOTET_STATUS_INDEX_OUT_OF_RANGE);
+    CHECK(caught<delotet::Exception>([] { delotet::Plc::read("no/such.off"); }).status() == DELOTET_STATUS_FILE);
+    return 0;
+}

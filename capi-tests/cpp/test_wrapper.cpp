@@ -1,0 +1,118 @@
+// The wrapper: every method once, against a PLC whose answers are known.
+#include "test.hpp"
+
+#include <cmath>
+
+static void inputs()
+{
+    delotet::Plc plc = cube();
+    CHECK(plc.points().size() == 8 && plc.points()[7] == Point{1, 1, 1});
+    CHECK(plc.facet_count() == 12 && plc.segment_count() == 0 && plc.facet_marker(3) == 0);
+    const Index ends[] = {0, 1, 1, 3};
+    plc.add_segment(0, 2, 5).add_segments(ends).add_segments(ends, std::vector<Marker>{1, 2});
+    CHECK(plc.segment_count() == 5);
+    plc.set_point_attributes(std::vector<double>(16, 1.5)).set_point_markers(std::vector<Marker>(8, 4));
+    const delotet::Mesh mesh = delotet::tetrahedralize(plc);
+    CHECK(mesh.point_attributes().width == 2 && mesh.point_attributes().data[15] == 1.5);
+    CHECK(mesh.point_markers().size() == mesh.points().size() && mesh.point_markers()[7] == 4);
+
+    delotet::Plc moved = std::move(plc);
+    CHECK(plc.get() == nullptr && plc.points().empty() && moved.points().size() == 8);
+    plc = std::move(moved);
+    CHECK(plc.points().size() == 8);
+    CHECK(delotet::Plc(std::vector<Point>{}).points().empty());
+}
+
+static void facets()
+{
+    // A box with a tunnel: facets with a ring inside, once by rings and once by seeds.
+    std::vector<Point> points = box_points(0, 3);
+    for (Point point : box_points(1, 2)) {
+        point[2] = point[2] == 1 ? 0 : 3;
+        points.push_back(point);
+    }
+    const Index bottom[] = {0, 2, 3, 1, 8, 10, 11, 9}, top[] = {4, 5, 7, 6, 12, 13, 15, 14};
+    const Index walls[] = {0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5,
+                           8, 12, 13, 9, 10, 11, 15, 14, 8, 10, 14, 12, 9, 13, 15, 11};
+    const std::size_t two[] = {4, 8}, eight[] = {4, 8, 12, 16, 20, 24, 28, 32};
+    const Point low[] = {{1.5, 1.5, 0}}, high[] = {{1.5, 1.5, 3}};
+    delotet::Plc rings(points), seeds(points);
+    rings.add_facet(bottom, two, 1).add_facet(top, two, 2).add_polygons(walls, eight);
+    seeds.add_facet_with_hole_seeds(bottom, two, low, 1).add_facet_with_hole_seeds(top, two, high, 2);
+    seeds.add_polygons(walls, eight, std::vector<Marker>(8, 3));
+    CHECK(std::abs(volume(delotet::tetrahedralize(rings)) - 24) < 1e-12);
+    CHECK(std::abs(volume(delotet::tetrahedralize(seeds)) - 24) < 1e-12);
+}
+
+static void outputs()
+{
+    delotet::Plc plc = nested_boxes();
+    plc.add_region({0.5, 0.5, 0.5}, 10).add_region({1.5, 1.5, 1.5}, 20, 0.125);
+    plc.check();
+    const delotet::Mesh mesh = delotet::tetrahedralize(plc);
+    mesh.check(plc);
+    CHECK(std::abs(volume(mesh) - 27) < 1e-12);
+    CHECK(mesh.input_point_count() == 16 && mesh.point_aliases().size() == 16);
+    CHECK(mesh.neighbors().size() == mesh.tets().size() && mesh.tet_regions().size() == mesh.tets().size());
+    CHECK(mesh.regions().size() == 2 && mesh.subfaces().size() >= 24 && !mesh.subsegments().empty());
+    CHECK(mesh.steiner_points().size() == mesh.points().size() - 16 && mesh.facet_flips().empty());
+    CHECK(mesh.stats().struct_size == sizeof(delotet::Stats));
+    const auto attributes = mesh.tet_attributes();
+    for (std::size_t tet = 0; tet < attributes.size(); tet++)
+        CHECK(attributes[tet] == mesh.regions()[mesh.tet_regions()[tet]].attribute);
+    CHECK(mesh.point_tets().size() == mesh.points().size());
+    CHECK(mesh.points().size() + mesh.faces().size() == 1 + mesh.edges().size() + mesh.tets().size());
+    CHECK(mesh.tet_faces().size() == mesh.tets().size() && mesh.tet_edges().size() == mesh.tets().size());
+    CHECK(mesh.subface_edges().size() == mesh.subfaces().size());
+    const delotet::SecondOrder second = mesh.second_order(delotet::NodeOrder::vtk);
+    CHECK(second.nodes.size() == mesh.edges().size() && second.tets.size() == mesh.tets().size());
+
+    const std::vector<Point> where = {{0.25, 0.5, 0.75}, {1.5, 1.5, 1.25}, {5, 5, 5}};
+    std::vector<Index> tets(3);
+    std::vector<std::array<double, 4>> weights(3);
+    mesh.locate(where, tets, weights);
+    CHECK(attributes[tets[0]] == 10 && attributes[tets[1]] == 20 && tets[2] == delotet::invalid_index);
+    CHECK(std::abs(weights[0][0] + weights[0][1] + weights[0][2] + weights[0][3] - 1) < 1e-15);
+
+    plc.add_hole({1.5, 1.5, 1.5});
+    // The seed of a region inside a hole is a contradiction, unless the library drops it: both are told apart by the status.
+    delotet::Error error;
+    delotet::Mesh carved;
+    if (delotet::tetrahedralize(plc, {}, carved, error) == DELOTET_STATUS_OK)
+        CHECK(std::abs(volume(carved) - 26) < 1e-12);
+    else
+        CHECK(error.status() == DELOTET_STATUS_SEED_OUTSIDE);
+}
+
+static void files()
+{
+    delotet::Plc plc = cube();
+    delotet::tetrahedralize(plc).write(plc, "cxx_wrapper.vtk");
+    std::FILE *file = std::fopen("cxx_wrapper.vtk", "r");
+    CHECK(file != nullptr);
+    std::fclose(file);
+    std::remove("cxx_wrapper.vtk");
+}
+
+static void options()
+{
+    delotet::Options options;
+    options.mode(delotet::Mode::delaunay).threads(2).max_defects(5).validate(true).points_sorted(false);
+    options.keep_hull(false).merge_facets(0).steiner_limit(UINT64_MAX);
+    CHECK(options.error() == DELOTET_STATUS_OK);
+    const delotet::Mesh mesh = delotet::tetrahedralize(delotet::Plc(random_points(500)), options);
+    CHECK(mesh.points().size() == 500 && mesh.subfaces().empty());
+    delotet::Options moved = std::move(options);
+    CHECK(delotet::tetrahedralize(delotet::Plc(random_points(500)), moved).tets().size() == mesh.tets().size());
+}
+
+int main()
+{
+    CHECK(delotet::compatible());
+    inputs();
+    facets();
+    outputs();
+    files();
+    options();
+    return 0;
+}

@@ -1,0 +1,1462 @@
+/* delotet: exact constrained Delaunay tetrahedralization. C API. MIT OR Apache-2.0.
+ *
+ * Generated from src/ffi by capi-tests/header.rs. Do not edit: run UPDATE_HEADER=1 cargo test --test header.
+ *
+ * Objects: DelotetPlc is the input, DelotetOptions the settings, DelotetMesh the result, DelotetError a failure. Whoever got one
+ * through an out-parameter or from _new owns it and frees it with the _free function of its type; free(NULL) is allowed.
+ *
+ * Failures: every function that can fail returns a DelotetStatus, 0 on success. If its last argument `out_error` is not NULL, it
+ * receives NULL on success and an owned DelotetError on failure: message and all elements at fault. Results are written on
+ * success only; handles in out-parameters are NULL on failure.
+ *
+ * Arrays: input arrays are read during the call and copied; (NULL, 0) is the empty array. Output arrays are views: a pointer into
+ * the object and a count, valid until the object is freed, never copied. Rows are contiguous; "#points by 3" means 3 numbers per
+ * point. Indices are 0-based uint32_t; DELOTET_INVALID_INDEX means none.
+ *
+ * Threads: functions may be called from any thread. Functions that take const handles may run concurrently on the same handle;
+ * functions that take non-const handles need exclusive use of it. Distinct handles share nothing. There is no global state that a
+ * caller could see.
+ *
+ * Environment: the calling thread is in round-to-nearest mode. Nothing is printed, no signal handled, no locale read. Callbacks must
+ * not throw C++ exceptions through the library (delotet.hpp takes care of that), not longjmp, and not use the handles of the call.
+ */
+
+#ifndef DELOTET_DELOTET_H
+#define DELOTET_DELOTET_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+/** Version of this header. */
+#define DELOTET_VERSION_MAJOR 0
+#define DELOTET_VERSION_MINOR 1
+#define DELOTET_VERSION_PATCH 0
+/** 1,000,000 * major + 1,000 * minor + patch: compare with delotet_version(). */
+#define DELOTET_VERSION 1000
+#define DELOTET_VERSION_STRING "0.1.0"
+
+/* Define DELOTET_SHARED when linking the shared library on Windows; the CMake package does. */
+#if defined(_WIN32) && defined(DELOTET_SHARED)
+#define DELOTET_API __declspec(dllimport)
+#else
+#define DELOTET_API
+#endif
+
+#if defined(__GNUC__) || defined(__clang__)
+#define DELOTET_MUST_USE __attribute__((warn_unused_result))
+#define DELOTET_DEPRECATED(note) __attribute__((deprecated(note)))
+#else
+#define DELOTET_MUST_USE
+#define DELOTET_DEPRECATED(note)
+#endif
+
+/** The index that means "none": no neighbour, no parent, not found. Valid indices are smaller. */
+#define DELOTET_INVALID_INDEX UINT32_C(4294967295)
+
+/**
+ * Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 stopped or not possible within the
+ * caller's limits; 40-49 resources; 50-59 files; 60-69 checks; 90 a bug of the library.
+ */
+typedef enum DelotetStatus {
+    /**
+     * Success.
+     */
+    DELOTET_STATUS_OK = 0,
+    /**
+     * An argument is NULL where that is not allowed, or outside its documented range.
+     */
+    DELOTET_STATUS_INVALID_ARGUMENT = 1,
+    /**
+     * Well-formed, but not offered: an unknown file format, a combination of options.
+     */
+    DELOTET_STATUS_UNSUPPORTED = 2,
+    /**
+     * A coordinate is NaN or infinite.
+     */
+    DELOTET_STATUS_NON_FINITE_POINT = 10,
+    /**
+     * The coordinates span more binary orders of magnitude than exact arithmetic in doubles can carry.
+     */
+    DELOTET_STATUS_COORDINATE_RANGE = 11,
+    /**
+     * An element refers to a point that does not exist.
+     */
+    DELOTET_STATUS_INDEX_OUT_OF_RANGE = 12,
+    /**
+     * Two points are equal where that is not allowed.
+     */
+    DELOTET_STATUS_DUPLICATE_POINT = 13,
+    /**
+     * A facet or segment has no extent, or a polygon is not usable as one.
+     */
+    DELOTET_STATUS_DEGENERATE_FACET = 14,
+    /**
+     * A polygon is too far from planar to be triangulated without crossing itself.
+     */
+    DELOTET_STATUS_NON_PLANAR_FACET = 15,
+    /**
+     * Elements of the PLC cross or overlap outside their common points and edges.
+     */
+    DELOTET_STATUS_SELF_INTERSECTION = 16,
+    /**
+     * All points lie in one plane: there is no tetrahedron.
+     */
+    DELOTET_STATUS_DEGENERATE_INPUT = 17,
+    /**
+     * A hole or region seed lies on a facet or outside the domain.
+     */
+    DELOTET_STATUS_SEED_OUTSIDE = 18,
+    /**
+     * The surface encloses nothing, and the convex hull was not asked for.
+     */
+    DELOTET_STATUS_NOTHING_ENCLOSED = 19,
+    /**
+     * The caller's callback asked to stop.
+     */
+    DELOTET_STATUS_CANCELLED = 30,
+    /**
+     * The caller's limit on Steiner points was reached.
+     */
+    DELOTET_STATUS_STEINER_LIMIT = 31,
+    /**
+     * A Steiner point would have been needed where they are forbidden.
+     */
+    DELOTET_STATUS_STEINER_FORBIDDEN = 32,
+    /**
+     * The exact mesh exists, but some Steiner points have no valid position in doubles.
+     */
+    DELOTET_STATUS_ROUNDING = 33,
+    /**
+     * Memory ran out.
+     */
+    DELOTET_STATUS_OUT_OF_MEMORY = 40,
+    /**
+     * More elements than 32-bit indices can address.
+     */
+    DELOTET_STATUS_TOO_LARGE = 41,
+    /**
+     * A file cannot be opened, read or written.
+     */
+    DELOTET_STATUS_FILE = 50,
+    /**
+     * A file's content is not what its format prescribes.
+     */
+    DELOTET_STATUS_FORMAT = 51,
+    /**
+     * A mesh does not pass its check.
+     */
+    DELOTET_STATUS_CHECK_FAILED = 60,
+    /**
+     * A failed invariant: a bug of the library, please report it. A handle that the call was changing may only be freed.
+     */
+    DELOTET_STATUS_INTERNAL = 90,
+} DelotetStatus;
+
+/**
+ * What kind of defect was found.
+ */
+typedef enum DelotetDefectKind {
+    /**
+     * A coordinate is NaN or infinite.
+     */
+    DELOTET_DEFECT_KIND_NON_FINITE = 1,
+    /**
+     * A coordinate cannot be brought into the exact range.
+     */
+    DELOTET_DEFECT_KIND_COORDINATE_RANGE = 2,
+    /**
+     * An index refers to nothing.
+     */
+    DELOTET_DEFECT_KIND_INDEX_OUT_OF_RANGE = 3,
+    /**
+     * A segment joins a point with itself or with an equal one.
+     */
+    DELOTET_DEFECT_KIND_DEGENERATE_SEGMENT = 4,
+    /**
+     * A facet has no area, fewer than three distinct corners, or a ring that is not a polygon.
+     */
+    DELOTET_DEFECT_KIND_DEGENERATE_FACET = 5,
+    /**
+     * A ring of a facet touches or crosses itself or another ring of the facet.
+     */
+    DELOTET_DEFECT_KIND_RING_INTERSECTION = 6,
+    /**
+     * An inner ring lies outside the outer one, or inside another inner ring.
+     */
+    DELOTET_DEFECT_KIND_RING_NESTING = 7,
+    /**
+     * A polygon cannot be triangulated: it is folded in its own plane of projection.
+     */
+    DELOTET_DEFECT_KIND_NON_PLANAR_FACET = 8,
+    /**
+     * Two facets cover the same triangle.
+     */
+    DELOTET_DEFECT_KIND_DUPLICATE_FACET = 9,
+    /**
+     * Two segments cross at an inner point of both.
+     */
+    DELOTET_DEFECT_KIND_SEGMENT_SEGMENT = 10,
+    /**
+     * A segment (or an edge of a facet) pierces a facet.
+     */
+    DELOTET_DEFECT_KIND_SEGMENT_FACET = 11,
+    /**
+     * Two facets cross.
+     */
+    DELOTET_DEFECT_KIND_FACET_FACET = 12,
+    /**
+     * Two coplanar facets, or a facet and a segment in it, overlap along an area or a line without sharing it.
+     */
+    DELOTET_DEFECT_KIND_OVERLAP = 13,
+    /**
+     * A seed lies exactly on a facet.
+     */
+    DELOTET_DEFECT_KIND_SEED_ON_FACET = 14,
+    /**
+     * A seed lies outside the domain.
+     */
+    DELOTET_DEFECT_KIND_SEED_OUTSIDE = 15,
+    /**
+     * A facet has an edge that no other facet shares, where closed surfaces are required.
+     */
+    DELOTET_DEFECT_KIND_OPEN_EDGE = 16,
+    /**
+     * A Steiner point has no valid position in doubles.
+     */
+    DELOTET_DEFECT_KIND_ROUNDING = 17,
+    /**
+     * A tetrahedron is flat (zero volume) or inverted.
+     */
+    DELOTET_DEFECT_KIND_NOT_POSITIVE = 18,
+    /**
+     * A face is shared by more than two tetrahedra, or by two on the same side, or a neighbour is wrong.
+     */
+    DELOTET_DEFECT_KIND_NOT_CONFORMING = 19,
+    /**
+     * An input point is missing from the mesh or was moved.
+     */
+    DELOTET_DEFECT_KIND_POINT_MOVED = 20,
+    /**
+     * A segment is not a union of edges of the mesh.
+     */
+    DELOTET_DEFECT_KIND_SEGMENT_MISSING = 21,
+    /**
+     * A facet is not a union of faces of the mesh.
+     */
+    DELOTET_DEFECT_KIND_FACET_MISSING = 22,
+    /**
+     * An unconstrained face is not locally Delaunay.
+     */
+    DELOTET_DEFECT_KIND_NOT_DELAUNAY = 23,
+    /**
+     * A boundary face of the mesh lies on no facet.
+     */
+    DELOTET_DEFECT_KIND_HULL_OFF_FACETS = 24,
+} DelotetDefectKind;
+
+/**
+ * What kind of element an index refers to.
+ */
+typedef enum DelotetElement {
+    /**
+     * No element.
+     */
+    DELOTET_ELEMENT_NONE = 0,
+    /**
+     * An input point (in a check of a mesh: a point of the mesh).
+     */
+    DELOTET_ELEMENT_POINT = 1,
+    /**
+     * An input segment, in the order of addition.
+     */
+    DELOTET_ELEMENT_SEGMENT = 2,
+    /**
+     * An input facet, in the order of addition.
+     */
+    DELOTET_ELEMENT_FACET = 3,
+    /**
+     * A hole seed.
+     */
+    DELOTET_ELEMENT_HOLE = 4,
+    /**
+     * A region seed.
+     */
+    DELOTET_ELEMENT_REGION = 5,
+    /**
+     * A tetrahedron of the mesh.
+     */
+    DELOTET_ELEMENT_TET = 6,
+} DelotetElement;
+
+/**
+ * Stages of a run, in order.
+ */
+typedef enum DelotetPhase {
+    /**
+     * Reading a file.
+     */
+    DELOTET_PHASE_READ = 0,
+    /**
+     * Checking the input.
+     */
+    DELOTET_PHASE_VALIDATE = 1,
+    /**
+     * Delaunay tetrahedralization of the points.
+     */
+    DELOTET_PHASE_DELAUNAY = 2,
+    /**
+     * Segment recovery.
+     */
+    DELOTET_PHASE_SEGMENTS = 3,
+    /**
+     * Facet recovery.
+     */
+    DELOTET_PHASE_FACETS = 4,
+    /**
+     * Carving, holes and regions.
+     */
+    DELOTET_PHASE_REGIONS = 5,
+    /**
+     * Rounding Steiner points to doubles.
+     */
+    DELOTET_PHASE_ROUND = 6,
+    /**
+     * The exact audit of the result.
+     */
+    DELOTET_PHASE_AUDIT = 7,
+    /**
+     * Writing files.
+     */
+    DELOTET_PHASE_WRITE = 8,
+} DelotetPhase;
+
+/**
+ * A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
+ */
+typedef struct DelotetError DelotetError;
+
+/**
+ * A tetrahedral mesh: immutable, so any number of threads may read it.
+ */
+typedef struct DelotetMesh DelotetMesh;
+
+/**
+ * Settings of a run. One object may serve any number of runs, also at the same time (the callbacks are then called from all
+ * their threads).
+ */
+typedef struct DelotetOptions DelotetOptions;
+
+/**
+ * A piecewise linear complex: points, segments, facets, hole seeds and region seeds. Indices of points, segments and facets
+ * are 0-based, in the order of addition.
+ */
+typedef struct DelotetPlc DelotetPlc;
+
+/**
+ * One defect: kind, the one or two elements involved, and a point where it is seen.
+ */
+typedef struct DelotetDefect {
+    /**
+     * The kind.
+     */
+    enum DelotetDefectKind kind;
+    /**
+     * What `first` counts.
+     */
+    enum DelotetElement first_element;
+    /**
+     * Index of the element at fault.
+     */
+    uint32_t first;
+    /**
+     * What `second` counts; DELOTET_ELEMENT_NONE if only one element is involved.
+     */
+    enum DelotetElement second_element;
+    /**
+     * Index of the other element of a pair, or DELOTET_INVALID_INDEX.
+     */
+    uint32_t second;
+    /**
+     * 1 if `point` is set, else 0.
+     */
+    uint32_t has_point;
+    /**
+     * x y z of a point at or near the defect (rounded where it is an intersection); zeros if there is none.
+     */
+    double point[3];
+} DelotetDefect;
+
+/**
+ * Borrowed defects; NULL and 0 if there are none.
+ */
+typedef struct DelotetDefectsView {
+    /**
+     * `count` defects.
+     */
+    const struct DelotetDefect *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetDefectsView;
+
+/**
+ * What is made of the input: one of the DELOTET_MODE_ constants.
+ */
+typedef uint32_t DelotetMode;
+
+/**
+ * Receives progress: `fraction` of `phase` is done, from 0 to 1, never falling within a phase. Return 0 to go on, anything
+ * else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the thread that made the call. Must not throw,
+ * must not longjmp, must not use the handles of the call.
+ */
+typedef int32_t (*DelotetProgressFn)(void *user_data, enum DelotetPhase phase, double fraction);
+
+/**
+ * Receives a line of text about the run; `message` is UTF-8 and valid during the call of the callback only. Called on the
+ * thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
+ */
+typedef void (*DelotetLogFn)(void *user_data, const char *message);
+
+/**
+ * Borrowed points; NULL and 0 if there are none.
+ */
+typedef struct DelotetPointsView {
+    /**
+     * #points by 3 doubles: x y z per point.
+     */
+    const double *data;
+    /**
+     * How many points.
+     */
+    size_t count;
+} DelotetPointsView;
+
+/**
+ * Borrowed rows of doubles; NULL and zeros if there are none.
+ */
+typedef struct DelotetDoublesView {
+    /**
+     * #rows by `width` doubles.
+     */
+    const double *data;
+    /**
+     * How many rows.
+     */
+    size_t count;
+    /**
+     * How many doubles per row.
+     */
+    size_t width;
+} DelotetDoublesView;
+
+/**
+ * Borrowed markers; NULL and 0 if there are none.
+ */
+typedef struct DelotetMarkersView {
+    /**
+     * `count` integers.
+     */
+    const int32_t *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetMarkersView;
+
+/**
+ * Borrowed indices; NULL and 0 if there are none.
+ */
+typedef struct DelotetIndicesView {
+    /**
+     * `count` indices.
+     */
+    const uint32_t *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetIndicesView;
+
+/**
+ * Borrowed quadruples of indices, one per tetrahedron; NULL and 0 if there are none.
+ */
+typedef struct DelotetTetsView {
+    /**
+     * #tetrahedra by 4 indices.
+     */
+    const uint32_t *data;
+    /**
+     * How many tetrahedra.
+     */
+    size_t count;
+} DelotetTetsView;
+
+/**
+ * A region of the mesh: tetrahedra that are connected through unconstrained faces and share a seed (or have none).
+ */
+typedef struct DelotetRegion {
+    /**
+     * The attribute of the seed; for unseeded regions a number of its own, not used by any seed.
+     */
+    double attribute;
+    /**
+     * The volume bound of the seed; 0 if it has none.
+     */
+    double max_volume;
+    /**
+     * Index of the region seed, or DELOTET_INVALID_INDEX.
+     */
+    uint32_t seed;
+    /**
+     * Unused: 0.
+     */
+    uint32_t reserved;
+} DelotetRegion;
+
+/**
+ * Borrowed regions; NULL and 0 if there are none.
+ */
+typedef struct DelotetRegionsView {
+    /**
+     * `count` regions.
+     */
+    const struct DelotetRegion *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetRegionsView;
+
+/**
+ * A piece of a facet: a triangle that is a face of the mesh.
+ */
+typedef struct DelotetSubface {
+    /**
+     * The corners.
+     */
+    uint32_t corners[3];
+    /**
+     * The input facet it lies on (where coplanar neighbours with equal markers are meshed as one: one of them).
+     */
+    uint32_t facet;
+    /**
+     * That facet's marker.
+     */
+    int32_t marker;
+    /**
+     * The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
+     * `(b - a) x (c - a)` points from the first to the second: outward on the boundary.
+     */
+    uint32_t tets[2];
+} DelotetSubface;
+
+/**
+ * Borrowed subfaces; NULL and 0 if there are none.
+ */
+typedef struct DelotetSubfacesView {
+    /**
+     * `count` subfaces.
+     */
+    const struct DelotetSubface *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetSubfacesView;
+
+/**
+ * A piece of a segment or of a facet's edge: an edge of the mesh.
+ */
+typedef struct DelotetSubsegment {
+    /**
+     * The ends.
+     */
+    uint32_t ends[2];
+    /**
+     * The input segment it lies on, or DELOTET_INVALID_INDEX for an edge of facets.
+     */
+    uint32_t segment;
+    /**
+     * The segment's marker, 0 for an edge of facets.
+     */
+    int32_t marker;
+} DelotetSubsegment;
+
+/**
+ * Borrowed subsegments; NULL and 0 if there are none.
+ */
+typedef struct DelotetSubsegmentsView {
+    /**
+     * `count` subsegments.
+     */
+    const struct DelotetSubsegment *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetSubsegmentsView;
+
+/**
+ * A Steiner point and where it lies.
+ */
+typedef struct DelotetSteinerPoint {
+    /**
+     * Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a).
+     */
+    uint32_t ends[2];
+    /**
+     * The parameter t.
+     */
+    double t;
+    /**
+     * The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only.
+     */
+    uint32_t segment;
+    /**
+     * Its coordinates are exactly a + t (b - a); false: they are rounded, or were moved to keep every tetrahedron positive.
+     */
+    bool exact;
+} DelotetSteinerPoint;
+
+/**
+ * Borrowed Steiner points; NULL and 0 if there are none.
+ */
+typedef struct DelotetSteinerView {
+    /**
+     * `count` Steiner points.
+     */
+    const struct DelotetSteinerPoint *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetSteinerView;
+
+/**
+ * A flip of two facets' triangles that facet merging made before meshing.
+ */
+typedef struct DelotetFacetFlip {
+    /**
+     * The removed edge (input points).
+     */
+    uint32_t old_ends[2];
+    /**
+     * The edge in its place.
+     */
+    uint32_t new_ends[2];
+    /**
+     * The two facets.
+     */
+    uint32_t facets[2];
+} DelotetFacetFlip;
+
+/**
+ * Borrowed facet flips; NULL and 0 if there are none.
+ */
+typedef struct DelotetFacetFlipsView {
+    /**
+     * `count` flips.
+     */
+    const struct DelotetFacetFlip *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetFacetFlipsView;
+
+/**
+ * Counts and costs of the run that made a mesh. Later versions append fields: `struct_size` tells both sides how many there are.
+ */
+typedef struct DelotetStats {
+    /**
+     * Set by the caller to sizeof(DelotetStats); set by the library to the number of bytes that it wrote.
+     */
+    size_t struct_size;
+    /**
+     * Steiner points on segments and edges of facets.
+     */
+    uint64_t steiner;
+    /**
+     * Those whose double coordinates are exact.
+     */
+    uint64_t steiner_exact;
+    /**
+     * Those whose nearest double was not valid and that were moved to another position.
+     */
+    uint64_t steiner_moved;
+    /**
+     * Input points that equal an earlier one.
+     */
+    uint64_t duplicate_points;
+    /**
+     * Segments missing from the Delaunay tetrahedralization of the points.
+     */
+    uint64_t missing_segments;
+    /**
+     * Missing regions that facet recovery filled.
+     */
+    uint64_t missing_regions;
+    /**
+     * Largest number of bytes that the kernel's arrays held.
+     */
+    uint64_t peak_bytes;
+    /**
+     * Seconds per phase, indexed by DelotetPhase; unused entries are 0.
+     */
+    double seconds[16];
+} DelotetStats;
+
+/**
+ * A face of the mesh.
+ */
+typedef struct DelotetFace {
+    /**
+     * The corners; `(b - a) x (c - a)` points from `tets[0]` to `tets[1]`.
+     */
+    uint32_t corners[3];
+    /**
+     * The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
+     */
+    uint32_t tets[2];
+    /**
+     * The subface that it is, or DELOTET_INVALID_INDEX.
+     */
+    uint32_t subface;
+    /**
+     * The subface's marker, else 0.
+     */
+    int32_t marker;
+} DelotetFace;
+
+/**
+ * Borrowed faces; NULL and 0 if there are none.
+ */
+typedef struct DelotetFacesView {
+    /**
+     * `count` faces.
+     */
+    const struct DelotetFace *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetFacesView;
+
+/**
+ * An edge of the mesh.
+ */
+typedef struct DelotetEdge {
+    /**
+     * The ends, the smaller first.
+     */
+    uint32_t ends[2];
+    /**
+     * A tetrahedron that has it.
+     */
+    uint32_t tet;
+    /**
+     * The subsegment that it is, or DELOTET_INVALID_INDEX.
+     */
+    uint32_t subsegment;
+    /**
+     * The subsegment's marker, else 0.
+     */
+    int32_t marker;
+} DelotetEdge;
+
+/**
+ * Borrowed edges; NULL and 0 if there are none.
+ */
+typedef struct DelotetEdgesView {
+    /**
+     * `count` edges.
+     */
+    const struct DelotetEdge *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetEdgesView;
+
+/**
+ * Borrowed rows of indices; NULL and zeros if there are none.
+ */
+typedef struct DelotetIndexRowsView {
+    /**
+     * #rows by `width` indices.
+     */
+    const uint32_t *data;
+    /**
+     * How many rows.
+     */
+    size_t count;
+    /**
+     * How many indices per row.
+     */
+    size_t width;
+} DelotetIndexRowsView;
+
+/**
+ * In which order the six mid-edge nodes follow the four corners of a tetrahedron: one of the DELOTET_NODE_ORDER_ constants.
+ */
+typedef uint32_t DelotetNodeOrder;
+
+/**
+ * Borrowed second-order nodes and tetrahedra.
+ */
+typedef struct DelotetSecondOrderView {
+    /**
+     * #nodes by 3 doubles: the mid-edge nodes, one per edge in the order of delotet_mesh_edges. Node i has the index
+     * #points + i.
+     */
+    const double *nodes;
+    /**
+     * How many mid-edge nodes.
+     */
+    size_t node_count;
+    /**
+     * #tetrahedra by 10 indices: four corners, then six mid-edge nodes.
+     */
+    const uint32_t *tets;
+    /**
+     * How many tetrahedra.
+     */
+    size_t tet_count;
+} DelotetSecondOrderView;
+
+/**
+ * The Delaunay tetrahedralization of the points; segments and facets are ignored.
+ */
+#define DELOTET_MODE_DELAUNAY 0
+
+/**
+ * The constrained Delaunay tetrahedralization: segments and facets are unions of edges and faces, with Steiner points on
+ * segments only. The default.
+ */
+#define DELOTET_MODE_CONSTRAINED 1
+
+/**
+ * VTK, Abaqus and CalculiX (C3D10), Nastran: nodes on the edges 01 12 02 03 13 23.
+ */
+#define DELOTET_NODE_ORDER_VTK 0
+
+/**
+ * Gmsh: nodes on the edges 01 12 02 03 23 13.
+ */
+#define DELOTET_NODE_ORDER_GMSH 1
+
+/**
+ * TetGen (-o2): nodes on the edges 23 03 01 12 13 02.
+ */
+#define DELOTET_NODE_ORDER_TETGEN 2
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * Version of the loaded library: 1,000,000 * major + 1,000 * minor + patch, as DELOTET_VERSION is for the header.
+ * Before 1.0 library and header must agree in major and minor. Any thread, any time; cannot fail.
+ */
+DELOTET_API
+uint32_t delotet_version(void);
+
+/**
+ * Version of the loaded library as text, such as "1.2.3". Static: never NULL, never freed.
+ */
+DELOTET_API const char *delotet_version_string(void);
+
+/**
+ * Name of a status, such as "DELOTET_STATUS_SELF_INTERSECTION"; "unknown" for other numbers. Static: never NULL, never freed.
+ */
+DELOTET_API
+const char *delotet_status_name(uint32_t status);
+
+/**
+ * Name of a kind of element, such as "DELOTET_ELEMENT_FACET"; "unknown" for other numbers. Static: never NULL, never freed.
+ */
+DELOTET_API
+const char *delotet_element_name(uint32_t element);
+
+/**
+ * Name of a kind of defect, such as "DELOTET_DEFECT_KIND_OVERLAP"; "unknown" for other numbers. Static: never NULL, never freed.
+ */
+DELOTET_API
+const char *delotet_defect_kind_name(uint32_t kind);
+
+/**
+ * Name of a phase, such as "DELOTET_PHASE_FACETS"; "unknown" for other numbers. Static: never NULL, never freed.
+ */
+DELOTET_API
+const char *delotet_phase_name(uint32_t phase);
+
+/**
+ * The status of `error`, the same that the failing call returned; DELOTET_STATUS_OK for NULL.
+ */
+DELOTET_API enum DelotetStatus delotet_error_status(const struct DelotetError *error);
+
+/**
+ * One line in English, UTF-8. Borrowed from `error`: valid until it is freed. "" for NULL; never NULL.
+ */
+DELOTET_API const char *delotet_error_message(const struct DelotetError *error);
+
+/**
+ * All defects that the report lists (at most what delotet_options_set_max_defects allows). Borrowed from `error`: valid until
+ * it is freed. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetDefectsView delotet_error_defects(const struct DelotetError *error);
+
+/**
+ * How many defects were found in all; the report may list fewer. 0 for NULL.
+ */
+DELOTET_API size_t delotet_error_defect_count(const struct DelotetError *error);
+
+/**
+ * Frees an error and all that was borrowed from it. NULL is ignored.
+ */
+DELOTET_API void delotet_error_free(struct DelotetError *error);
+
+/**
+ * New options with the defaults that the setters document. The caller owns them: free with delotet_options_free. NULL only if
+ * memory ran out.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+struct DelotetOptions *delotet_options_new(void);
+
+/**
+ * What is made: a DELOTET_MODE_ constant. Default: DELOTET_MODE_CONSTRAINED. Errors: INVALID_ARGUMENT (other values).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_mode(struct DelotetOptions *options,
+                                            DelotetMode mode);
+
+/**
+ * Keep every tetrahedron of the convex hull, holes and outside included (holes given by seeds are still carved).
+ * Default: false. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_keep_hull(struct DelotetOptions *options,
+                                                 bool keep_hull);
+
+/**
+ * Take facets with equal markers that meet above `angle` degrees (90 to 180) as one smooth patch, and flip its triangles to be
+ * Delaunay on the surface first; delotet_mesh_facet_flips reports the flips. 0: off, the default. Errors: INVALID_ARGUMENT.
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_merge_facets(struct DelotetOptions *options,
+                                                    double angle);
+
+/**
+ * Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may end in
+ * DELOTET_STATUS_INTERNAL. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_validate(struct DelotetOptions *options,
+                                                bool validate);
+
+/**
+ * How many defects an error lists at most. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_max_defects(struct DelotetOptions *options,
+                                                   size_t max_defects);
+
+/**
+ * Worker threads, at least 1. The mesh does not depend on it, bit for bit. Default: 1. Errors: INVALID_ARGUMENT (0).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_threads(struct DelotetOptions *options,
+                                               size_t threads);
+
+/**
+ * Give up with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX: no limit, the default.
+ * Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_steiner_limit(struct DelotetOptions *options,
+                                                     uint64_t limit);
+
+/**
+ * The points are already in a spatially coherent order: skip sorting. Default: false. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_points_sorted(struct DelotetOptions *options,
+                                                     bool points_sorted);
+
+/**
+ * Progress goes to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default.
+ * Errors: INVALID_ARGUMENT (options is NULL).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_progress(struct DelotetOptions *options,
+                                                DelotetProgressFn callback,
+                                                void *user_data);
+
+/**
+ * Log lines go to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default; the library
+ * itself never prints. Errors: INVALID_ARGUMENT (options is NULL).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_log(struct DelotetOptions *options,
+                                           DelotetLogFn callback,
+                                           void *user_data);
+
+/**
+ * Frees options. NULL is ignored. Not while a run uses them.
+ */
+DELOTET_API void delotet_options_free(struct DelotetOptions *options);
+
+/**
+ * A new PLC with these points and nothing else.
+ * `xyz`: #points by 3 doubles, x y z per point; copied; may be NULL if `point_count` is 0. Finiteness is checked later, by
+ * delotet_plc_check and delotet_tetrahedralize.
+ * `out_plc`: the PLC, owned by the caller: free with delotet_plc_free; NULL on failure.
+ * `out_error`: may be NULL; NULL on success, else an error to be freed with delotet_error_free. So for all functions here.
+ * Errors: INVALID_ARGUMENT, TOO_LARGE (2^32 - 1 points or more), OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_new(const double *xyz,
+                                   size_t point_count,
+                                   struct DelotetPlc **out_plc,
+                                   struct DelotetError **out_error);
+
+/**
+ * Sets the attributes of all points (replacing earlier ones): fields that are carried to the mesh, linear at Steiner points.
+ * `attributes`: #points by `attribute_count` doubles; copied. `attribute_count` 0 removes them.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_point_attributes(struct DelotetPlc *plc,
+                                                    const double *attributes,
+                                                    size_t attribute_count,
+                                                    struct DelotetError **out_error);
+
+/**
+ * Sets the markers of all points (replacing earlier ones).
+ * `markers`: #points integers; copied; NULL removes them. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_point_markers(struct DelotetPlc *plc,
+                                                 const int32_t *markers,
+                                                 struct DelotetError **out_error);
+
+/**
+ * Adds a segment from point `a` to point `b`. Edges of facets need not be given, unless they carry a marker.
+ * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_segment(struct DelotetPlc *plc,
+                                           uint32_t a,
+                                           uint32_t b,
+                                           int32_t marker,
+                                           struct DelotetError **out_error);
+
+/**
+ * Adds `count` segments.
+ * `ends`: #segments by 2 point indices; copied. `markers`: #segments integers, or NULL (all 0).
+ * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_segments(struct DelotetPlc *plc,
+                                            const uint32_t *ends,
+                                            const int32_t *markers,
+                                            size_t count,
+                                            struct DelotetError **out_error);
+
+/**
+ * Adds `count` triangular facets.
+ * `corners`: #triangles by 3 point indices; copied. `markers`: #triangles integers, or NULL (all 0). The order of the corners
+ * is free. Coplanar neighbours with equal markers are meshed as one: the edge between them need not be an edge of the mesh, unless
+ * it is a segment, too.
+ * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_triangles(struct DelotetPlc *plc,
+                                             const uint32_t *corners,
+                                             const int32_t *markers,
+                                             size_t count,
+                                             struct DelotetError **out_error);
+
+/**
+ * Adds `count` facets of one polygon each (quadrilaterals, any planar polygon).
+ * `corners`: the corner indices of all polygons, one after the other; `polygon_ends`: #polygons ascending positions: polygon i
+ * has the corners from polygon_ends[i - 1] (0 for the first) up to, not including, polygon_ends[i]. Copied.
+ * `markers`: #polygons integers, or NULL (all 0).
+ * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_polygons(struct DelotetPlc *plc,
+                                            const uint32_t *corners,
+                                            const size_t *polygon_ends,
+                                            const int32_t *markers,
+                                            size_t count,
+                                            struct DelotetError **out_error);
+
+/**
+ * Adds one planar facet with holes: the first ring is its outer boundary, all others (three corners or more) are holes in it.
+ * Rings of one or two corners are points and edges inside the facet that the mesh has to respect.
+ * `corners`: the corner indices of all rings, one after the other; `ring_ends`: #rings ascending positions, as for
+ * delotet_plc_add_polygons. Copied.
+ * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_facet(struct DelotetPlc *plc,
+                                         const uint32_t *corners,
+                                         const size_t *ring_ends,
+                                         size_t ring_count,
+                                         int32_t marker,
+                                         struct DelotetError **out_error);
+
+/**
+ * Adds one planar facet by TetGen's rule: what cannot be reached from outside without crossing an edge of a polygon belongs to
+ * the facet, except what can be reached from a hole seed. Inner polygons and polygons of two corners constrain only.
+ * `corners`, `polygon_ends`: as for delotet_plc_add_facet. `hole_seeds`: #holes by 3 doubles, one point in each hole; copied;
+ * may be NULL if `hole_count` is 0.
+ * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_facet_with_hole_seeds(struct DelotetPlc *plc,
+                                                         const uint32_t *corners,
+                                                         const size_t *polygon_ends,
+                                                         size_t polygon_count,
+                                                         const double *hole_seeds,
+                                                         size_t hole_count,
+                                                         int32_t marker,
+                                                         struct DelotetError **out_error);
+
+/**
+ * Adds a hole: what can be reached from the point `seed` (x y z) without crossing a facet is not meshed.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY. That the seed lies inside is checked later.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_hole(struct DelotetPlc *plc,
+                                        const double *seed,
+                                        struct DelotetError **out_error);
+
+/**
+ * Adds a region: the tetrahedra that can be reached from the point `seed` (x y z) without crossing a facet get `attribute`.
+ * `max_volume`: largest volume of a tetrahedron there, carried to delotet_mesh_regions; not positive: none.
+ * Errors: INVALID_ARGUMENT (also a NaN), OUT_OF_MEMORY. That the seed lies inside is checked later.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_region(struct DelotetPlc *plc,
+                                          const double *seed,
+                                          double attribute,
+                                          double max_volume,
+                                          struct DelotetError **out_error);
+
+/**
+ * Looks for defects: non-finite points, elements without extent, self-intersections, unusable polygons. All of them are listed
+ * in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel.
+ * Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_check(const struct DelotetPlc *plc,
+                                     const struct DelotetOptions *options,
+                                     struct DelotetError **out_error);
+
+/**
+ * The points: #points by 3 doubles. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
+ */
+DELOTET_API struct DelotetPointsView delotet_plc_points(const struct DelotetPlc *plc);
+
+/**
+ * The attributes of the points: #points by `width` doubles. Borrowed from `plc`: valid until it is changed or freed. Empty for
+ * NULL and without attributes.
+ */
+DELOTET_API
+struct DelotetDoublesView delotet_plc_point_attributes(const struct DelotetPlc *plc);
+
+/**
+ * The markers of the points: one each, or none at all. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetMarkersView delotet_plc_point_markers(const struct DelotetPlc *plc);
+
+/**
+ * How many segments. 0 for NULL.
+ */
+DELOTET_API size_t delotet_plc_segment_count(const struct DelotetPlc *plc);
+
+/**
+ * How many facets: triangles and others. 0 for NULL.
+ */
+DELOTET_API size_t delotet_plc_facet_count(const struct DelotetPlc *plc);
+
+/**
+ * The marker of a facet; 0 for NULL and for facets that do not exist.
+ */
+DELOTET_API int32_t delotet_plc_facet_marker(const struct DelotetPlc *plc, uint32_t facet);
+
+/**
+ * Frees a PLC and all that was borrowed from it. NULL is ignored. Meshes made from it live on.
+ */
+DELOTET_API void delotet_plc_free(struct DelotetPlc *plc);
+
+/**
+ * All points: the input points first, bit for bit and in input order, then the Steiner points. Borrowed from `mesh`: valid until
+ * it is freed, as all views of a mesh are. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetPointsView delotet_mesh_points(const struct DelotetMesh *mesh);
+
+/**
+ * How many of the points are input points. 0 for NULL.
+ */
+DELOTET_API size_t delotet_mesh_input_point_count(const struct DelotetMesh *mesh);
+
+/**
+ * For each input point the first input point equal to it (itself, if there is none): tetrahedra use only that one. Borrowed
+ * from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetIndicesView delotet_mesh_point_aliases(const struct DelotetMesh *mesh);
+
+/**
+ * Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge.
+ * Borrowed from `mesh`. Empty for NULL and if the input had none.
+ */
+DELOTET_API
+struct DelotetDoublesView delotet_mesh_point_attributes(const struct DelotetMesh *mesh);
+
+/**
+ * Markers of all points: the input's, at Steiner points their segment's, 0 on an edge of facets only. Borrowed from `mesh`.
+ * Empty for NULL and if the input had none.
+ */
+DELOTET_API
+struct DelotetMarkersView delotet_mesh_point_markers(const struct DelotetMesh *mesh);
+
+/**
+ * The tetrahedra: four corners each, positive: det(b - a, c - a, d - a) > 0, as in VTK, Gmsh and TetGen's output. Borrowed from
+ * `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetTetsView delotet_mesh_tets(const struct DelotetMesh *mesh);
+
+/**
+ * Neighbours: per tetrahedron and corner i the tetrahedron beyond the face opposite that corner, or DELOTET_INVALID_INDEX.
+ * Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetTetsView delotet_mesh_neighbors(const struct DelotetMesh *mesh);
+
+/**
+ * Per tetrahedron the index of its region in delotet_mesh_regions. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API struct DelotetIndicesView delotet_mesh_tet_regions(const struct DelotetMesh *mesh);
+
+/**
+ * The regions. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API struct DelotetRegionsView delotet_mesh_regions(const struct DelotetMesh *mesh);
+
+/**
+ * The faces on facets, with facet, marker and both tetrahedra. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API struct DelotetSubfacesView delotet_mesh_subfaces(const struct DelotetMesh *mesh);
+
+/**
+ * The edges on segments and on edges of facets, with segment and marker. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetSubsegmentsView delotet_mesh_subsegments(const struct DelotetMesh *mesh);
+
+/**
+ * The Steiner points in the order of the points, with the input edge and the segment they lie on. Borrowed from `mesh`. Empty
+ * for NULL.
+ */
+DELOTET_API
+struct DelotetSteinerView delotet_mesh_steiner_points(const struct DelotetMesh *mesh);
+
+/**
+ * The flips that facet merging made, in order (see delotet_options_set_merge_facets). Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetFacetFlipsView delotet_mesh_facet_flips(const struct DelotetMesh *mesh);
+
+/**
+ * Counts and costs of the run. Set `stats->struct_size = sizeof *stats` before the call.
+ * Errors: INVALID_ARGUMENT (NULL, or a struct_size too small for itself).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_stats(const struct DelotetMesh *mesh,
+                                      struct DelotetStats *stats);
+
+/**
+ * Checks a mesh against its PLC, exactly: all tetrahedra positive and conforming, points unmoved, segments and facets covered;
+ * with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
+ * Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_check(const struct DelotetMesh *mesh,
+                                      const struct DelotetPlc *plc,
+                                      bool constrained_delaunay,
+                                      size_t max_defects,
+                                      struct DelotetError **out_error);
+
+/**
+ * Frees a mesh and all that was borrowed from it. NULL is ignored.
+ */
+DELOTET_API void delotet_mesh_free(struct DelotetMesh *mesh);
+
+/**
+ * Makes the mesh of a PLC.
+ * `options`: NULL for the defaults. `out_mesh`: the mesh, owned by the caller: free with delotet_mesh_free; NULL on failure. It
+ * does not refer to `plc` or `options`. `out_error`: may be NULL; NULL on success, else an error to be freed with
+ * delotet_error_free: it lists the elements at fault.
+ * The same input and options give the same mesh, bit for bit. The stack of the calling thread may be small (256 KiB do).
+ * Errors: INVALID_ARGUMENT, the statuses from 10 to 41, INTERNAL.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_tetrahedralize(const struct DelotetPlc *plc,
+                                          const struct DelotetOptions *options,
+                                          struct DelotetMesh **out_mesh,
+                                          struct DelotetError **out_error);
+
+/**
+ * The region attribute of each tetrahedron: #tetrahedra by 1. Made on first use; borrowed from `mesh`, valid until it is freed.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_tet_attributes(const struct DelotetMesh *mesh,
+                                               struct DelotetDoublesView *out_view,
+                                               struct DelotetError **out_error);
+
+/**
+ * For each point a tetrahedron that has it as a corner (the first), or DELOTET_INVALID_INDEX if none has. Made on first use;
+ * borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_point_tets(const struct DelotetMesh *mesh,
+                                           struct DelotetIndicesView *out_view,
+                                           struct DelotetError **out_error);
+
+/**
+ * All faces, each once; delotet_mesh_subfaces has the constrained ones only. Made on first use; borrowed from `mesh`.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_faces(const struct DelotetMesh *mesh,
+                                      struct DelotetFacesView *out_view,
+                                      struct DelotetError **out_error);
+
+/**
+ * Per tetrahedron its four faces (indices into delotet_mesh_faces), face i opposite corner i. Made on first use; borrowed from
+ * `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_tet_faces(const struct DelotetMesh *mesh,
+                                          struct DelotetTetsView *out_view,
+                                          struct DelotetError **out_error);
+
+/**
+ * All edges, each once, ascending by their ends; delotet_mesh_subsegments has the constrained ones only. Made on first use;
+ * borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_edges(const struct DelotetMesh *mesh,
+                                      struct DelotetEdgesView *out_view,
+                                      struct DelotetError **out_error);
+
+/**
+ * Per tetrahedron its edges 01 02 03 12 13 23 (indices into delotet_mesh_edges): #tetrahedra by 6. Made on first use; borrowed
+ * from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_tet_edges(const struct DelotetMesh *mesh,
+                                          struct DelotetIndexRowsView *out_view,
+                                          struct DelotetError **out_error);
+
+/**
+ * Per subface (a, b, c) its edges ab bc ca (indices into delotet_mesh_edges): #subfaces by 3. With second-order nodes the node
+ * on edge i is #points + i. Made on first use; borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_subface_edges(const struct DelotetMesh *mesh,
+                                              struct DelotetIndexRowsView *out_view,
+                                              struct DelotetError **out_error);
+
+/**
+ * Second-order tetrahedra: a node in the middle of every edge (rounded to doubles), shared by all tetrahedra around it.
+ * `node_order`: a DELOTET_NODE_ORDER_ constant. Made on first use; borrowed from `mesh`.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_second_order(const struct DelotetMesh *mesh,
+                                             DelotetNodeOrder node_order,
+                                             struct DelotetSecondOrderView *out_view,
+                                             struct DelotetError **out_error);
+
+/**
+ * Finds the tetrahedra that hold points, exactly; a point on a common face, edge or corner belongs to the tetrahedron with the
+ * smallest index.
+ * `xyz`: #points by 3 doubles. `out_tets`: #points indices, written: DELOTET_INVALID_INDEX outside the mesh and for points that
+ * are not finite. `out_barycentric`: NULL, or #points by 4 doubles, written: the barycentric coordinates in that tetrahedron,
+ * none negative, with sum 1 up to rounding; NaN outside. A linear field at the point is the sum of coordinate times corner
+ * value. The search tree is made on first use and kept: about 40 bytes per tetrahedron.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY; then nothing was written.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_locate(const struct DelotetMesh *mesh,
+                                       const double *xyz,
+                                       size_t point_count,
+                                       uint32_t *out_tets,
+                                       double *out_barycentric,
+                                       struct DelotetError **out_error);
+
+/**
+ * Reads a PLC from a file; the extension names the format (README lists them).
+ * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
+ * on failure.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_read(const char *path,
+                                    struct DelotetPlc **out_plc,
+                                    struct DelotetError **out_error);
+
+/**
+ * Writes a mesh to a file; the extension names the format (README lists them). `plc` is the PLC that the mesh was made of: some
+ * formats carry its markers and attributes.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_write(const struct DelotetMesh *mesh,
+                                      const struct DelotetPlc *plc,
+                                      const char *path,
+                                      struct DelotetError **out_error);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* DELOTET_DELOTET_H */

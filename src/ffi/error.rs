@@ -1,0 +1,115 @@
+//! Owned errors with all defects.
+use super::guard::{free, read};
+use super::status::{DelotetDefectKind, DelotetElement, DelotetStatus};
+use crate::error::{Defect, Error};
+use std::ffi::{c_char, CString};
+
+/// A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
+pub struct DelotetError {
+    status: DelotetStatus,
+    message: CString,
+    defects: Vec<DelotetDefect>,
+    defect_count: usize,
+}
+
+/// One defect: kind, the one or two elements involved, and a point where it is seen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DelotetDefect {
+    /// The kind.
+    pub kind: DelotetDefectKind,
+    /// What `first` counts.
+    pub first_element: DelotetElement,
+    /// Index of the element at fault.
+    pub first: u32,
+    /// What `second` counts; DELOTET_ELEMENT_NONE if only one element is involved.
+    pub second_element: DelotetElement,
+    /// Index of the other element of a pair, or DELOTET_INVALID_INDEX.
+    pub second: u32,
+    /// 1 if `point` is set, else 0.
+    pub has_point: u32,
+    /// x y z of a point at or near the defect (rounded where it is an intersection); zeros if there is none.
+    pub point: [f64; 3],
+}
+
+/// Borrowed defects; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetDefectsView {
+    /// `count` defects.
+    pub data: *const DelotetDefect,
+    /// How many.
+    pub count: usize,
+}
+
+impl From<&Defect> for DelotetDefect {
+    fn from(defect: &Defect) -> Self {
+        let (first_element, first) = DelotetElement::split(Some(defect.first));
+        let (second_element, second) = DelotetElement::split(defect.second);
+        DelotetDefect {
+            kind: defect.kind.into(),
+            first_element,
+            first,
+            second_element,
+            second,
+            has_point: defect.point.is_some().into(),
+            point: defect.point.unwrap_or_default(),
+        }
+    }
+}
+
+impl DelotetError {
+    /// An owned handle for the caller.
+    pub(super) fn new(error: Error) -> *mut DelotetError {
+        let mut defects = Vec::new();
+        // Short of memory the defects are dropped rather than the message.
+        if defects.try_reserve_exact(error.defects.len()).is_ok() {
+            defects.extend(error.defects.iter().map(DelotetDefect::from));
+        }
+        let message = CString::new(error.message.replace('\0', " ")).unwrap_or_default();
+        let status = error.status.into();
+        Box::into_raw(Box::new(DelotetError { status, message, defects, defect_count: error.defect_count }))
+    }
+}
+
+/// The status of `error`, the same that the failing call returned; DELOTET_STATUS_OK for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_error_status(error: *const DelotetError) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or an error that is alive.
+    unsafe { read(error, DelotetStatus::Ok, |error| error.status) }
+}
+
+/// One line in English, UTF-8. Borrowed from `error`: valid until it is freed. "" for NULL; never NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_error_message(error: *const DelotetError) -> *const c_char {
+    // SAFETY: the caller passes NULL or an error that is alive.
+    unsafe { read(error, c"".as_ptr(), |error| error.message.as_ptr()) }
+}
+
+/// All defects that the report lists (at most what delotet_options_set_max_defects allows). Borrowed from `error`: valid until
+/// it is freed. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_error_defects(error: *const DelotetError) -> DelotetDefectsView {
+    let none = DelotetDefectsView { data: std::ptr::null(), count: 0 };
+    // SAFETY: the caller passes NULL or an error that is alive.
+    unsafe {
+        read(error, none, |error| match error.defects.as_slice() {
+            [] => none,
+            list => DelotetDefectsView { data: list.as_ptr(), count: list.len() },
+        })
+    }
+}
+
+/// How many defects were found in all; the report may list fewer. 0 for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_error_defect_count(error: *const DelotetError) -> usize {
+    // SAFETY: the caller passes NULL or an error that is alive.
+    unsafe { read(error, 0, |error| error.defect_count) }
+}
+
+/// Frees an error and all that was borrowed from it. NULL is ignored.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_error_free(error: *mut DelotetError) {
+    // SAFETY: the caller passes NULL or an error that it owns.
+    unsafe { free(error) }
+}

@@ -1,0 +1,105 @@
+//! Meshes from and to files.
+use super::error::DelotetError;
+use super::guard::{get, guard, null, Out};
+use super::mesh::DelotetMesh;
+use super::plc::DelotetPlc;
+use super::status::DelotetStatus;
+use crate::error::Error;
+use std::ffi::{c_char, CStr};
+use std::path::PathBuf;
+
+/// The path behind a C string: any bytes on Unix, UTF-8 elsewhere.
+///
+/// # Safety
+/// `path` is null or a zero-terminated string.
+unsafe fn path_of(path: *const c_char) -> Result<PathBuf, Error> {
+    if path.is_null() {
+        return Err(null("path"));
+    }
+    // SAFETY: not null, and the caller promises a terminator.
+    let text = unsafe { CStr::from_ptr(path) };
+    #[cfg(unix)]
+    {
+        use std::os::unix::ffi::OsStrExt;
+        Ok(PathBuf::from(std::ffi::OsStr::from_bytes(text.to_bytes())))
+    }
+    #[cfg(not(unix))]
+    {
+        text.to_str().map(PathBuf::from).map_err(|_| super::guard::invalid("path is not UTF-8"))
+    }
+}
+
+/// Reads a PLC from a file; the extension names the format (README lists them).
+/// `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
+/// on failure.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_read(
+    path: *const c_char,
+    out_plc: *mut *mut DelotetPlc,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a zero-terminated path, and NULL or valid out-parameters.
+    unsafe {
+        guard(out_error, || {
+            let out = Out::new(out_plc, "out_plc")?;
+            let plc = files::read(&path_of(path)?)?;
+            out.put(DelotetPlc { plc });
+            Ok(())
+        })
+    }
+}
+
+/// Writes a mesh to a file; the extension names the format (README lists them). `plc` is the PLC that the mesh was made of: some
+/// formats carry its markers and attributes.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_mesh_write(
+    mesh: *const DelotetMesh,
+    plc: *const DelotetPlc,
+    path: *const c_char,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes handles that nothing changes meanwhile and a zero-terminated path.
+    unsafe {
+        guard(out_error, || {
+            let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
+            files::write(&path_of(path)?, mesh, plc)
+        })
+    }
+}
+
+#[cfg(feature = "io")]
+mod files {
+    use crate::{error::Error, Plc, TetMesh};
+    use std::path::Path;
+
+    pub(super) fn read(path: &Path) -> Result<Plc, Error> {
+        crate::io::read(path)
+    }
+
+    pub(super) fn write(path: &Path, mesh: &TetMesh, plc: &Plc) -> Result<(), Error> {
+        crate::io::write(path, mesh, plc, &crate::io::WriteOptions::default())
+    }
+}
+
+#[cfg(not(feature = "io"))]
+mod files {
+    use crate::error::{Error, Status};
+    use crate::{Plc, TetMesh};
+    use std::path::Path;
+
+    fn absent() -> Error {
+        Error::new(Status::Unsupported, "this library was built without file formats")
+    }
+
+    pub(super) fn read(_: &Path) -> Result<Plc, Error> {
+        Err(absent())
+    }
+
+    pub(super) fn write(_: &Path, _: &TetMesh, _: &Plc) -> Result<(), Error> {
+        Err(absent())
+    }
+}

@@ -1,0 +1,254 @@
+//! The result: views of the arrays as the engine made them. What has to be derived first is in `query`.
+use super::error::DelotetError;
+use super::guard::{free, get, guard, guard_status, invalid, null, read};
+use super::plc::DelotetPlc;
+use super::status::DelotetStatus;
+use super::view::*;
+use crate::error::Error;
+use crate::mesh_query::{Edges, Faces, Locator, PointData};
+use crate::output::TetMesh;
+use crate::progress::Phase;
+use std::sync::OnceLock;
+
+/// A tetrahedral mesh: immutable, so any number of threads may read it.
+pub struct DelotetMesh {
+    pub(super) mesh: TetMesh,
+    pub(super) data: PointData,
+    regions: Vec<DelotetRegion>,
+    pub(super) derived: Derived,
+}
+
+/// What is derived from the mesh, on first use.
+#[derive(Default)]
+pub(super) struct Derived {
+    pub(super) faces: OnceLock<Faces>,
+    pub(super) edges: OnceLock<Edges>,
+    pub(super) point_tets: OnceLock<Vec<u32>>,
+    pub(super) tet_attributes: OnceLock<Vec<f64>>,
+    pub(super) nodes: OnceLock<Vec<[f64; 3]>>,
+    pub(super) tets10: [OnceLock<Vec<[u32; 10]>>; 3],
+    pub(super) locator: OnceLock<Locator>,
+}
+
+/// Handles may be handed from thread to thread, and constant ones shared.
+const _: () = {
+    const fn shareable<T: Send + Sync>() {}
+    shareable::<DelotetMesh>();
+    shareable::<DelotetPlc>();
+    shareable::<super::options::DelotetOptions>();
+    shareable::<DelotetStats>();
+};
+
+impl DelotetMesh {
+    /// A handle for a finished mesh.
+    pub(super) fn new(mesh: TetMesh, data: PointData) -> Result<DelotetMesh, Error> {
+        let mut regions = Vec::new();
+        regions.try_reserve_exact(mesh.regions.len())?;
+        regions.extend(mesh.regions.iter().map(|region| DelotetRegion {
+            attribute: region.attribute,
+            max_volume: region.max_volume.unwrap_or(0.0),
+            seed: region.seed,
+            reserved: 0,
+        }));
+        Ok(DelotetMesh { mesh, data, regions, derived: Derived::default() })
+    }
+}
+
+/// All points: the input points first, bit for bit and in input order, then the Steiner points. Borrowed from `mesh`: valid until
+/// it is freed, as all views of a mesh are. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_points(mesh: *const DelotetMesh) -> DelotetPointsView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetPointsView::new(&[]), |mesh| DelotetPointsView::new(&mesh.mesh.points)) }
+}
+
+/// How many of the points are input points. 0 for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_input_point_count(mesh: *const DelotetMesh) -> usize {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, 0, |mesh| mesh.mesh.input_point_count as usize) }
+}
+
+/// For each input point the first input point equal to it (itself, if there is none): tetrahedra use only that one. Borrowed
+/// from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_point_aliases(mesh: *const DelotetMesh) -> DelotetIndicesView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe {
+        read(mesh, DelotetIndicesView::new(&[]), |mesh| DelotetIndicesView::new(&mesh.mesh.point_alias))
+    }
+}
+
+/// Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge.
+/// Borrowed from `mesh`. Empty for NULL and if the input had none.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_point_attributes(mesh: *const DelotetMesh) -> DelotetDoublesView {
+    let view = |data: &PointData| DelotetDoublesView::new(&data.attributes, data.attribute_count);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetDoublesView::new(&[], 0), |mesh| view(&mesh.data)) }
+}
+
+/// Markers of all points: the input's, at Steiner points their segment's, 0 on an edge of facets only. Borrowed from `mesh`.
+/// Empty for NULL and if the input had none.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_point_markers(mesh: *const DelotetMesh) -> DelotetMarkersView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetMarkersView::new(&[]), |mesh| DelotetMarkersView::new(&mesh.data.markers)) }
+}
+
+/// The tetrahedra: four corners each, positive: det(b - a, c - a, d - a) > 0, as in VTK, Gmsh and TetGen's output. Borrowed from
+/// `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_tets(mesh: *const DelotetMesh) -> DelotetTetsView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetTetsView::new(&[]), |mesh| DelotetTetsView::new(&mesh.mesh.tets)) }
+}
+
+/// Neighbours: per tetrahedron and corner i the tetrahedron beyond the face opposite that corner, or DELOTET_INVALID_INDEX.
+/// Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_neighbors(mesh: *const DelotetMesh) -> DelotetTetsView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetTetsView::new(&[]), |mesh| DelotetTetsView::new(&mesh.mesh.neighbors)) }
+}
+
+/// Per tetrahedron the index of its region in delotet_mesh_regions. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_tet_regions(mesh: *const DelotetMesh) -> DelotetIndicesView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetIndicesView::new(&[]), |mesh| DelotetIndicesView::new(&mesh.mesh.tet_region)) }
+}
+
+/// The regions. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_regions(mesh: *const DelotetMesh) -> DelotetRegionsView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetRegionsView::new(&[]), |mesh| DelotetRegionsView::new(&mesh.regions)) }
+}
+
+/// The faces on facets, with facet, marker and both tetrahedra. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_subfaces(mesh: *const DelotetMesh) -> DelotetSubfacesView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetSubfacesView::new(&[]), |mesh| DelotetSubfacesView::new(&mesh.mesh.subfaces)) }
+}
+
+/// The edges on segments and on edges of facets, with segment and marker. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_subsegments(mesh: *const DelotetMesh) -> DelotetSubsegmentsView {
+    let none = DelotetSubsegmentsView::new(&[]);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, none, |mesh| DelotetSubsegmentsView::new(&mesh.mesh.subsegments)) }
+}
+
+/// The Steiner points in the order of the points, with the input edge and the segment they lie on. Borrowed from `mesh`. Empty
+/// for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_steiner_points(mesh: *const DelotetMesh) -> DelotetSteinerView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetSteinerView::new(&[]), |mesh| DelotetSteinerView::new(&mesh.mesh.steiner)) }
+}
+
+/// The flips that facet merging made, in order (see delotet_options_set_merge_facets). Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_facet_flips(mesh: *const DelotetMesh) -> DelotetFacetFlipsView {
+    let none = DelotetFacetFlipsView::new(&[]);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, none, |mesh| DelotetFacetFlipsView::new(&mesh.mesh.facet_flips)) }
+}
+
+/// Counts and costs of the run that made a mesh. Later versions append fields: `struct_size` tells both sides how many there are.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetStats {
+    /// Set by the caller to sizeof(DelotetStats); set by the library to the number of bytes that it wrote.
+    pub struct_size: usize,
+    /// Steiner points on segments and edges of facets.
+    pub steiner: u64,
+    /// Those whose double coordinates are exact.
+    pub steiner_exact: u64,
+    /// Those whose nearest double was not valid and that were moved to another position.
+    pub steiner_moved: u64,
+    /// Input points that equal an earlier one.
+    pub duplicate_points: u64,
+    /// Segments missing from the Delaunay tetrahedralization of the points.
+    pub missing_segments: u64,
+    /// Missing regions that facet recovery filled.
+    pub missing_regions: u64,
+    /// Largest number of bytes that the kernel's arrays held.
+    pub peak_bytes: u64,
+    /// Seconds per phase, indexed by DelotetPhase; unused entries are 0.
+    pub seconds: [f64; 16],
+}
+const _: () = assert!(Phase::COUNT <= 16);
+
+impl DelotetStats {
+    fn new(mesh: &TetMesh, struct_size: usize) -> DelotetStats {
+        let statistics = &mesh.statistics;
+        let mut seconds = [0.0; 16];
+        seconds[..Phase::COUNT].copy_from_slice(&statistics.seconds);
+        DelotetStats {
+            struct_size,
+            steiner: statistics.steiner,
+            steiner_exact: statistics.steiner_exact,
+            steiner_moved: statistics.steiner_moved,
+            duplicate_points: statistics.duplicate_points,
+            missing_segments: statistics.missing_segments,
+            missing_regions: statistics.missing_regions,
+            peak_bytes: statistics.peak_bytes,
+            seconds,
+        }
+    }
+}
+
+/// Counts and costs of the run. Set `stats->struct_size = sizeof *stats` before the call.
+/// Errors: INVALID_ARGUMENT (NULL, or a struct_size too small for itself).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_mesh_stats(
+    mesh: *const DelotetMesh,
+    stats: *mut DelotetStats,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a mesh that is alive and a struct of which `struct_size` bytes may be written.
+    guard_status(|| unsafe {
+        let mesh = get(mesh, "mesh")?;
+        if stats.is_null() {
+            return Err(null("stats"));
+        }
+        let size = (&raw const (*stats).struct_size).read().min(size_of::<DelotetStats>());
+        if size < size_of::<usize>() {
+            return Err(invalid("stats->struct_size is not set"));
+        }
+        let full = DelotetStats::new(&mesh.mesh, size);
+        std::ptr::copy_nonoverlapping((&raw const full).cast::<u8>(), stats.cast::<u8>(), size);
+        Ok(())
+    })
+}
+
+/// Checks a mesh against its PLC, exactly: all tetrahedra positive and conforming, points unmoved, segments and facets covered;
+/// with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
+/// Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_mesh_check(
+    mesh: *const DelotetMesh,
+    plc: *const DelotetPlc,
+    constrained_delaunay: bool,
+    max_defects: usize,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes handles that nothing changes meanwhile.
+    unsafe {
+        guard(out_error, || {
+            let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
+            crate::check::check_mesh(plc, mesh, constrained_delaunay, max_defects)
+        })
+    }
+}
+
+/// Frees a mesh and all that was borrowed from it. NULL is ignored.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_free(mesh: *mut DelotetMesh) {
+    // SAFETY: the caller passes NULL or a mesh that it owns.
+    unsafe { free(mesh) }
+}

@@ -1,0 +1,31 @@
+//! The C ABI: an adapter over the Rust API, and the only unsafe code of the library.
+//!
+//! Conventions, kept by every file here:
+//!
+//! * Exported functions are named `delotet_<noun>_<verb>`; their comments are written for C readers, since cbindgen copies
+//!   them into `include/delotet/delotet.h`.
+//! * Every body goes through [`guard`]: a panic becomes `DELOTET_STATUS_INTERNAL`, a null handle or array
+//!   `DELOTET_STATUS_INVALID_ARGUMENT`. Bodies stay at 15 lines or fewer; real work is in safe modules.
+//! * Values that C passes in are integers, never Rust enums: an unknown value must be an error and not undefined behaviour.
+//! * Output arrays are views into the handle: pointer and count, valid until the handle is freed.
+//!
+//! Layers: imports `tetrahedralize`, `plc`, `options`, `output`, `check`, `io`, `mesh_query`, `error`, `progress`.
+#![allow(unsafe_code)]
+#![allow(clippy::missing_safety_doc)]
+#![deny(clippy::undocumented_unsafe_blocks)]
+
+pub mod error;
+pub mod file;
+mod guard;
+pub mod mesh;
+pub mod options;
+pub mod plc;
+pub mod query;
+pub mod run;
+mod slice;
+pub mod status;
+pub mod version;
+pub mod view;
+
+#[cfg(test)]
+mod tests;

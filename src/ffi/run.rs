@@ -1,0 +1,36 @@
+//! The call that makes a mesh.
+use super::error::DelotetError;
+use super::guard::{get, guard, Out};
+use super::mesh::DelotetMesh;
+use super::options::{settings, DelotetOptions};
+use super::plc::DelotetPlc;
+use super::status::DelotetStatus;
+use crate::mesh_query::PointData;
+
+/// Makes the mesh of a PLC.
+/// `options`: NULL for the defaults. `out_mesh`: the mesh, owned by the caller: free with delotet_mesh_free; NULL on failure. It
+/// does not refer to `plc` or `options`. `out_error`: may be NULL; NULL on success, else an error to be freed with
+/// delotet_error_free: it lists the elements at fault.
+/// The same input and options give the same mesh, bit for bit. The stack of the calling thread may be small (256 KiB do).
+/// Errors: INVALID_ARGUMENT, the statuses from 10 to 41, INTERNAL.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_tetrahedralize(
+    plc: *const DelotetPlc,
+    options: *const DelotetOptions,
+    out_mesh: *mut *mut DelotetMesh,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes handles that nothing changes meanwhile, and NULL or valid out-parameters.
+    unsafe {
+        guard(out_error, || {
+            let out = Out::new(out_mesh, "out_mesh")?;
+            let plc = &get(plc, "plc")?.plc;
+            let (options, mut callbacks) = settings(options);
+            let mesh = crate::tetrahedralize::tetrahedralize(plc, &options, &mut callbacks)?;
+            let data = PointData::new(plc, &mesh)?;
+            out.put(DelotetMesh::new(mesh, data)?);
+            Ok(())
+        })
+    }
+}

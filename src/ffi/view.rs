@@ -1,0 +1,321 @@
+//! What C sees of arrays: pointer and count. These structs are passed by value and therefore frozen; the element types have
+//! the layout of the Rust types behind them, which is asserted here.
+use crate::mesh_query::{Edge, Face};
+use crate::output::{FacetFlip, SteinerPoint, Subface, Subsegment};
+use std::mem::offset_of;
+
+/// The index that means "none": no neighbour, no parent, not found. Valid indices are smaller. (`delotet.h.in` defines it for C,
+/// with the right suffix.)
+/// cbindgen:ignore
+pub const DELOTET_INVALID_INDEX: u32 = 0xFFFF_FFFF;
+const _: () = assert!(DELOTET_INVALID_INDEX == crate::INVALID);
+
+macro_rules! view {
+    ($name:ident, $element:ty, $from:ty) => {
+        impl $name {
+            /// A view of a list; null and 0 if it is empty.
+            pub(super) fn new(list: &[$from]) -> Self {
+                let data = if list.is_empty() { std::ptr::null() } else { list.as_ptr().cast::<$element>() };
+                $name { data, count: list.len() }
+            }
+        }
+    };
+}
+
+/// Borrowed points; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetPointsView {
+    /// #points by 3 doubles: x y z per point.
+    pub data: *const f64,
+    /// How many points.
+    pub count: usize,
+}
+view!(DelotetPointsView, f64, [f64; 3]);
+
+/// Borrowed rows of doubles; NULL and zeros if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetDoublesView {
+    /// #rows by `width` doubles.
+    pub data: *const f64,
+    /// How many rows.
+    pub count: usize,
+    /// How many doubles per row.
+    pub width: usize,
+}
+
+/// Borrowed markers; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetMarkersView {
+    /// `count` integers.
+    pub data: *const i32,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetMarkersView, i32, i32);
+
+/// Borrowed indices; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetIndicesView {
+    /// `count` indices.
+    pub data: *const u32,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetIndicesView, u32, u32);
+
+/// Borrowed rows of indices; NULL and zeros if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetIndexRowsView {
+    /// #rows by `width` indices.
+    pub data: *const u32,
+    /// How many rows.
+    pub count: usize,
+    /// How many indices per row.
+    pub width: usize,
+}
+
+/// Borrowed quadruples of indices, one per tetrahedron; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetTetsView {
+    /// #tetrahedra by 4 indices.
+    pub data: *const u32,
+    /// How many tetrahedra.
+    pub count: usize,
+}
+view!(DelotetTetsView, u32, [u32; 4]);
+
+/// A region of the mesh: tetrahedra that are connected through unconstrained faces and share a seed (or have none).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DelotetRegion {
+    /// The attribute of the seed; for unseeded regions a number of its own, not used by any seed.
+    pub attribute: f64,
+    /// The volume bound of the seed; 0 if it has none.
+    pub max_volume: f64,
+    /// Index of the region seed, or DELOTET_INVALID_INDEX.
+    pub seed: u32,
+    /// Unused: 0.
+    pub reserved: u32,
+}
+
+/// Borrowed regions; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetRegionsView {
+    /// `count` regions.
+    pub data: *const DelotetRegion,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetRegionsView, DelotetRegion, DelotetRegion);
+
+/// A piece of a facet: a triangle that is a face of the mesh.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSubface {
+    /// The corners.
+    pub corners: [u32; 3],
+    /// The input facet it lies on (where coplanar neighbours with equal markers are meshed as one: one of them).
+    pub facet: u32,
+    /// That facet's marker.
+    pub marker: i32,
+    /// The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
+    /// `(b - a) x (c - a)` points from the first to the second: outward on the boundary.
+    pub tets: [u32; 2],
+}
+
+/// Borrowed subfaces; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSubfacesView {
+    /// `count` subfaces.
+    pub data: *const DelotetSubface,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetSubfacesView, DelotetSubface, Subface);
+
+/// A piece of a segment or of a facet's edge: an edge of the mesh.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSubsegment {
+    /// The ends.
+    pub ends: [u32; 2],
+    /// The input segment it lies on, or DELOTET_INVALID_INDEX for an edge of facets.
+    pub segment: u32,
+    /// The segment's marker, 0 for an edge of facets.
+    pub marker: i32,
+}
+
+/// Borrowed subsegments; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSubsegmentsView {
+    /// `count` subsegments.
+    pub data: *const DelotetSubsegment,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetSubsegmentsView, DelotetSubsegment, Subsegment);
+
+/// A Steiner point and where it lies.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSteinerPoint {
+    /// Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a).
+    pub ends: [u32; 2],
+    /// The parameter t.
+    pub t: f64,
+    /// The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only.
+    pub segment: u32,
+    /// Its coordinates are exactly a + t (b - a); false: they are rounded, or were moved to keep every tetrahedron positive.
+    pub exact: bool,
+}
+
+/// Borrowed Steiner points; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSteinerView {
+    /// `count` Steiner points.
+    pub data: *const DelotetSteinerPoint,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetSteinerView, DelotetSteinerPoint, SteinerPoint);
+
+/// A flip of two facets' triangles that facet merging made before meshing.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetFacetFlip {
+    /// The removed edge (input points).
+    pub old_ends: [u32; 2],
+    /// The edge in its place.
+    pub new_ends: [u32; 2],
+    /// The two facets.
+    pub facets: [u32; 2],
+}
+
+/// Borrowed facet flips; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetFacetFlipsView {
+    /// `count` flips.
+    pub data: *const DelotetFacetFlip,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetFacetFlipsView, DelotetFacetFlip, FacetFlip);
+
+/// A face of the mesh.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetFace {
+    /// The corners; `(b - a) x (c - a)` points from `tets[0]` to `tets[1]`.
+    pub corners: [u32; 3],
+    /// The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
+    pub tets: [u32; 2],
+    /// The subface that it is, or DELOTET_INVALID_INDEX.
+    pub subface: u32,
+    /// The subface's marker, else 0.
+    pub marker: i32,
+}
+
+/// Borrowed faces; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetFacesView {
+    /// `count` faces.
+    pub data: *const DelotetFace,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetFacesView, DelotetFace, Face);
+
+/// An edge of the mesh.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetEdge {
+    /// The ends, the smaller first.
+    pub ends: [u32; 2],
+    /// A tetrahedron that has it.
+    pub tet: u32,
+    /// The subsegment that it is, or DELOTET_INVALID_INDEX.
+    pub subsegment: u32,
+    /// The subsegment's marker, else 0.
+    pub marker: i32,
+}
+
+/// Borrowed edges; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetEdgesView {
+    /// `count` edges.
+    pub data: *const DelotetEdge,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetEdgesView, DelotetEdge, Edge);
+
+/// Borrowed second-order nodes and tetrahedra.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSecondOrderView {
+    /// #nodes by 3 doubles: the mid-edge nodes, one per edge in the order of delotet_mesh_edges. Node i has the index
+    /// #points + i.
+    pub nodes: *const f64,
+    /// How many mid-edge nodes.
+    pub node_count: usize,
+    /// #tetrahedra by 10 indices: four corners, then six mid-edge nodes.
+    pub tets: *const u32,
+    /// How many tetrahedra.
+    pub tet_count: usize,
+}
+
+impl DelotetDoublesView {
+    /// A view of rows of `width` numbers.
+    pub(super) fn new(list: &[f64], width: usize) -> Self {
+        match list.len().checked_div(width) {
+            None | Some(0) => DelotetDoublesView { data: std::ptr::null(), count: 0, width: 0 },
+            Some(count) => DelotetDoublesView { data: list.as_ptr(), count, width },
+        }
+    }
+}
+
+impl DelotetIndexRowsView {
+    /// A view of rows of `K` indices.
+    pub(super) fn new<const K: usize>(rows: &[[u32; K]]) -> Self {
+        match rows {
+            [] => DelotetIndexRowsView { data: std::ptr::null(), count: 0, width: 0 },
+            _ => DelotetIndexRowsView { data: rows.as_ptr().cast(), count: rows.len(), width: K },
+        }
+    }
+}
+
+impl DelotetSecondOrderView {
+    /// A view of nodes and tetrahedra.
+    pub(super) fn new(nodes: &[[f64; 3]], tets: &[[u32; 10]]) -> Self {
+        let (points, rows) = (DelotetPointsView::new(nodes), DelotetIndexRowsView::new(tets));
+        let (node_count, tet_count) = (points.count, rows.count);
+        DelotetSecondOrderView { nodes: points.data, node_count, tets: rows.data, tet_count }
+    }
+}
+
+/// Asserts that two types have the same size and alignment and that these fields have the same offsets.
+macro_rules! same_layout {
+    ($c:ty, $rust:ty, $($c_field:ident = $field:ident),*) => {
+        const _: () = assert!(size_of::<$c>() == size_of::<$rust>() && align_of::<$c>() == align_of::<$rust>());
+        $(const _: () = assert!(offset_of!($c, $c_field) == offset_of!($rust, $field));)*
+    };
+}
+same_layout!(DelotetSubface, Subface, corners = corners, facet = facet, marker = marker, tets = tets);
+same_layout!(DelotetSubsegment, Subsegment, ends = ends, segment = segment, marker = marker);
+same_layout!(DelotetSteinerPoint, SteinerPoint, ends = ends, t = t, segment = segment, exact = exact);
+same_layout!(DelotetFacetFlip, FacetFlip, old_ends = old, new_ends = new, facets = facets);
+same_layout!(DelotetFace, Face, corners = corners, tets = tets, subface = subface, marker = marker);
+same_layout!(DelotetEdge, Edge, ends = ends, tet = tet, subsegment = subsegment, marker = marker);

@@ -1,0 +1,221 @@
+//! Which tetrahedron holds a point, and with which barycentric coordinates.
+//!
+//! A tree of bounding boxes over the tetrahedra (median splits of the centres) yields candidates; exact orientation signs
+//! decide. A point on a common face, edge or vertex belongs to the tetrahedron with the smallest index, so the answer does
+//! not depend on the order of the questions. Non-convex meshes and meshes of several parts need no special care.
+use super::FACE_CORNERS;
+use crate::error::Error;
+use crate::predicates::{orient3d, Sign};
+use crate::{TetMesh, INVALID};
+
+/// Tetrahedra per leaf: few enough to test one by one.
+const LEAF: usize = 4;
+
+/// An axis-parallel box.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    low: [f64; 3],
+    high: [f64; 3],
+}
+
+impl Bounds {
+    const EMPTY: Bounds = Bounds { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
+
+    fn add(&mut self, point: &[f64; 3]) {
+        for (axis, &x) in point.iter().enumerate() {
+            self.low[axis] = self.low[axis].min(x);
+            self.high[axis] = self.high[axis].max(x);
+        }
+    }
+
+    fn contains(&self, point: &[f64; 3]) -> bool {
+        (0..3).all(|axis| self.low[axis] <= point[axis] && point[axis] <= self.high[axis])
+    }
+
+    fn longest_axis(&self) -> usize {
+        let extent = |axis: usize| self.high[axis] - self.low[axis];
+        (1..3).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best })
+    }
+}
+
+/// A node of the tree: tetrahedra `order[start..end]`; the left child follows the node, `right` is the other (0: a leaf).
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    bounds: Bounds,
+    start: u32,
+    end: u32,
+    right: u32,
+}
+
+/// Finds the tetrahedra of points in one mesh.
+#[derive(Clone, Debug)]
+pub struct Locator {
+    nodes: Vec<Node>,
+    order: Vec<u32>,
+    /// A power of two that brings the mesh to about unit size, where the predicates are exact.
+    scale: f64,
+}
+
+/// The place of a point: a tetrahedron, and the sign of the point before each of its faces (all non-negative).
+struct Hit {
+    tet: u32,
+    signs: [Sign; 4],
+}
+
+impl Locator {
+    /// Builds the tree: O(n log n) time, about 40 bytes per tetrahedron. Errors: out of memory.
+    pub fn new(mesh: &TetMesh) -> Result<Locator, Error> {
+        let mut locator = Locator { nodes: Vec::new(), order: Vec::new(), scale: scale_of(&mesh.points) };
+        locator.order.try_reserve_exact(mesh.tets.len())?;
+        locator.order.extend(0..mesh.tets.len() as u32);
+        locator.nodes.try_reserve(mesh.tets.len())?;
+        // Ranges still to be split, each with the node whose right child it is (INVALID: none).
+        let mut pending = Vec::new();
+        pending.try_reserve(64)?;
+        pending.push((0, mesh.tets.len(), INVALID));
+        while let Some((start, end, parent)) = pending.pop() {
+            let index = locator.nodes.len() as u32;
+            if parent != INVALID {
+                locator.nodes[parent as usize].right = index;
+            }
+            let bounds = bounds_of(mesh, &locator.order[start..end]);
+            locator.nodes.try_reserve(1)?;
+            locator.nodes.push(Node { bounds, start: start as u32, end: end as u32, right: 0 });
+            if end - start > LEAF {
+                let axis = bounds.longest_axis();
+                let middle = (end - start) / 2;
+                let key = |tet: u32| (centre(mesh, tet, axis), tet);
+                locator.order[start..end].select_nth_unstable_by(middle, |&a, &b| {
+                    let (a, b) = (key(a), key(b));
+                    a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+                });
+                // The left half is popped first and so becomes the next node.
+                pending.push((start + middle, end, index));
+                pending.push((start, start + middle, INVALID));
+            }
+        }
+        Ok(locator)
+    }
+
+    /// For each point the tetrahedron that holds it (its boundary included), or [`INVALID`] outside; and, if asked, its
+    /// barycentric coordinates there: non-negative numbers, one per corner, with sum 1 (all NaN outside).
+    /// `tets` and `barycentric` must have one entry per point; further points are left alone.
+    pub fn locate(
+        &self,
+        mesh: &TetMesh,
+        points: &[[f64; 3]],
+        tets: &mut [u32],
+        barycentric: Option<&mut [[f64; 4]]>,
+    ) {
+        let mut barycentric = barycentric;
+        let mut last = INVALID;
+        for (index, (point, tet)) in points.iter().zip(tets.iter_mut()).enumerate() {
+            let hit = self.find(mesh, point, last);
+            *tet = hit.as_ref().map_or(INVALID, |hit| hit.tet);
+            if *tet != INVALID {
+                last = *tet;
+            }
+            if let Some(slot) = barycentric.as_deref_mut().and_then(|list| list.get_mut(index)) {
+                *slot = hit.map_or([f64::NAN; 4], |hit| self.weights(mesh, point, &hit));
+            }
+        }
+    }
+
+    fn find(&self, mesh: &TetMesh, point: &[f64; 3], last: u32) -> Option<Hit> {
+        // Neighbouring questions often share a tetrahedron; strictly inside, no other one can hold the point.
+        if last != INVALID {
+            if let Some(hit) = self.test(mesh, last, point) {
+                if hit.signs == [Sign::Positive; 4] {
+                    return Some(hit);
+                }
+            }
+        }
+        let mut best: Option<Hit> = None;
+        // Median splits halve 2³² tetrahedra at most 32 times: two entries per level are enough.
+        let mut stack = [0u32; 72];
+        let mut depth = usize::from(!self.nodes.is_empty());
+        while depth > 0 {
+            depth -= 1;
+            let index = stack[depth];
+            let node = &self.nodes[index as usize];
+            if !node.bounds.contains(point) {
+                continue;
+            }
+            if node.right != 0 {
+                stack[depth] = node.right;
+                stack[depth + 1] = index + 1;
+                depth += 2;
+                continue;
+            }
+            for &tet in &self.order[node.start as usize..node.end as usize] {
+                if best.as_ref().is_none_or(|best| tet < best.tet) {
+                    best = self.test(mesh, tet, point).or(best);
+                }
+            }
+            if best.as_ref().is_some_and(|best| best.signs == [Sign::Positive; 4]) {
+                return best;
+            }
+        }
+        best
+    }
+
+    fn test(&self, mesh: &TetMesh, tet: u32, point: &[f64; 3]) -> Option<Hit> {
+        let scaled = |point: &[f64; 3]| point.map(|x| x * self.scale);
+        let corners = mesh.tets[tet as usize].map(|corner| scaled(&mesh.points[corner as usize]));
+        let point = scaled(point);
+        let mut signs = [Sign::Zero; 4];
+        for (sign, [a, b, c]) in signs.iter_mut().zip(FACE_CORNERS) {
+            // Seen from inside, the outward face turns the other way.
+            *sign = -orient3d(&corners[a], &corners[b], &corners[c], &point);
+            if *sign == Sign::Negative {
+                return None;
+            }
+        }
+        Some(Hit { tet, signs })
+    }
+
+    /// Barycentric coordinates in doubles; the exact signs say which are zero.
+    fn weights(&self, mesh: &TetMesh, point: &[f64; 3], hit: &Hit) -> [f64; 4] {
+        let corners = mesh.tets[hit.tet as usize].map(|corner| {
+            let corner = &mesh.points[corner as usize];
+            [0, 1, 2].map(|axis| corner[axis] * self.scale - point[axis] * self.scale)
+        });
+        let mut weights = [0.0; 4];
+        for (corner, [a, b, c]) in FACE_CORNERS.into_iter().enumerate() {
+            if hit.signs[corner] == Sign::Positive {
+                weights[corner] = determinant(&corners[a], &corners[b], &corners[c]).max(f64::MIN_POSITIVE);
+            }
+        }
+        let sum: f64 = weights.iter().sum();
+        weights.map(|weight| weight / sum)
+    }
+}
+
+/// The power of two that brings the largest coordinate into [1, 2).
+fn scale_of(points: &[[f64; 3]]) -> f64 {
+    let largest = points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
+    let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
+    match exponent {
+        // Inside this range nothing can overflow or lose its last bits.
+        -100..=100 => 1.0,
+        _ => 2.0f64.powi((-exponent).clamp(-1000, 1000)),
+    }
+}
+
+fn bounds_of(mesh: &TetMesh, tets: &[u32]) -> Bounds {
+    let mut bounds = Bounds::EMPTY;
+    for &tet in tets {
+        mesh.tets[tet as usize].iter().for_each(|&corner| bounds.add(&mesh.points[corner as usize]));
+    }
+    bounds
+}
+
+/// A quarter of the sum of the corners: where is unimportant, any split is a valid tree.
+fn centre(mesh: &TetMesh, tet: u32, axis: usize) -> f64 {
+    mesh.tets[tet as usize].iter().map(|&corner| 0.25 * mesh.points[corner as usize][axis]).sum()
+}
+
+fn determinant(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> f64 {
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
+}

@@ -1,0 +1,42 @@
+//! Attributes and markers of the mesh's points: the input's, continued to the Steiner points.
+use crate::error::Error;
+use crate::{Plc, TetMesh, INVALID};
+
+/// Attributes and markers of all points of a mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointData {
+    /// Attributes per point.
+    pub attribute_count: usize,
+    /// `attribute_count` numbers per point: for a Steiner point linear between the ends of its input edge.
+    pub attributes: Vec<f64>,
+    /// One per point, or empty if the input had none: for a Steiner point its segment's marker, 0 on an edge of facets only.
+    pub markers: Vec<i32>,
+}
+
+impl PointData {
+    /// Continues the data of `plc` to the Steiner points of `mesh`.
+    pub fn new(plc: &Plc, mesh: &TetMesh) -> Result<PointData, Error> {
+        let width = plc.point_attribute_count;
+        let mut data = PointData { attribute_count: width, ..PointData::default() };
+        if width > 0 && !plc.point_attributes.is_empty() {
+            data.attributes.try_reserve_exact(width * mesh.points.len())?;
+            data.attributes.extend_from_slice(&plc.point_attributes);
+            for steiner in &mesh.steiner {
+                let [a, b] = steiner.ends.map(|end| end as usize * width);
+                for column in 0..width {
+                    let (a, b) = (plc.point_attributes[a + column], plc.point_attributes[b + column]);
+                    data.attributes.push((1.0 - steiner.t) * a + steiner.t * b);
+                }
+            }
+        }
+        if !plc.point_markers.is_empty() {
+            data.markers.try_reserve_exact(mesh.points.len())?;
+            data.markers.extend_from_slice(&plc.point_markers);
+            data.markers.extend(mesh.steiner.iter().map(|steiner| match steiner.segment {
+                INVALID => 0,
+                segment => plc.segments.get(segment as usize).map_or(0, |segment| segment.marker),
+            }));
+        }
+        Ok(data)
+    }
+}
