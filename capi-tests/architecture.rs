@@ -13,7 +13,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("options", &["error"]),
     ("output", &["progress", "error"]),
     ("predicates", &["error"]),
-    ("plc", &["predicates", "error", "options", "progress"]),
+    ("plc", &["predicates", "output", "error", "options", "progress"]),
     // The engine, from the bottom up.
     ("mesh", &["error"]),
     ("delaunay", &["mesh", "predicates", "error", "progress", "options"]),

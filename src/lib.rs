@@ -11,7 +11,7 @@
 //! ```text
 //! ffi ──► tetrahedralize ──► region ──► constrain ──► delaunay ──► mesh ──► (nothing)
 //!  │            │               │           │             └──────► predicates ──► (robust)
-//!  │            ├──► output     └───────────┴──► plc ──► predicates
+//!  │            ├──► output     └───────────┴──► plc ──► predicates, output
 //!  │            └──► check ──► output, plc, predicates
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► plc, output

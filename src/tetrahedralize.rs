@@ -8,10 +8,12 @@ use crate::delaunay::order::insertion_order;
 use crate::delaunay::Delaunay;
 use crate::error::{Error, Status};
 use crate::mesh::flag;
+use crate::mesh::star::StarSearch;
 use crate::options::{Mode, Options};
 use crate::output::{Region, Statistics, TetMesh};
+use crate::plc::merge::Guide;
 use crate::plc::surface::Surface;
-use crate::plc::{Plc, RegionSeed};
+use crate::plc::{Plc, Prepared, RegionSeed};
 use crate::predicates::{scale, Points};
 use crate::progress::{report, Observer, Phase};
 use crate::region::{components, label, Components, Regions, Seeds};
@@ -31,12 +33,15 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
         return Err(Error::new(Status::InvalidArgument, "the number of threads must be at least 1"));
     }
     let mut run = Run { clock: Instant::now(), statistics: Statistics::default(), observer };
-    let surface = run.prepare(plc, options)?;
-    let mut engine = Engine::new(&surface, options)?;
+    let prepared = run.prepare(plc, options)?;
+    let mut engine = Engine::new(prepared.surface(), options)?;
     run.delaunay(&mut engine)?;
     let mut mesh = match options.mode {
-        Mode::Delaunay => engine.output_delaunay(plc, &surface)?,
-        Mode::Constrained => run.constrain(plc, &surface, options, &mut engine)?,
+        Mode::Delaunay => engine.output_delaunay(plc, prepared.surface())?,
+        Mode::Constrained => {
+            let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
+            run.constrain(plc, &surface, options, segments, &mut engine)?
+        }
     };
     run.audit(plc, options, &mut mesh)?;
     Ok(mesh)
@@ -44,6 +49,18 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
 
 /// How often segments are recovered anew because Steiner points have no valid position in doubles.
 const MOST_ATTEMPTS: u32 = 6;
+
+/// Attempts at merging facets before all new edges beside the input's surface are given up.
+const MERGE_ATTEMPTS: usize = 3;
+
+/// Edges beside the input's surface that have Steiner points.
+fn split_beside(surface: &Surface, segments: &Segments) -> Result<Vec<[u32; 2]>, Error> {
+    let mut split: Vec<[u32; 2]> = Vec::new();
+    split.try_reserve(segments.steiner_segment.len())?;
+    split.extend(segments.steiner_segment.iter().map(|&s| surface.segments[s as usize]));
+    split.retain(|edge| surface.edges_beside.binary_search(edge).is_ok());
+    Ok(split)
+}
 
 /// Clock, counts and the caller's observer.
 struct Run<'a> {
@@ -53,6 +70,7 @@ struct Run<'a> {
 }
 
 /// The working state: vertices in insertion order and their triangulation.
+#[derive(Clone)]
 pub(crate) struct Engine {
     pub(crate) points: Points,
     pub(crate) delaunay: Delaunay,
@@ -123,18 +141,71 @@ impl Run<'_> {
         self.clock = Instant::now();
     }
 
-    fn prepare(&mut self, plc: &Plc, options: &Options) -> Result<Surface, Error> {
+    fn prepare(&mut self, plc: &Plc, options: &Options) -> Result<Prepared, Error> {
         report(self.observer, Phase::Validate, 0.0)?;
-        let surface = match options.mode {
-            Mode::Constrained => crate::plc::prepare(plc, options, self.observer)?,
+        let prepared = match options.mode {
+            Mode::Constrained => crate::plc::check_and_split(plc, options, self.observer)?,
             Mode::Delaunay => {
                 let points_only = Plc { points: plc.points.clone(), ..Plc::default() };
-                crate::plc::prepare(&points_only, options, self.observer)?
+                crate::plc::check_and_split(&points_only, options, self.observer)?
             }
         };
         self.statistics.duplicate_points =
-            surface.alias.iter().enumerate().filter(|&(i, &a)| i as u32 != a).count() as u64;
-        report(self.observer, Phase::Validate, 1.0)?;
+            prepared.surface().alias.iter().enumerate().filter(|&(i, &a)| i as u32 != a).count() as u64;
+        self.lap(Phase::Validate);
+        Ok(prepared)
+    }
+
+    /// Makes segments and patches of the surface and recovers the segments. Where merging has made edges beside the input's surface
+    /// and they got Steiner points, which then lie beside it too, it is done again without these edges, and in the last attempt
+    /// without any such edge.
+    fn connect_and_recover(
+        &mut self,
+        plc: &Plc,
+        options: &Options,
+        prepared: Prepared,
+        engine: &mut Engine,
+    ) -> Result<(Surface, Segments), Error> {
+        engine.delaunay.index_vertices(engine.points.len())?;
+        let mut avoid: Vec<[u32; 2]> = Vec::new();
+        if options.merge_facets.is_some() {
+            for _ in 0..MERGE_ATTEMPTS {
+                let mut trial = engine.clone();
+                let surface = self.connect(plc, options, prepared.clone(), &mut trial, (&avoid, false))?;
+                let segments = self.recover_segments(&surface, options, &mut trial, &[])?;
+                let split = split_beside(&surface, &segments)?;
+                if split.is_empty() {
+                    *engine = trial;
+                    return Ok((surface, segments));
+                }
+                avoid.try_reserve(split.len())?;
+                avoid.extend(split);
+                avoid.sort_unstable();
+                avoid.dedup();
+            }
+        }
+        let surface = self.connect(plc, options, prepared, engine, (&avoid, true))?;
+        let segments = self.recover_segments(&surface, options, engine, &[])?;
+        Ok((surface, segments))
+    }
+
+    /// Segments and patches of the surface; its flips are steered by the edges of the triangulation.
+    fn connect(
+        &mut self,
+        plc: &Plc,
+        options: &Options,
+        prepared: Prepared,
+        engine: &mut Engine,
+        (avoid, avoid_all): (&[[u32; 2]], bool),
+    ) -> Result<Surface, Error> {
+        let Engine { delaunay, engine_of, .. } = engine;
+        let mut search = StarSearch::default();
+        let mut is_edge = |ends: [u32; 2]| {
+            let [a, b] = ends.map(|v| engine_of[v as usize]);
+            search.find_edge(&mut delaunay.mesh, a, b, delaunay.vertex_tet[a as usize]).is_some()
+        };
+        let mut guide = Guide { is_edge: &mut is_edge, avoid, avoid_all };
+        let surface = prepared.connect(plc, options, Some(&mut guide), self.observer)?;
         self.lap(Phase::Validate);
         Ok(surface)
     }
@@ -155,12 +226,12 @@ impl Run<'_> {
         plc: &Plc,
         surface: &Surface,
         options: &Options,
+        mut segments: Segments,
         engine: &mut Engine,
     ) -> Result<TetMesh, Error> {
         let mut careful = vec![0u8; surface.segments.len()];
         let mut attempt = 0;
         loop {
-            let mut segments = self.recover_segments(surface, options, engine, &careful)?;
             let subfaces = self.recover_facets(surface, &segments, engine)?;
             let (components, regions) = self.find_regions(plc, options, engine)?;
             report(self.observer, Phase::Round, 0.0)?;
@@ -177,6 +248,7 @@ impl Run<'_> {
                 }
                 engine.points.truncate(segments.first_steiner as usize);
                 self.delaunay(engine)?;
+                segments = self.recover_segments(surface, options, engine, &careful)?;
                 continue;
             }
             let mut mesh = assemble::mesh(

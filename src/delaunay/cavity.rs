@@ -17,7 +17,7 @@ use crate::predicates::{Points, Sign};
 const LOCAL: usize = 32;
 
 /// Scratch space of an insertion.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Cavity {
     /// Tetrahedra in conflict.
     pub dead: Vec<u32>,

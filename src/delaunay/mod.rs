@@ -16,7 +16,7 @@ use crate::predicates::{Points, Sign};
 use cavity::Cavity;
 
 /// A Delaunay tetrahedralization under construction.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Delaunay {
     /// The tetrahedra.
     pub mesh: Tetrahedra,

@@ -5,13 +5,14 @@
 
 pub mod duplicates;
 pub mod intersect;
+pub mod merge;
 pub mod patch;
 pub mod polygon;
 pub mod prepare;
 pub mod split;
 pub mod surface;
 
-pub use prepare::{check, prepare};
+pub use prepare::{check, check_and_split, prepare, Prepared};
 #[cfg(test)]
 mod tests;
 

@@ -4,6 +4,7 @@
 //! one, then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
 use super::duplicates::first_equal;
 use super::intersect::{find_intersections, IntersectInput, Intersections};
+use super::merge::{merge, Guide};
 use super::patch::{connect, FixedEdge};
 use super::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
 use super::split::split;
@@ -94,12 +95,54 @@ fn severity(status: Status) -> u32 {
     }
 }
 
+/// A PLC that has been checked and split; the edges of its triangles are not classified yet.
+#[derive(Clone)]
+pub struct Prepared {
+    surface: Surface,
+    fixed: Vec<FixedEdge>,
+}
+
+impl Prepared {
+    /// The surface so far: points, aliases and triangles.
+    pub fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// Merges facets, if the options ask for it, and finds segments and patches. `guide` steers the merging (see [`merge`]).
+    ///
+    /// # Errors
+    /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
+    pub fn connect(
+        self,
+        plc: &Plc,
+        options: &Options,
+        guide: Option<&mut Guide>,
+        observer: &mut dyn Observer,
+    ) -> Result<Surface, Error> {
+        let Prepared { mut surface, fixed } = self;
+        if let Some(degrees) = options.merge_facets {
+            merge(&mut surface, &fixed, plc, degrees, guide, observer)?;
+        }
+        connect(&mut surface, &fixed, |facet| plc.facet_marker(facet as usize))?;
+        report(observer, Phase::Validate, 1.0)?;
+        Ok(surface)
+    }
+}
+
 /// Checks a PLC and makes it ready for tetrahedralization.
 ///
 /// # Errors
 /// All defects found, with the worst class as status; without `options.validate` crossings of elements are not looked for.
 /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
 pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Surface, Error> {
+    check_and_split(plc, options, observer)?.connect(plc, options, None, observer)
+}
+
+/// The first part of [`prepare`]: everything that does not depend on the Delaunay tetrahedralization.
+///
+/// # Errors
+/// As [`prepare`].
+pub fn check_and_split(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Prepared, Error> {
     report(observer, Phase::Validate, 0.0)?;
     check_references(plc, options.max_defects)?;
     let mut defects = Defects::new(options.max_defects);
@@ -126,9 +169,7 @@ pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Res
         find_duplicates(&surface, &mut defects)?;
     }
     defects.into_result()?;
-    connect(&mut surface, &fixed.edges, marker)?;
-    report(observer, Phase::Validate, 1.0)?;
-    Ok(surface)
+    Ok(Prepared { surface, fixed: fixed.edges })
 }
 
 /// Edges that constrain by themselves, and the elements they come from.

@@ -2,6 +2,7 @@
 //!
 //! Invariants: the points are distinct up to `alias`; every segment and triangle refers to alias representatives only; no
 //! vertex lies inside a segment, a triangle or an edge of a triangle.
+use crate::output::FacetFlip;
 
 /// The PLC made ready: distinct vertices, constrained edges, and a triangulation of all facets that conforms to all vertices.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -24,4 +25,8 @@ pub struct Surface {
     pub triangle_patch: Vec<u32>,
     /// How many patches there are.
     pub patch_count: u32,
+    /// The flips of facet merging, in order.
+    pub facet_flips: Vec<FacetFlip>,
+    /// Edges made by flips that lie beside the input's surface, by more than rounding: smaller index first, sorted.
+    pub edges_beside: Vec<[u32; 2]>,
 }

@@ -28,6 +28,7 @@ pub(super) fn mesh(
         input_point_count: plc.points.len() as u32,
         point_alias: surface.alias.clone(),
         regions: regions.regions.clone(),
+        facet_flips: surface.facet_flips.clone(),
         ..TetMesh::default()
     };
     let steiner_count = engine.points.len() - engine.input_of.len();

@@ -118,6 +118,52 @@ impl BoxTree {
         &self.order
     }
 
+    /// Gives the box at a place of the curve's order new bounds.
+    pub(super) fn replace(&mut self, place: usize, bounds: Bounds) {
+        self.bounds[place] = bounds;
+        let leaf = place / LEAF;
+        let range = self.leaf(leaf);
+        let mut node = self.leaves - 1 + leaf;
+        self.nodes[node] = self.bounds[range].iter().fold(Bounds::EMPTY, |all, b| all.union(b));
+        while node > 0 {
+            node = (node - 1) / 2;
+            let both = self.nodes[2 * node + 1].union(&self.nodes[2 * node + 2]);
+            if both == self.nodes[node] {
+                break;
+            }
+            self.nodes[node] = both;
+        }
+    }
+
+    /// Whether `hit` is true for a box that meets `bounds`, given by its place in the curve's order. `stack` is working storage.
+    pub(super) fn any(
+        &self,
+        bounds: &Bounds,
+        stack: &mut Vec<usize>,
+        mut hit: impl FnMut(usize) -> Result<bool, Error>,
+    ) -> Result<bool, Error> {
+        let first_leaf = self.leaves - 1;
+        stack.clear();
+        stack.try_reserve(64)?;
+        stack.push(0);
+        while let Some(node) = stack.pop() {
+            if !self.nodes[node].meets(bounds) {
+                continue;
+            }
+            if node < first_leaf {
+                stack.try_reserve(2)?;
+                stack.extend([2 * node + 2, 2 * node + 1]);
+                continue;
+            }
+            for place in self.leaf(node - first_leaf) {
+                if self.bounds[place].meets(bounds) && hit(place)? {
+                    return Ok(true);
+                }
+            }
+        }
+        Ok(false)
+    }
+
     /// Calls `visit(i, j, done)` once for each pair of boxes that meet, given by their places in the curve's order, until it
     /// fails; `done` grows from 0 to 1.
     pub(super) fn for_each_pair(

@@ -117,6 +117,16 @@ impl Collector {
         push(&mut self.crossings, EdgeCrossing { segment, edge, facet, triangle, coplanar, point })
     }
 
+    /// Whether there has been no contact at all, legal or not.
+    pub(super) fn is_empty(&self) -> bool {
+        self.keys.is_empty()
+            && self.crossings.is_empty()
+            && self.found.vertex_on_segment.is_empty()
+            && self.found.vertex_on_edge.is_empty()
+            && self.found.vertex_in_triangle.is_empty()
+            && self.found.segment_in_facet.is_empty()
+    }
+
     fn defect(
         &mut self,
         kind: DefectKind,

@@ -19,6 +19,7 @@ mod coplanar;
 #[cfg(test)]
 mod corpus_tests;
 mod locate_point;
+pub mod obstacles;
 #[cfg(test)]
 mod oracle_tests;
 mod segment_segment;

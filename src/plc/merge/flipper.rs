@@ -1,0 +1,302 @@
+//! The surface while it is flipped: looks at edges, flips those that a rule wants and exact tests allow, and keeps the books.
+//!
+//! Invariants: the surface is a valid PLC; `edges` and `obstacles` describe its triangles; `records` has one entry per flip of the
+//! surface.
+use super::edges::{sides, Edges};
+use super::wanted::{distance, Bound, Quadrilateral};
+use super::Guide;
+use crate::error::Error;
+use crate::output::FacetFlip;
+use crate::plc::intersect::obstacles::Obstacles;
+use crate::plc::patch::{are_flat, FixedEdge};
+use crate::plc::polygon::collinear;
+use crate::plc::surface::Surface;
+use crate::plc::Plc;
+use crate::predicates::{orient3d, scale, Sign};
+use crate::progress::{report, Observer, Phase};
+use crate::INVALID;
+
+/// Flips at most, per triangle. Flips of a curved surface could go in circles.
+const FLIPS_PER_TRIANGLE: usize = 64;
+/// How many edges are looked at between two calls of the observer.
+const EDGES_PER_REPORT: usize = 1 << 12;
+
+/// Which flips are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rule {
+    /// Those that make the surface Delaunay.
+    Angles,
+    /// Those that lower the cost of edges (see [`super::steer`]).
+    Cost,
+}
+
+/// What is remembered of a flip.
+#[derive(Clone, Copy)]
+pub(super) struct Record {
+    /// About how far the new edge lies from the input's surface at most.
+    pub(super) deviation: f64,
+    /// The flip that made the old edge, or `INVALID`: it is the input's.
+    old_maker: u32,
+    /// How far the old triangles lay from the input's surface.
+    old_deviation: f64,
+}
+
+/// An edge that may be flipped as far as facets and markers are concerned: triangles `t`, `u` at `ab`, with `c` and `d` opposite.
+/// `ab` has its direction in `t`.
+#[derive(Clone, Copy)]
+pub(super) struct Candidate {
+    triangles: [u32; 2],
+    pub(super) vertices: [u32; 4],
+}
+
+/// The state.
+pub(super) struct Flipper<'a> {
+    pub(super) surface: &'a mut Surface,
+    plc: &'a Plc,
+    pub(super) edges: Edges,
+    obstacles: Obstacles,
+    /// Per triangle whether it may take part.
+    movable: Vec<bool>,
+    /// Per triangle about how far it lies from the input's surface at most.
+    deviation: Vec<f64>,
+    pub(super) records: Vec<Record>,
+    bound: Bound,
+    /// A deviation that counts as none.
+    pub(super) negligible: f64,
+    /// Edges to be looked at.
+    queue: Vec<[u32; 2]>,
+}
+
+/// A Steiner point this near to the input's surface, relative to the diagonal of its box, counts as lying on it.
+const NEGLIGIBLE: f64 = 0.5e-9;
+
+impl<'a> Flipper<'a> {
+    pub(super) fn new(
+        surface: &'a mut Surface,
+        fixed: &[FixedEdge],
+        plc: &'a Plc,
+        degrees: f64,
+    ) -> Result<Flipper<'a>, Error> {
+        let edges = Edges::new(&surface.triangles, fixed)?;
+        let mut segments: Vec<[u32; 2]> = Vec::new();
+        segments.try_reserve_exact(fixed.len())?;
+        segments.extend(fixed.iter().map(|edge| edge.ends).filter(|&ends| !edges.in_triangle(ends)));
+        let seeds = single_points(surface, fixed, plc)?;
+        let obstacles = Obstacles::new(&surface.points, &surface.triangles, &segments, &seeds)?;
+        let movable = whole_triangles(surface, plc)?;
+        let mut deviation: Vec<f64> = Vec::new();
+        deviation.try_reserve_exact(surface.triangles.len())?;
+        deviation.resize(surface.triangles.len(), 0.0);
+        surface.facet_flips.clear();
+        let negligible = NEGLIGIBLE * diagonal(&surface.points);
+        let mut flipper = Flipper {
+            surface,
+            plc,
+            edges,
+            obstacles,
+            movable,
+            deviation,
+            records: Vec::new(),
+            bound: Bound::new(degrees),
+            negligible,
+            queue: Vec::new(),
+        };
+        flipper.fix_creases();
+        Ok(flipper)
+    }
+
+    /// Makes every edge stay at which the input's triangles do not meet above the bound. Without this a chain of flips could
+    /// turn a triangle little by little until a crease looks flat.
+    fn fix_creases(&mut self) {
+        for t in 0..self.surface.triangles.len() {
+            for ends in sides(self.surface.triangles[t]) {
+                let Some(Candidate { vertices, .. }) = self.candidate(ends) else { continue };
+                let vertices = vertices.map(|v| &self.surface.points[v as usize]);
+                if !Quadrilateral::new(vertices).meets_within(&self.bound) {
+                    self.edges.fix(ends);
+                }
+            }
+        }
+    }
+
+    /// Looks at every edge until there is nothing to flip, at most `passes` times.
+    pub(super) fn run(
+        &mut self,
+        rule: Rule,
+        guide: &mut Guide,
+        passes: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<(), Error> {
+        for _ in 0..passes {
+            let before = self.records.len();
+            self.pass(rule, guide, observer)?;
+            if self.records.len() == before || self.is_exhausted() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn is_exhausted(&self) -> bool {
+        self.records.len() / FLIPS_PER_TRIANGLE > self.surface.triangles.len()
+    }
+
+    /// Looks at every edge, and again at the edges around each flip.
+    fn pass(&mut self, rule: Rule, guide: &mut Guide, observer: &mut dyn Observer) -> Result<(), Error> {
+        let mut looked = 0usize;
+        for t in 0..self.surface.triangles.len() {
+            self.queue.try_reserve(3)?;
+            self.queue.extend(sides(self.surface.triangles[t]));
+            while let Some(edge) = self.queue.pop() {
+                if looked % EDGES_PER_REPORT == 0 {
+                    report(observer, Phase::Validate, 0.9)?;
+                }
+                looked += 1;
+                if self.is_exhausted() {
+                    self.queue.clear();
+                    return Ok(());
+                }
+                let Some(candidate) = self.candidate(edge) else { continue };
+                if self.is_wanted(rule, guide, &candidate) && self.is_allowed(&candidate)? {
+                    self.flip(&candidate)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The flip of an edge, if it is one between two triangles that may take part.
+    pub(super) fn candidate(&self, ends: [u32; 2]) -> Option<Candidate> {
+        let [t, u] = self.edges.pair(ends)?;
+        if t == u || !self.movable[t as usize] || !self.movable[u as usize] {
+            return None;
+        }
+        let [f, g] = [t, u].map(|t| self.plc.facet_marker(self.surface.triangle_facet[t as usize] as usize));
+        if f != g {
+            return None;
+        }
+        let corners = self.surface.triangles[t as usize];
+        let [a, b] = sides(corners).into_iter().find(|side| side.iter().all(|v| ends.contains(v)))?;
+        let apex = |t: u32| self.surface.triangles[t as usize].into_iter().find(|&v| v != a && v != b);
+        let (c, d) = (apex(t)?, apex(u)?);
+        (c != d).then_some(Candidate { triangles: [t, u], vertices: [a, b, c, d] })
+    }
+
+    fn is_wanted(&self, rule: Rule, guide: &mut Guide, candidate: &Candidate) -> bool {
+        let quadrilateral =
+            || Quadrilateral::new(candidate.vertices.map(|v| &self.surface.points[v as usize]));
+        match rule {
+            Rule::Angles => {
+                let quadrilateral = quadrilateral();
+                quadrilateral.is_not_delaunay() && quadrilateral.is_within(&self.bound)
+            }
+            Rule::Cost => self.is_cheaper(guide, candidate) && quadrilateral().is_within(&self.bound),
+        }
+    }
+
+    /// How far the new edge of a flip would lie from the input's surface.
+    pub(super) fn new_deviation(&self, candidate: &Candidate) -> f64 {
+        let [t, u] = candidate.triangles.map(|t| self.deviation[t as usize]);
+        match self.undone(candidate).map(|k| self.records[k as usize].old_maker) {
+            Some(INVALID) => 0.0,
+            Some(maker) => self.records[maker as usize].deviation,
+            None => t.max(u) + distance(candidate.vertices.map(|v| &self.surface.points[v as usize])),
+        }
+    }
+
+    /// The flip that this one takes back, if it does.
+    fn undone(&self, candidate: &Candidate) -> Option<u32> {
+        let [a, b, c, d] = candidate.vertices;
+        let maker = self.edges.maker([a, b])?;
+        let flip = self.surface.facet_flips.get(maker as usize)?;
+        (flip.old == [c, d] || flip.old == [d, c]).then_some(maker)
+    }
+
+    /// Whether the surface is valid after the flip, exactly.
+    pub(super) fn is_allowed(&mut self, candidate: &Candidate) -> Result<bool, Error> {
+        let points = &self.surface.points;
+        let [a, b, c, d] = candidate.vertices;
+        if self.edges.contains([c, d]) || collinear(points, c, d, a) || collinear(points, c, d, b) {
+            return Ok(false);
+        }
+        let [p, q, r, s] = candidate.vertices.map(|v| &points[v as usize]);
+        if orient3d(p, q, r, s) == Sign::Zero {
+            // Strictly convex: the same points are covered before and after.
+            return Ok(are_flat(points, [a, b], c, d) && are_flat(points, [c, d], a, b));
+        }
+        self.obstacles.allow_flip(points, candidate.triangles, candidate.vertices)
+    }
+
+    pub(super) fn clear_queue(&mut self) {
+        self.queue.clear();
+    }
+
+    /// Edge `ab` becomes `cd`; the triangle with `a` stays `t`, that with `b` is `u`.
+    pub(super) fn flip(&mut self, candidate: &Candidate) -> Result<(), Error> {
+        let (pair @ [t, u], [a, b, c, d]) = (candidate.triangles, candidate.vertices);
+        let record = Record {
+            deviation: self.new_deviation(candidate),
+            old_maker: self.edges.maker([a, b]).unwrap_or(INVALID),
+            old_deviation: pair.iter().map(|&t| self.deviation[t as usize]).fold(0.0, f64::max),
+        };
+        let (maker, deviation) = match self.undone(candidate) {
+            Some(k) => (self.records[k as usize].old_maker, self.records[k as usize].old_deviation),
+            None => (self.records.len() as u32, record.deviation),
+        };
+        let surface = &mut *self.surface;
+        let alike = sides(surface.triangles[u as usize]).contains(&[b, a]);
+        let with_b = if alike { [d, b, c] } else { [c, b, d] };
+        self.edges.flip([[a, b], [c, d]], pair, [[b, c], [a, d]], maker, self.records.len() as u32)?;
+        for (slot, corners) in [(t, [c, a, d]), (u, with_b)] {
+            surface.triangles[slot as usize] = corners;
+            self.deviation[slot as usize] = deviation;
+            self.obstacles.replace(&surface.points, slot, corners);
+        }
+        let facets = pair.map(|t| surface.triangle_facet[t as usize]);
+        surface.facet_flips.try_reserve(1)?;
+        surface.facet_flips.push(FacetFlip { old: [a, b], new: [c, d], facets });
+        self.records.try_reserve(1)?;
+        self.records.push(record);
+        self.queue.try_reserve(4)?;
+        self.queue.extend([[a, c], [c, b], [b, d], [d, a]]);
+        Ok(())
+    }
+}
+
+fn diagonal(points: &[[f64; 3]]) -> f64 {
+    let extent = |k: usize| {
+        let range = |(low, high): (f64, f64), p: &[f64; 3]| (low.min(p[k]), high.max(p[k]));
+        let (low, high) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), range);
+        high - low
+    };
+    (0..3).map(extent).map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Vertices of no triangle and no segment, and the seeds of holes and regions: a flip must not pass over them.
+fn single_points(surface: &Surface, fixed: &[FixedEdge], plc: &Plc) -> Result<Vec<[f64; 3]>, Error> {
+    let mut used: Vec<bool> = Vec::new();
+    used.try_reserve_exact(surface.points.len())?;
+    used.resize(surface.points.len(), false);
+    let ends = fixed.iter().flat_map(|edge| edge.ends);
+    surface.triangles.iter().flatten().copied().chain(ends).for_each(|v| used[v as usize] = true);
+    let isolated = (0..surface.points.len()).filter(|&v| !used[v] && surface.alias[v] as usize == v);
+    let mut single: Vec<[f64; 3]> = Vec::new();
+    single.try_reserve_exact(plc.holes.len() + plc.regions.len() + isolated.clone().count())?;
+    single.extend(isolated.map(|v| surface.points[v]));
+    let seeds = plc.holes.iter().chain(plc.regions.iter().map(|region| &region.point));
+    single.extend(seeds.map(|p| p.map(|x| scale(x, surface.scale))));
+    Ok(single)
+}
+
+/// Per triangle whether it is a whole input triangle.
+fn whole_triangles(surface: &Surface, plc: &Plc) -> Result<Vec<bool>, Error> {
+    let mut whole: Vec<bool> = Vec::new();
+    whole.try_reserve_exact(surface.triangles.len())?;
+    whole.extend(surface.triangles.iter().zip(&surface.triangle_facet).map(|(corners, &facet)| {
+        plc.triangles.get(facet as usize).is_some_and(|input| {
+            let given = input.map(|v| surface.alias[v as usize]);
+            corners.iter().all(|v| given.contains(v))
+        })
+    }));
+    Ok(whole)
+}

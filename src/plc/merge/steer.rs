@@ -1,0 +1,129 @@
+//! Flips steered by the Delaunay tetrahedralization of the points.
+//!
+//! An edge of that tetrahedralization costs nothing. An edge that is missing will take Steiner points: it costs one if it lies on the
+//! input's surface, and much more if it is a new one beside it, since its Steiner points would lie beside the surface too.
+//! Flips that lower the cost are made as long as there are any; then new edges of the dear kind are taken back, together
+//! with the later flips that have changed the triangles at them.
+use super::edges::sides;
+use super::flipper::{Candidate, Flipper};
+use super::Guide;
+use crate::error::Error;
+use crate::progress::{report, Observer, Phase};
+
+/// Rounds of taking back at most: an edge that comes back may be a dear one itself.
+const ROUNDS: usize = 32;
+/// Most flips taken back for the sake of one edge.
+const DEPTH: usize = 1000;
+const MISSING: u32 = 1;
+const MISSING_BESIDE: u32 = 1000;
+
+impl Flipper<'_> {
+    fn cost(&self, guide: &mut Guide, ends: [u32; 2], deviation: f64) -> u32 {
+        match (deviation <= self.negligible, (guide.is_edge)(ends)) {
+            (true, true) => 0,
+            (true, false) => MISSING,
+            (false, true) if !guide.avoids(ends) => 0,
+            (false, _) => MISSING_BESIDE,
+        }
+    }
+
+    fn live_cost(&self, guide: &mut Guide, ends: [u32; 2]) -> u32 {
+        let deviation = self.edges.maker(ends).map_or(0.0, |k| self.records[k as usize].deviation);
+        self.cost(guide, ends, deviation)
+    }
+
+    /// Whether the flip lowers the cost.
+    pub(super) fn is_cheaper(&self, guide: &mut Guide, candidate: &Candidate) -> bool {
+        let [a, b, c, d] = candidate.vertices;
+        let old = self.live_cost(guide, [a, b]);
+        old > 0 && self.cost(guide, [c, d], self.new_deviation(candidate)) < old
+    }
+
+    /// The edges made by flips that lie beside the input's surface, sorted.
+    pub(super) fn edges_beside(&self) -> Result<Vec<[u32; 2]>, Error> {
+        let mut beside: Vec<[u32; 2]> = Vec::new();
+        for &corners in &self.surface.triangles {
+            for ends in sides(corners) {
+                let maker = self.edges.maker(ends);
+                if maker.is_some_and(|k| self.records[k as usize].deviation > self.negligible) {
+                    beside.try_reserve(1)?;
+                    beside.push([ends[0].min(ends[1]), ends[0].max(ends[1])]);
+                }
+            }
+        }
+        beside.sort_unstable();
+        beside.dedup();
+        Ok(beside)
+    }
+
+    /// Takes back flips until no missing edge lies beside the input's surface, or none that does can be taken back.
+    pub(super) fn take_back(&mut self, guide: &mut Guide, observer: &mut dyn Observer) -> Result<(), Error> {
+        for _ in 0..ROUNDS {
+            report(observer, Phase::Validate, 0.95)?;
+            let before = self.records.len();
+            for t in 0..self.surface.triangles.len() {
+                for ends in sides(self.surface.triangles[t]) {
+                    if self.edges.maker(ends).is_some() && self.live_cost(guide, ends) == MISSING_BESIDE {
+                        self.take_back_edge(ends)?;
+                    }
+                }
+            }
+            if self.records.len() == before || self.is_exhausted() {
+                break;
+            }
+        }
+        self.clear_queue();
+        Ok(())
+    }
+
+    /// Takes back the flip that made an edge, after those that changed the triangles at it since.
+    fn take_back_edge(&mut self, ends: [u32; 2]) -> Result<(), Error> {
+        let mut stack: Vec<[u32; 2]> = Vec::new();
+        stack.try_reserve(16)?;
+        stack.push(ends);
+        let mut steps = 0;
+        while let Some(&edge) = stack.last() {
+            steps += 1;
+            if steps > DEPTH {
+                break;
+            }
+            if !self.edges.contains(edge) {
+                stack.pop();
+                continue;
+            }
+            let Some(maker) = self.edges.maker(edge) else { break };
+            let ([a, b], [c, d]) = (self.surface.facet_flips[maker as usize].old, edge);
+            let around = [[a, c], [c, b], [b, d], [d, a]];
+            if let Some(gone) = around.into_iter().find(|&e| !self.edges.contains(e)) {
+                match self.heir(gone) {
+                    Some(heir) if !stack.contains(&heir) => {
+                        stack.try_reserve(1)?;
+                        stack.push(heir);
+                        continue;
+                    }
+                    _ => break,
+                }
+            }
+            let Some(candidate) = self.candidate(edge) else { break };
+            let [_, _, p, q] = candidate.vertices;
+            if ([p, q] != [a, b] && [q, p] != [a, b]) || !self.is_allowed(&candidate)? {
+                break;
+            }
+            self.flip(&candidate)?;
+            stack.pop();
+        }
+        Ok(())
+    }
+
+    /// The edge there is now in the place of one that was flipped.
+    fn heir(&self, mut edge: [u32; 2]) -> Option<[u32; 2]> {
+        for _ in 0..DEPTH {
+            let flip = self.surface.facet_flips.get(self.edges.remover(edge)? as usize)?;
+            edge = flip.new;
+            if self.edges.contains(edge) {
+                return Some(edge);
+            }
+        }
+        None
+    }
+}

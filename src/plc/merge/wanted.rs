@@ -1,0 +1,87 @@
+//! Measures that decide which flips are wanted: angles between triangles, angles opposite an edge, distances.
+//!
+//! Rounded arithmetic: any set of flips gives a valid surface as long as each is allowed, so only quality is at stake here. What
+//! cannot be computed (overflow) is not wanted.
+type Vector = [f64; 3];
+
+/// The bound on the angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bound {
+    /// Square of the tangent of the angle between normals.
+    tangent_squared: f64,
+}
+
+impl Bound {
+    /// Triangles may be exchanged where they meet above `degrees` (180 is flat).
+    pub(super) fn new(degrees: f64) -> Bound {
+        let tangent = (180.0 - degrees.clamp(90.0, 180.0)).to_radians().tan();
+        Bound { tangent_squared: tangent * tangent }
+    }
+
+    /// Whether two normals differ by less than the bound.
+    fn holds(&self, u: &Vector, v: &Vector) -> bool {
+        let (along, across) = (dot(u, v), cross(u, v));
+        along > 0.0 && dot(&across, &across) < self.tangent_squared * along * along
+    }
+}
+
+/// Two triangles `abc` and `bad`, and the two `cad` and `dbc` they may become.
+pub(super) struct Quadrilateral<'a> {
+    vertices: [&'a Vector; 4],
+    /// Twice the area vectors, oriented alike.
+    old: [Vector; 2],
+    new: [Vector; 2],
+}
+
+impl<'a> Quadrilateral<'a> {
+    pub(super) fn new(vertices: [&'a Vector; 4]) -> Self {
+        let [a, b, c, d] = vertices;
+        let normal = |p, q, r| cross(&minus(q, p), &minus(r, p));
+        let (old, new) = ([normal(a, b, c), normal(b, a, d)], [normal(c, a, d), normal(d, b, c)]);
+        Quadrilateral { vertices, old, new }
+    }
+
+    /// The angles at `c` and `d`, opposite `ab`, sum to more than 180 degrees: the sine of the sum is negative, beyond rounding.
+    pub(super) fn is_not_delaunay(&self) -> bool {
+        let [a, b, c, d] = self.vertices;
+        let [area_c, area_d] = self.old.each_ref().map(|n| dot(n, n).sqrt());
+        let (ca, cb, da, db) = (minus(a, c), minus(b, c), minus(a, d), minus(b, d));
+        let sine = dot(&ca, &cb) * area_d + dot(&da, &db) * area_c;
+        let sizes = [ca, cb, da, db].iter().map(|v| dot(v, v).sqrt()).product::<f64>();
+        sine < -1e-13 * sizes
+    }
+
+    /// The two old triangles are parallel within the bound.
+    pub(super) fn meets_within(&self, bound: &Bound) -> bool {
+        bound.holds(&self.old[0], &self.old[1])
+    }
+
+    /// All four triangles, old and new, are parallel within the bound.
+    pub(super) fn is_within(&self, bound: &Bound) -> bool {
+        let ([p, q], [r, s]) = (&self.old, &self.new);
+        [(p, q), (r, s), (p, r), (p, s), (q, r), (q, s)].iter().all(|(u, v)| bound.holds(u, v))
+    }
+}
+
+/// The distance of the lines `ab` and `cd`; infinite if they are parallel.
+pub(super) fn distance([a, b, c, d]: [&Vector; 4]) -> f64 {
+    let normal = cross(&minus(b, a), &minus(d, c));
+    let distance = dot(&normal, &minus(c, a)).abs() / dot(&normal, &normal).sqrt();
+    if distance.is_nan() {
+        f64::INFINITY
+    } else {
+        distance
+    }
+}
+
+fn minus(a: &Vector, b: &Vector) -> Vector {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+fn dot(a: &Vector, b: &Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &Vector, b: &Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
