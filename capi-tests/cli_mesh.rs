@@ -233,3 +233,27 @@ fn an_interrupt_ends_cleanly_with_3() {
     assert!(error_line(&output).contains("cancelled"), "{}", error_line(&output));
     assert!(std::fs::read_dir(&dir).unwrap().count() == 1, "nothing may be left behind");
 }
+
+#[test]
+fn merged_facets_are_counted_and_reported() {
+    let dir = folder("merge");
+    // A pyramid over a kite that is cut along its long diagonal and almost flat.
+    let mut off = String::from("OFF\n5 6 0\n0 0 0\n1 0 0\n0.5 0.1 0\n0.5 -0.1 0.000001\n0.5 0 -1\n");
+    off += "3 0 1 2\n3 1 0 3\n3 1 4 2\n3 2 4 0\n3 0 4 3\n3 3 4 1\n";
+    std::fs::write(dir.join("kite.off"), off).unwrap();
+    let count = |merge: &str| {
+        let mut arguments =
+            vec!["mesh", "kite.off", "-o", "k.vtu", "--stats", "s.json", "--report", "r.json"];
+        arguments.extend((!merge.is_empty()).then_some(merge));
+        let result = delotet(&arguments, &dir);
+        assert_eq!(result.status.code(), Some(0), "{}", error_line(&result));
+        let report = text(dir.join("r.json"));
+        let reported = report.matches("\"facets\"").count();
+        let stats = text(dir.join("s.json"));
+        assert!(stats.contains(&format!("\"facet_flips\": {reported}")), "{stats}");
+        reported
+    };
+    assert_eq!(count(""), 0);
+    assert_eq!(count("--merge-facets"), 1);
+    assert_eq!(count("--merge-facets=179.99999"), 0);
+}
