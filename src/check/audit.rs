@@ -57,7 +57,10 @@ fn audit_neighbors(mesh: &TetMesh, report: &mut Report) {
                 continue;
             }
             let other = &mesh.tets[n as usize];
-            let mutual = mesh.neighbors[n as usize].iter().zip(other).any(|(&back, v)| back == t as u32 && !tet.contains(v));
+            let mutual = mesh.neighbors[n as usize]
+                .iter()
+                .zip(other)
+                .any(|(&back, v)| back == t as u32 && !tet.contains(v));
             let shared = (0..4).all(|k| (k == f) != other.contains(&tet[k]));
             if !mutual || !shared {
                 report.add(
@@ -75,7 +78,12 @@ fn audit_subfaces(mesh: &TetMesh, report: &mut Report) {
     for subface in &mesh.subfaces {
         for t in subface.tets.into_iter().filter(|&t| t != INVALID) {
             if !subface.corners.iter().all(|v| mesh.tets[t as usize].contains(v)) {
-                report.add(DefectKind::FacetMissing, Element::Facet(subface.facet), Some(Element::Tet(t)), None);
+                report.add(
+                    DefectKind::FacetMissing,
+                    Element::Facet(subface.facet),
+                    Some(Element::Tet(t)),
+                    None,
+                );
             }
         }
     }

@@ -2,6 +2,7 @@
 //!
 //! Needed for meshes without Steiner points alone (the checker does not judge facets of others, for the parents of such points
 //! are not in the files): there the corners of a face are corners of its facet.
+use delotet::predicates::{orient3d, Sign};
 use delotet::{Error, Plc, Status, Subface, TetMesh, INVALID};
 use std::collections::HashMap;
 
@@ -23,6 +24,11 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
         let mut candidates = a.iter().filter(|f| b.contains(f) && c.contains(f)).copied();
         let fits = |f: &u32| plc.facet_marker(*f as usize) == face.marker;
         let (first, second) = (candidates.find(fits), candidates.find(fits));
+        // A face that straddles coplanar facets is a corner of none of them three times: any facet in its plane stands for
+        // them, as the checker takes them as one.
+        let first = first.or_else(|| {
+            a.iter().chain(b).chain(c).copied().find(|f| fits(f) && is_in_plane(plc, *f, face.corners))
+        });
         let (Some(facet), None) = (first, second) else {
             let [a, b, c] = face.corners;
             let message =
@@ -32,6 +38,16 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
         *face = Subface { facet, tets: sides_of(face, &sides), ..*face };
     }
     Ok(())
+}
+
+/// All corners of a facet lie exactly in the plane of three points.
+fn is_in_plane(plc: &Plc, facet: u32, corners: [u32; 3]) -> bool {
+    let [a, b, c] = corners.map(|v| &plc.points[v as usize]);
+    let flat = |v: &u32| plc.points.get(*v as usize).is_some_and(|p| orient3d(a, b, c, p) == Sign::Zero);
+    match (facet as usize).checked_sub(plc.triangles.len()) {
+        None => plc.triangles[facet as usize].iter().all(flat),
+        Some(general) => plc.facets[general].polygons.iter().flatten().all(flat),
+    }
 }
 
 /// For each point the first one equal to it.
