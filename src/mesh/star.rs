@@ -51,11 +51,12 @@ impl StarSearch {
                 found = Some(t);
                 break;
             }
-            for f in 0..4 {
-                if verts[f] == v {
+            let adj = mesh.adj[t as usize];
+            for (&w, code) in verts.iter().zip(adj) {
+                if w == v {
                     continue;
                 }
-                let n = mesh.adj[t as usize][f] >> 2;
+                let n = code >> 2;
                 if mesh.flags[n as usize] & flag::MARK == 0 {
                     mesh.flags[n as usize] |= flag::MARK;
                     self.tets.push(n);
