@@ -192,8 +192,8 @@ impl<'a> FacetRecovery<'a> {
         }
         let [upper, lower] = halves?;
         let mut tets = Vec::new();
-        self.filler.fill(self.points, &upper, &mut tets)?;
-        self.filler.fill(self.points, &lower, &mut tets)?;
+        self.filler.fill(self.points, upper, &mut tets)?;
+        self.filler.fill(self.points, lower, &mut tets)?;
         self.replace(region, &tets)
     }
 
@@ -281,6 +281,18 @@ impl<'a> FacetRecovery<'a> {
         let mut lower = Half::default();
         for i in 0..self.cavity.len() {
             let t = self.cavity[i];
+            // From the tetrahedra, not from the faces: a vertex may have its whole star in the cavity.
+            upper.vertices.try_reserve(4)?;
+            lower.vertices.try_reserve(4)?;
+            for v in self.delaunay.mesh.verts[t as usize] {
+                let side = self.side_of(plane, v);
+                if side != Sign::Negative {
+                    upper.vertices.push(v);
+                }
+                if side != Sign::Positive {
+                    lower.vertices.push(v);
+                }
+            }
             for f in 0..4u32 {
                 let n = self.delaunay.mesh.adj[t as usize][f as usize] >> 2;
                 let inner = self.delaunay.mesh.flags[n as usize] & flag::MARK != 0;

@@ -17,13 +17,15 @@ pub struct Half {
     /// Triangles `(x, y, z)` such that `(p, x, y, z)` is positive for `p` inside. A triangle with the inside on both sides is
     /// listed twice, once each way.
     pub faces: Vec<[u32; 3]>,
+    /// All vertices, also those inside that no face has. Repetitions are allowed.
+    pub vertices: Vec<u32>,
 }
 
 /// Scratch space for filling.
 #[derive(Default)]
 pub struct Filler {
     local: Delaunay,
-    vertices: Vec<u32>,
+    order: Vec<u32>,
     face_codes: FxHashMap<[u32; 3], u32>,
     inner: Vec<u32>,
     inside: Vec<u32>,
@@ -33,25 +35,23 @@ pub struct Filler {
 
 impl Filler {
     /// Appends the tetrahedra of the half to `tets`.
-    pub fn fill(&mut self, points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Result<(), Error> {
-        self.vertices.clear();
-        self.vertices.try_reserve(3 * half.faces.len())?;
-        self.vertices.extend(half.faces.iter().flatten());
-        self.vertices.sort_unstable();
-        self.vertices.dedup();
-        if let ([a, b, c, d], true) = (&self.vertices[..], half.faces.len() == 4) {
+    pub fn fill(&mut self, points: &Points, mut half: Half, tets: &mut Vec<[u32; 4]>) -> Result<(), Error> {
+        half.vertices.sort_unstable();
+        half.vertices.dedup();
+        if let ([a, b, c, d], 4) = (&half.vertices[..], half.faces.len()) {
             let apex = [*a, *b, *c, *d].into_iter().find(|v| !half.faces[0].contains(v));
             if let Some(apex) = apex {
                 let [x, y, z] = half.faces[0];
+                tets.try_reserve(1)?;
                 tets.push([apex, x, y, z]);
                 return Ok(());
             }
         }
-        if self.fill_by_delaunay(points, half, tets)? {
+        if self.fill_by_delaunay(points, &half, tets)? {
             return Ok(());
         }
         self.wrapped += 1;
-        gift_wrap(points, half, &self.vertices, tets)
+        gift_wrap(points, &half, tets)
     }
 
     /// Fills by the Delaunay tetrahedralization of the vertices; false (and nothing appended) if it lacks a boundary face.
@@ -61,8 +61,10 @@ impl Filler {
         half: &Half,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        self.local.build(points, &mut self.vertices, &mut |_| Ok(()))?;
-        self.vertices.sort_unstable();
+        self.order.clear();
+        self.order.try_reserve(half.vertices.len())?;
+        self.order.extend_from_slice(&half.vertices);
+        self.local.build(points, &mut self.order, &mut |_| Ok(()))?;
         self.find_faces(half)?;
         if self.inner.len() < half.faces.len() {
             return Ok(false);

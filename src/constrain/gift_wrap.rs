@@ -19,13 +19,9 @@ struct Obstacle {
     high: [f64; 3],
 }
 
-/// Appends the tetrahedra of `half` to `tets`; `vertices` are the half's.
-pub fn gift_wrap(
-    points: &Points,
-    half: &Half,
-    vertices: &[u32],
-    tets: &mut Vec<[u32; 4]>,
-) -> Result<(), Error> {
+/// Appends the tetrahedra of `half` to `tets`.
+pub fn gift_wrap(points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Result<(), Error> {
+    let vertices = &half.vertices;
     let obstacles = obstacles(points, half)?;
     // Open faces by key, one entry per side; the stack gives the order.
     let mut open: FxHashMap<[u32; 3], Vec<[u32; 3]>> = FxHashMap::default();

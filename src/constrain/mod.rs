@@ -30,3 +30,6 @@ pub fn face_key(mut v: [u32; 3]) -> [u32; 3] {
     v.sort_unstable();
     v
 }
+
+#[cfg(test)]
+mod tests;
