@@ -51,8 +51,8 @@ impl StarSearch {
                 found = Some(t);
                 break;
             }
-            for f in 0..4 {
-                if verts[f] == v {
+            for (f, &u) in verts.iter().enumerate() {
+                if u == v {
                     continue;
                 }
                 let n = mesh.adj[t as usize][f] >> 2;
