@@ -51,7 +51,7 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
 const MOST_ATTEMPTS: u32 = 6;
 
 /// Attempts at merging facets before all new edges beside the input's surface are given up.
-const MERGE_ATTEMPTS: usize = 3;
+const MERGE_ATTEMPTS: usize = 2;
 
 /// Edges beside the input's surface that have Steiner points.
 fn split_beside(surface: &Surface, segments: &Segments) -> Result<Vec<[u32; 2]>, Error> {
