@@ -349,10 +349,11 @@ impl Run<'_> {
     /// The exact audit of what is handed out.
     fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
         report(self.observer, Phase::Audit, 0.0)?;
-        audit(plc, mesh, options.max_defects).map_err(|e| Error {
-            status: Status::Internal,
-            message: format!("audit: {}", e.message),
-            ..e
+        audit(plc, mesh, options.max_defects).map_err(|e| match e.status {
+            Status::CheckFailed => {
+                Error { status: Status::Internal, message: format!("audit: {}", e.message), ..e }
+            }
+            _ => e,
         })?;
         report(self.observer, Phase::Audit, 1.0)?;
         self.lap(Phase::Audit);

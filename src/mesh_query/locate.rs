@@ -31,11 +31,6 @@ impl Bounds {
     fn contains(&self, point: &[f64; 3]) -> bool {
         (0..3).all(|axis| self.low[axis] <= point[axis] && point[axis] <= self.high[axis])
     }
-
-    fn longest_axis(&self) -> usize {
-        let extent = |axis: usize| self.high[axis] - self.low[axis];
-        (1..3).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best })
-    }
 }
 
 /// A node of the tree: tetrahedra `order[start..end]`; the left child follows the node, `right` is the other (0: a leaf).
@@ -62,39 +57,80 @@ struct Hit {
     signs: [Sign; 4],
 }
 
+/// A tetrahedron on its way into the tree.
+#[derive(Clone, Copy)]
+struct Entry {
+    /// About a quarter of the sum of the corners: where is unimportant, any split is a valid tree.
+    centre: [f32; 3],
+    tet: u32,
+}
+
 impl Locator {
     /// Builds the tree: O(n log n) time, about 40 bytes per tetrahedron. Errors: out of memory.
     pub fn new(mesh: &TetMesh) -> Result<Locator, Error> {
         let mut locator = Locator { nodes: Vec::new(), order: Vec::new(), scale: scale_of(&mesh.points) };
-        locator.order.try_reserve_exact(mesh.tets.len())?;
-        locator.order.extend(0..mesh.tets.len() as u32);
-        locator.nodes.try_reserve(mesh.tets.len())?;
+        let mut entries = Vec::new();
+        entries.try_reserve_exact(mesh.tets.len())?;
+        entries.extend(mesh.tets.iter().enumerate().map(|(tet, corners)| {
+            let quarter =
+                |corner: u32, axis: usize| 0.25 * locator.scale * mesh.points[corner as usize][axis];
+            let centre =
+                |axis: usize| corners.iter().map(|&corner| quarter(corner, axis)).sum::<f64>() as f32;
+            Entry { centre: [centre(0), centre(1), centre(2)], tet: tet as u32 }
+        }));
+        locator.split(&mut entries)?;
+        locator.order.try_reserve_exact(entries.len())?;
+        locator.order.extend(entries.iter().map(|entry| entry.tet));
+        locator.bound(mesh);
+        Ok(locator)
+    }
+
+    /// Makes the nodes, without bounds, and sorts the entries into their leaves.
+    fn split(&mut self, entries: &mut [Entry]) -> Result<(), Error> {
+        self.nodes.try_reserve(entries.len() / 2 + 1)?;
         // Ranges still to be split, each with the node whose right child it is (INVALID: none).
         let mut pending = Vec::new();
         pending.try_reserve(64)?;
-        pending.push((0, mesh.tets.len(), INVALID));
+        pending.push((0, entries.len(), INVALID));
         while let Some((start, end, parent)) = pending.pop() {
-            let index = locator.nodes.len() as u32;
+            let index = self.nodes.len() as u32;
             if parent != INVALID {
-                locator.nodes[parent as usize].right = index;
+                self.nodes[parent as usize].right = index;
             }
-            let bounds = bounds_of(mesh, &locator.order[start..end]);
-            locator.nodes.try_reserve(1)?;
-            locator.nodes.push(Node { bounds, start: start as u32, end: end as u32, right: 0 });
+            self.nodes.try_reserve(1)?;
+            self.nodes.push(Node { bounds: Bounds::EMPTY, start: start as u32, end: end as u32, right: 0 });
             if end - start > LEAF {
-                let axis = bounds.longest_axis();
-                let middle = (end - start) / 2;
-                let key = |tet: u32| (centre(mesh, tet, axis), tet);
-                locator.order[start..end].select_nth_unstable_by(middle, |&a, &b| {
-                    let (a, b) = (key(a), key(b));
-                    a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+                let range = &mut entries[start..end];
+                let axis = longest_axis(range);
+                let middle = range.len() / 2;
+                range.select_nth_unstable_by(middle, |a, b| {
+                    a.centre[axis].total_cmp(&b.centre[axis]).then(a.tet.cmp(&b.tet))
                 });
                 // The left half is popped first and so becomes the next node.
                 pending.push((start + middle, end, index));
                 pending.push((start, start + middle, INVALID));
             }
         }
-        Ok(locator)
+        Ok(())
+    }
+
+    /// Bounds of all nodes, children (which come later) first.
+    fn bound(&mut self, mesh: &TetMesh) {
+        for index in (0..self.nodes.len()).rev() {
+            let node = self.nodes[index];
+            let mut bounds = Bounds::EMPTY;
+            if node.right != 0 {
+                for child in [index + 1, node.right as usize] {
+                    bounds.add(&self.nodes[child].bounds.low);
+                    bounds.add(&self.nodes[child].bounds.high);
+                }
+            } else {
+                for &tet in &self.order[node.start as usize..node.end as usize] {
+                    mesh.tets[tet as usize].iter().for_each(|&c| bounds.add(&mesh.points[c as usize]));
+                }
+            }
+            self.nodes[index].bounds = bounds;
+        }
     }
 
     /// For each point the tetrahedron that holds it (its boundary included), or [`INVALID`] outside; and, if asked, its
@@ -160,9 +196,17 @@ impl Locator {
     }
 
     fn test(&self, mesh: &TetMesh, tet: u32, point: &[f64; 3]) -> Option<Hit> {
-        let scaled = |point: &[f64; 3]| point.map(|x| x * self.scale);
-        let corners = mesh.tets[tet as usize].map(|corner| scaled(&mesh.points[corner as usize]));
-        let point = scaled(point);
+        let corners = mesh.tets[tet as usize].map(|corner| mesh.points[corner as usize]);
+        // Most candidates fail already here.
+        let apart = |axis: usize| {
+            let x = corners.map(|corner| corner[axis]);
+            x.iter().all(|&x| x < point[axis]) || x.iter().all(|&x| x > point[axis])
+        };
+        if apart(0) || apart(1) || apart(2) {
+            return None;
+        }
+        let scaled = |point: [f64; 3]| point.map(|x| x * self.scale);
+        let (corners, point) = (corners.map(scaled), scaled(*point));
         let mut signs = [Sign::Zero; 4];
         for (sign, [a, b, c]) in signs.iter_mut().zip(FACE_CORNERS) {
             // Seen from inside, the outward face turns the other way.
@@ -202,17 +246,17 @@ fn scale_of(points: &[[f64; 3]]) -> f64 {
     }
 }
 
-fn bounds_of(mesh: &TetMesh, tets: &[u32]) -> Bounds {
-    let mut bounds = Bounds::EMPTY;
-    for &tet in tets {
-        mesh.tets[tet as usize].iter().for_each(|&corner| bounds.add(&mesh.points[corner as usize]));
+/// The axis along which the centres spread most.
+fn longest_axis(entries: &[Entry]) -> usize {
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for entry in entries {
+        for (axis, &x) in entry.centre.iter().enumerate() {
+            low[axis] = low[axis].min(x);
+            high[axis] = high[axis].max(x);
+        }
     }
-    bounds
-}
-
-/// A quarter of the sum of the corners: where is unimportant, any split is a valid tree.
-fn centre(mesh: &TetMesh, tet: u32, axis: usize) -> f64 {
-    mesh.tets[tet as usize].iter().map(|&corner| 0.25 * mesh.points[corner as usize][axis]).sum()
+    let extent = |axis: usize| high[axis] - low[axis];
+    (1..3).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best })
 }
 
 fn determinant(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> f64 {
