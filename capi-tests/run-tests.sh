@@ -6,8 +6,9 @@ set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
 . capi-tests/common.sh
 
-packages g++ cmake make pkg-config python3 valgrind libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev tetgen libtet1.5-dev
-command -v cargo >/dev/null || { echo "cargo (1.85 or later) is needed: see https://rustup.rs"; exit 2; }
+packages g++ cmake make pkg-config python3 valgrind abigail-tools binutils libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev \
+  calculix-ccx tetgen libtet1.5-dev
+command -v cargo >/dev/null || { echo "cargo (1.86 or later) is needed: see https://rustup.rs"; exit 2; }
 
 regenerate() {
   local name bad=0
@@ -28,6 +29,7 @@ case ${failures[*]:-} in *program:*) closing; exit 1 ;; esac
 step "models are what their generator makes" regenerate
 step "models are what they claim" python3 $data/check_models.py
 step "meshes of our models" python3 capi-tests/mesh_models.py --bin $bin
+step "C and C++: API, package, examples, sanitizers, valgrind, ABI, peers" sh capi-tests/check.sh
 
 if make_judge; then
   python3 $data/generate.py list | sed "s|^|$PWD/$data/|" > "$work/own"
