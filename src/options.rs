@@ -30,6 +30,11 @@ pub struct Options {
     pub threads: usize,
     /// Give up with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None.
     pub steiner_limit: Option<u64>,
+    /// Return the mesh also if some Steiner points have no valid position in doubles, instead of
+    /// [`Status::Rounding`](crate::Status::Rounding): [`TetMesh::crowded`](crate::TetMesh::crowded) lists them,
+    /// tetrahedra at them may be flat or inverted in doubles, and the exact mesh is given by
+    /// [`TetMesh::steiner`](crate::TetMesh::steiner). Default: false.
+    pub exact_form: bool,
     /// The points are already in a spatially coherent order: skip sorting. Default: false.
     pub points_sorted: bool,
 }
@@ -44,6 +49,7 @@ impl Default for Options {
             max_defects: 1000,
             threads: 1,
             steiner_limit: None,
+            exact_form: false,
             points_sorted: false,
         }
     }

@@ -109,6 +109,9 @@ pub struct TetMesh {
     pub subsegments: Vec<Subsegment>,
     /// One per Steiner point, in the order of `points`.
     pub steiner: Vec<SteinerPoint>,
+    /// Points (indices into `points`) without a valid position in doubles; empty unless
+    /// [`Options::exact_form`](crate::Options::exact_form) was set and rounding failed.
+    pub crowded: Vec<u32>,
     /// The facet flips made by merging, in order.
     pub facet_flips: Vec<FacetFlip>,
     /// The mesh is the convex hull's (nothing outside was carved).

@@ -260,7 +260,7 @@ impl Run<'_> {
                 &rounded,
                 Some((&segments, &subfaces)),
             )?;
-            if !rounded.crowded.is_empty() {
+            if !rounded.crowded.is_empty() && !options.exact_form {
                 return Err(assemble::crowded(&mesh, &segments, &rounded));
             }
             mesh.hull_kept = options.keep_hull;
@@ -361,3 +361,6 @@ impl Run<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -41,6 +41,7 @@ pub(super) fn mesh(
         Some(&input) => input,
         None => (plc.points.len() + v as usize - engine.input_of.len()) as u32,
     };
+    out.crowded.extend(rounded.crowded.iter().map(|&v| point_of(v)));
     let number = tets(engine, components, regions, &mut out, point_of)?;
     if let Some((segments, subfaces)) = constraints {
         steiner(engine, segments, surface, rounded, &mut out, point_of)?;

@@ -1,0 +1,247 @@
+//! The pipeline end to end on small models, every mesh proved by the exact checker.
+use super::tetrahedralize;
+use crate::check::check_mesh;
+use crate::{
+    DefectKind, Element, Error, Facet, Interior, Mode, Observer, Options, Phase, Plc, RegionSeed, Segment, Silent,
+    Status, TetMesh, INVALID,
+};
+use std::ops::ControlFlow;
+
+fn run(plc: &Plc, options: &Options) -> Result<TetMesh, Error> {
+    let mesh = tetrahedralize(plc, options, &mut Silent)?;
+    if options.mode == Mode::Constrained && mesh.crowded.is_empty() {
+        check_mesh(plc, &mesh, true, 100).unwrap();
+    }
+    Ok(mesh)
+}
+
+fn volume6(mesh: &TetMesh) -> f64 {
+    mesh.tets
+        .iter()
+        .map(|t| {
+            let p = t.map(|v| mesh.points[v as usize]);
+            let e = |i: usize, k: usize| p[i][k] - p[0][k];
+            e(1, 0) * (e(2, 1) * e(3, 2) - e(2, 2) * e(3, 1)) - e(1, 1) * (e(2, 0) * e(3, 2) - e(2, 2) * e(3, 0))
+                + e(1, 2) * (e(2, 0) * e(3, 1) - e(2, 1) * e(3, 0))
+        })
+        .sum()
+}
+
+/// The corners of a box, x fastest.
+fn corners(low: [f64; 3], high: [f64; 3]) -> Vec<[f64; 3]> {
+    (0..8).map(|i| std::array::from_fn(|k| if i >> k & 1 == 1 { high[k] } else { low[k] })).collect()
+}
+
+/// The six sides of a box whose corners start at point `base`.
+fn sides(base: u32) -> Vec<Facet> {
+    [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+        .iter()
+        .map(|ring| Facet { polygons: vec![ring.iter().map(|v| v + base).collect()], ..Facet::default() })
+        .collect()
+}
+
+fn cube(size: f64) -> Plc {
+    Plc { points: corners([0.0; 3], [size; 3]), facets: sides(0), ..Plc::default() }
+}
+
+/// A box within a box.
+fn nested() -> Plc {
+    let mut plc = cube(8.0);
+    plc.points.extend(corners([2.0; 3], [5.0; 3]));
+    plc.facets.extend(sides(8));
+    plc
+}
+
+/// Schönhardt's polyhedron (1928), a prism twisted until its diagonals bend inwards: it has no tetrahedralization without
+/// further points.
+fn schoenhardt(offset: f64) -> Plc {
+    let at = |x: f64, y: f64, z: f64| [x + offset, y + offset, z + offset];
+    let points = vec![
+        at(10.0, 0.0, 0.0),
+        at(-5.0, 9.0, 0.0),
+        at(-5.0, -9.0, 0.0),
+        at(9.0, 5.0, 10.0),
+        at(-9.0, 5.0, 10.0),
+        at(0.0, -10.0, 10.0),
+    ];
+    let triangles =
+        vec![[0, 2, 1], [3, 4, 5], [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
+    Plc { points, triangles, ..Plc::default() }
+}
+
+#[test]
+fn a_cube_needs_no_further_point() {
+    let mesh = run(&cube(2.0), &Options::default()).unwrap();
+    assert_eq!(mesh.points.len(), 8);
+    assert!(mesh.tets.len() == 5 || mesh.tets.len() == 6);
+    assert_eq!(volume6(&mesh), 48.0);
+    assert_eq!((mesh.subfaces.len(), mesh.subsegments.len(), mesh.regions.len()), (12, 12, 1));
+    for subface in &mesh.subfaces {
+        assert_eq!(subface.tets.iter().filter(|&&t| t == INVALID).count(), 1);
+    }
+}
+
+#[test]
+fn nested_boxes_are_two_regions_or_a_hole() {
+    let mut plc = nested();
+    plc.regions.push(RegionSeed { point: [3.0; 3], attribute: 7.5, max_volume: Some(0.25) });
+    let mesh = run(&plc, &Options::default()).unwrap();
+    assert_eq!(volume6(&mesh), 6.0 * 512.0);
+    let attributes: Vec<f64> = mesh.regions.iter().map(|r| r.attribute).collect();
+    assert_eq!(attributes, [7.5, 1.0]);
+    assert_eq!(mesh.regions[0].max_volume, Some(0.25));
+    plc.regions.clear();
+    plc.holes.push([3.0; 3]);
+    let mesh = run(&plc, &Options::default()).unwrap();
+    assert_eq!(volume6(&mesh), 6.0 * (512.0 - 27.0));
+    assert_eq!(mesh.regions.len(), 1);
+}
+
+#[test]
+fn seeds_on_facets_and_outside_are_named() {
+    let mut plc = nested();
+    plc.holes.push([2.0, 3.0, 3.0]);
+    let error = run(&plc, &Options::default()).unwrap_err();
+    assert_eq!(error.status, Status::SeedOutside);
+    assert_eq!((error.defects[0].kind, error.defects[0].first), (DefectKind::SeedOnFacet, Element::Hole(0)));
+    plc.holes.clear();
+    plc.regions.push(RegionSeed { point: [9.0; 3], attribute: 1.0, max_volume: None });
+    let error = run(&plc, &Options::default()).unwrap_err();
+    assert_eq!((error.status, error.defects[0].kind), (Status::SeedOutside, DefectKind::SeedOutside));
+}
+
+#[test]
+fn open_surfaces_enclose_nothing_but_have_a_hull() {
+    let mut plc = cube(2.0);
+    plc.facets.pop();
+    assert_eq!(run(&plc, &Options::default()).unwrap_err().status, Status::NothingEnclosed);
+    let mesh = run(&plc, &Options { keep_hull: true, ..Options::default() }).unwrap();
+    assert!(mesh.hull_kept);
+    assert_eq!(volume6(&mesh), 48.0);
+}
+
+#[test]
+fn schoenhardt_gets_points_on_its_edges_only() {
+    let plc = schoenhardt(0.0);
+    let mesh = run(&plc, &Options::default()).unwrap();
+    assert!(mesh.statistics.steiner > 0);
+    assert_eq!(mesh.steiner.len() as u64, mesh.statistics.steiner);
+    assert_eq!(mesh.points.len(), 6 + mesh.steiner.len());
+    for (i, s) in mesh.steiner.iter().enumerate() {
+        let [a, b] = s.ends.map(|v| mesh.points[v as usize]);
+        for k in 0..3 {
+            let expected = a[k] + s.t * (b[k] - a[k]);
+            assert!((mesh.points[6 + i][k] - expected).abs() <= 1e-14 * 10.0);
+        }
+    }
+    let limited = Options { steiner_limit: Some(0), ..Options::default() };
+    assert_eq!(run(&plc, &limited).unwrap_err().status, Status::SteinerLimit);
+}
+
+#[test]
+fn where_doubles_are_too_coarse_the_exact_form_remains() {
+    // Beyond 2^52 doubles are the integers: no point between two neighbours of these edges' lattice can be rounded validly.
+    let plc = schoenhardt((1u64 << 52) as f64);
+    let exact = Options { exact_form: true, ..Options::default() };
+    match run(&plc, &Options::default()) {
+        Err(error) => {
+            assert_eq!(error.status, Status::Rounding);
+            assert!(!error.defects.is_empty() && error.defects.iter().all(|d| d.kind == DefectKind::Rounding));
+            let mesh = run(&plc, &exact).unwrap();
+            assert!(!mesh.crowded.is_empty() && mesh.crowded.iter().all(|&v| v >= 6));
+            assert_eq!(mesh.steiner.len(), mesh.points.len() - 6);
+        }
+        Ok(mesh) => assert!(mesh.statistics.steiner > 0 && mesh.crowded.is_empty()),
+    }
+}
+
+#[test]
+fn scaled_models_give_the_same_mesh() {
+    // Powers of two change nothing but the exponents, far beyond what plain doubles could multiply.
+    let reference = run(&schoenhardt(0.0), &Options::default()).unwrap();
+    for power in [-900, -500, 500, 900] {
+        let factor = 2f64.powi(power);
+        let mut plc = schoenhardt(0.0);
+        for p in &mut plc.points {
+            *p = p.map(|x| x * factor);
+        }
+        let mesh = run(&plc, &Options::default()).unwrap();
+        assert_eq!(mesh.tets, reference.tets, "2^{power}");
+    }
+}
+
+#[test]
+fn internal_facets_segments_and_points_are_kept() {
+    let mut plc = cube(8.0);
+    // A dangling square, an isolated segment and an isolated point; the square has a hole ring.
+    plc.points.extend([[2.0, 2.0, 4.0], [6.0, 2.0, 4.0], [6.0, 6.0, 4.0], [2.0, 6.0, 4.0]]);
+    plc.points.extend([[3.0, 3.0, 4.0], [5.0, 3.0, 4.0], [5.0, 5.0, 4.0], [3.0, 5.0, 4.0]]);
+    plc.points.extend([[4.0, 4.0, 1.0], [4.0, 4.0, 7.0], [1.0, 1.0, 1.0]]);
+    plc.facets.push(Facet {
+        polygons: vec![vec![8, 9, 10, 11], vec![12, 13, 14, 15]],
+        interior: Interior::FirstMinusOthers,
+        marker: 5,
+        ..Facet::default()
+    });
+    plc.segments.push(Segment { ends: [16, 17], marker: 9 });
+    let mesh = run(&plc, &Options::default()).unwrap();
+    assert_eq!(volume6(&mesh), 6.0 * 512.0);
+    assert_eq!(mesh.regions.len(), 1);
+    let dangling: Vec<_> = mesh.subfaces.iter().filter(|s| s.marker == 5).collect();
+    assert!(dangling.len() >= 8 && dangling.iter().all(|s| s.tets.iter().all(|&t| t != INVALID)));
+    assert!(mesh.subsegments.iter().any(|s| s.segment == 0 && s.marker == 9));
+    assert!(mesh.tets.iter().flatten().any(|&v| v == 18));
+}
+
+#[test]
+fn equal_points_are_one_vertex() {
+    let mut plc = cube(2.0);
+    plc.points.push([-0.0, 0.0, 0.0]);
+    plc.facets[0].polygons[0][0] = 8;
+    let mesh = run(&plc, &Options::default()).unwrap();
+    assert_eq!(mesh.point_alias[8], 0);
+    assert_eq!(mesh.statistics.duplicate_points, 1);
+    assert!(mesh.points[8][0].is_sign_negative());
+    assert!(mesh.tets.iter().flatten().all(|&v| v != 8));
+}
+
+#[test]
+fn delaunay_mode_ignores_facets() {
+    let mut plc = nested();
+    plc.facets.truncate(3);
+    let mesh = run(&plc, &Options { mode: Mode::Delaunay, ..Options::default() }).unwrap();
+    assert_eq!(volume6(&mesh), 6.0 * 512.0);
+    assert!(mesh.subfaces.is_empty());
+    let points_only = Plc { points: plc.points, ..Plc::default() };
+    check_mesh(&points_only, &mesh, true, 10).unwrap();
+}
+
+#[test]
+fn the_caller_can_cancel_in_every_phase() {
+    struct Stop(Phase);
+    impl Observer for Stop {
+        fn progress(&mut self, phase: Phase, _: f64) -> ControlFlow<()> {
+            if phase == self.0 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        }
+    }
+    let phases = [Phase::Validate, Phase::Segments, Phase::Facets, Phase::Regions, Phase::Round, Phase::Audit];
+    for phase in phases {
+        let error = tetrahedralize(&nested(), &Options::default(), &mut Stop(phase)).unwrap_err();
+        assert_eq!(error.status, Status::Cancelled, "{}", phase.name());
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    let one = run(&schoenhardt(0.0), &Options::default()).unwrap();
+    for threads in [2, 3, 7] {
+        let more = run(&schoenhardt(0.0), &Options { threads, ..Options::default() }).unwrap();
+        assert_eq!((&one.points, &one.tets), (&more.points, &more.tets));
+    }
+    let none = Options { threads: 0, ..Options::default() };
+    assert_eq!(run(&cube(1.0), &none).unwrap_err().status, Status::InvalidArgument);
+}
