@@ -980,6 +980,15 @@ enum DelotetStatus delotet_options_set_steiner_limit(struct DelotetOptions *opti
                                                      uint64_t limit);
 
 /**
+ * Return the mesh also if some Steiner points have no valid position in doubles, instead of DELOTET_STATUS_ROUNDING:
+ * delotet_mesh_crowded_points() lists them, tetrahedra at them may be flat or inverted in doubles, and the exact mesh is
+ * given by delotet_mesh_steiner_parents(). Default: false. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_exact_form(struct DelotetOptions *options,
+                                                  bool exact_form);
+
+/**
  * The points are already in a spatially coherent order: skip sorting. Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
@@ -1226,6 +1235,13 @@ DELOTET_API size_t delotet_mesh_input_point_count(const struct DelotetMesh *mesh
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_point_aliases(const struct DelotetMesh *mesh);
+
+/**
+ * Points without a valid position in doubles: empty unless delotet_options_set_exact_form() was on and rounding failed.
+ * Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetIndicesView delotet_mesh_crowded_points(const struct DelotetMesh *mesh);
 
 /**
  * Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge.

@@ -303,6 +303,7 @@ class Options {
     {
         return keep(delotet_options_set_steiner_limit(get(), limit));
     }
+    Options &exact_form(bool on) noexcept { return keep(delotet_options_set_exact_form(get(), on)); }
     Options &points_sorted(bool on) noexcept { return keep(delotet_options_set_points_sorted(get(), on)); }
     /// `progress` may throw: the run is cancelled, and the exception comes out of it.
     Options &on_progress(ProgressFunction progress) noexcept
@@ -569,6 +570,7 @@ class Mesh {
 
     Span<const Point> points() const noexcept { return points_of(delotet_mesh_points(get())); }
     std::size_t input_point_count() const noexcept { return delotet_mesh_input_point_count(get()); }
+    Span<const Index> crowded_points() const noexcept { return span(delotet_mesh_crowded_points(get())); }
     Span<const Index> point_aliases() const noexcept { return span(delotet_mesh_point_aliases(get())); }
     /// #points by `width` doubles.
     DelotetDoublesView point_attributes() const noexcept { return delotet_mesh_point_attributes(get()); }

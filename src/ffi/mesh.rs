@@ -79,6 +79,14 @@ pub unsafe extern "C" fn delotet_mesh_point_aliases(mesh: *const DelotetMesh) ->
     }
 }
 
+/// Points without a valid position in doubles: empty unless delotet_options_set_exact_form() was on and rounding failed.
+/// Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_crowded_points(mesh: *const DelotetMesh) -> DelotetIndicesView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetIndicesView::new(&[]), |mesh| DelotetIndicesView::new(&mesh.mesh.crowded)) }
+}
+
 /// Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge.
 /// Borrowed from `mesh`. Empty for NULL and if the input had none.
 #[no_mangle]

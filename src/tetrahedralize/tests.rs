@@ -2,8 +2,8 @@
 use super::tetrahedralize;
 use crate::check::check_mesh;
 use crate::{
-    DefectKind, Element, Error, Facet, Interior, Mode, Observer, Options, Phase, Plc, RegionSeed, Segment, Silent,
-    Status, TetMesh, INVALID,
+    DefectKind, Element, Error, Facet, Interior, Mode, Observer, Options, Phase, Plc, RegionSeed, Segment,
+    Silent, Status, TetMesh, INVALID,
 };
 use std::ops::ControlFlow;
 
@@ -21,7 +21,8 @@ fn volume6(mesh: &TetMesh) -> f64 {
         .map(|t| {
             let p = t.map(|v| mesh.points[v as usize]);
             let e = |i: usize, k: usize| p[i][k] - p[0][k];
-            e(1, 0) * (e(2, 1) * e(3, 2) - e(2, 2) * e(3, 1)) - e(1, 1) * (e(2, 0) * e(3, 2) - e(2, 2) * e(3, 0))
+            e(1, 0) * (e(2, 1) * e(3, 2) - e(2, 2) * e(3, 1))
+                - e(1, 1) * (e(2, 0) * e(3, 2) - e(2, 2) * e(3, 0))
                 + e(1, 2) * (e(2, 0) * e(3, 1) - e(2, 1) * e(3, 0))
         })
         .sum()
@@ -140,19 +141,16 @@ fn schoenhardt_gets_points_on_its_edges_only() {
 
 #[test]
 fn where_doubles_are_too_coarse_the_exact_form_remains() {
-    // Beyond 2^52 doubles are the integers: no point between two neighbours of these edges' lattice can be rounded validly.
-    let plc = schoenhardt((1u64 << 52) as f64);
-    let exact = Options { exact_form: true, ..Options::default() };
-    match run(&plc, &Options::default()) {
-        Err(error) => {
-            assert_eq!(error.status, Status::Rounding);
-            assert!(!error.defects.is_empty() && error.defects.iter().all(|d| d.kind == DefectKind::Rounding));
-            let mesh = run(&plc, &exact).unwrap();
-            assert!(!mesh.crowded.is_empty() && mesh.crowded.iter().all(|&v| v >= 6));
-            assert_eq!(mesh.steiner.len(), mesh.points.len() - 6);
-        }
-        Ok(mesh) => assert!(mesh.statistics.steiner > 0 && mesh.crowded.is_empty()),
-    }
+    // Beyond 2^52 doubles are the integers: a twisted prism three units wide whose edges must be split has no room for it.
+    let lattice = [[0, 2, 0], [0, 2, 3], [0, 3, 3], [0, 3, 0], [1, 2, 2], [1, 3, 1]];
+    let points = lattice.map(|p: [u64; 3]| p.map(|x| ((1 << 52) + x) as f64)).to_vec();
+    let plc = Plc { points, ..schoenhardt(0.0) };
+    let error = run(&plc, &Options::default()).unwrap_err();
+    assert_eq!(error.status, Status::Rounding);
+    assert!(!error.defects.is_empty() && error.defects.iter().all(|d| d.kind == DefectKind::Rounding));
+    let mesh = run(&plc, &Options { exact_form: true, ..Options::default() }).unwrap();
+    assert!(!mesh.crowded.is_empty() && mesh.crowded.iter().all(|&v| v >= 6));
+    assert_eq!(mesh.steiner.len(), mesh.points.len() - 6);
 }
 
 #[test]
@@ -228,7 +226,8 @@ fn the_caller_can_cancel_in_every_phase() {
             }
         }
     }
-    let phases = [Phase::Validate, Phase::Segments, Phase::Facets, Phase::Regions, Phase::Round, Phase::Audit];
+    let phases =
+        [Phase::Validate, Phase::Segments, Phase::Facets, Phase::Regions, Phase::Round, Phase::Audit];
     for phase in phases {
         let error = tetrahedralize(&nested(), &Options::default(), &mut Stop(phase)).unwrap_err();
         assert_eq!(error.status, Status::Cancelled, "{}", phase.name());
