@@ -23,7 +23,6 @@ int main(void)
     size_t i;
     CHECK(delotet_mesh_crowded_points(mesh).count == 0);
     delotet_mesh_free(mesh);
-    delotet_plc_free(plc);
     plc = coarse_prism();
     OK(delotet_options_set_exact_form(options, true));
     mesh = mesh_with(plc, options);
