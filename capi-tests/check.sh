@@ -1,6 +1,6 @@
 #!/bin/sh
 # Everything about the C and C++ side in one run: the CMake build and its tests, installation, consumers of the moved prefix,
-# sanitizers, valgrind and the ABI guard. Needs: cargo, cmake 3.18, gcc, g++, pkg-config; and for the parts that use them
+# sanitizers, valgrind and the ABI guard. Needs: cargo, cmake 3.18, gcc, g++, pkg-config, python3; and for the parts that use them
 # valgrind, abidiff (abigail-tools), Eigen (libeigen3-dev), CalculiX (calculix-ccx), CGAL (libcgal-dev), TetGen (libtet1.5-dev).
 #   capi-tests/check.sh [folder for builds, default target/check]
 set -eu
@@ -87,6 +87,12 @@ quiet "$work/plain"
 # shellcheck disable=SC2046
 quiet gcc -static "$main.c" -o "$work/plain" $(pkg-config --static --cflags --libs delotet)
 quiet "$work/plain"
+
+step "README: its code blocks, as they stand"
+set --
+[ ! -x "$root/target/release/delotet" ] || set -- --bin "$root/target/release/delotet"
+quiet python3 "$root/capi-tests/readme.py" "$work/prefix" --cargo "$work/build/cargo" --work "$work/readme" "$@"
+grep -e SKIPPED -e passed "$log"
 
 step "examples, through the installed package"
 rm -rf "$work/examples"

@@ -19,6 +19,11 @@ regenerate() {
   return $bad
 }
 
+picture() {
+  "$bin" mesh $data/nested.off -o "$work/nested.ele" --quiet && python3 capi-tests/picture.py "$work/nested.ele" -o "$work/cut.png" &&
+    ls -s "$work/cut.png"
+}
+
 step "format" cargo fmt --check
 step "lints" cargo clippy --all-targets -- -D warnings
 step "tests, debug" cargo test
@@ -29,6 +34,7 @@ case ${failures[*]:-} in *program:*) closing; exit 1 ;; esac
 step "models are what their generator makes" regenerate
 step "models are what they claim" python3 $data/check_models.py
 step "meshes of our models" python3 capi-tests/mesh_models.py --bin $bin
+step "picture of a mesh cut open" picture
 step "C and C++: API, package, examples, sanitizers, valgrind, ABI, peers" sh capi-tests/check.sh
 
 if make_judge; then

@@ -54,3 +54,8 @@ pub use tetrahedralize::tetrahedralize;
 
 /// The index that means "none": no neighbour, no parent.
 pub const INVALID: u32 = u32::MAX;
+
+/// The README's Rust block, as a test of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
