@@ -982,7 +982,7 @@ enum DelotetStatus delotet_options_set_steiner_limit(struct DelotetOptions *opti
 /**
  * Return the mesh also if some Steiner points have no valid position in doubles, instead of DELOTET_STATUS_ROUNDING:
  * delotet_mesh_crowded_points() lists them, tetrahedra at them may be flat or inverted in doubles, and the exact mesh is
- * given by delotet_mesh_steiner_parents(). Default: false. Errors: INVALID_ARGUMENT (NULL).
+ * given by delotet_mesh_steiner_points(). Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 enum DelotetStatus delotet_options_set_exact_form(struct DelotetOptions *options,
