@@ -117,6 +117,26 @@ impl Tetrahedra {
         }
     }
 
+    /// Appends `count` slots for new tetrahedra to `slots`. Their content is undefined.
+    #[inline(always)]
+    pub fn allocate_all(&mut self, count: usize, slots: &mut Vec<u32>) -> Result<(), Error> {
+        slots.try_reserve(count)?;
+        let recycled = count.min(self.free.len());
+        let kept = self.free.len() - recycled;
+        slots.extend_from_slice(&self.free[kept..]);
+        self.free.truncate(kept);
+        let added = count - recycled;
+        if added > 0 {
+            self.reserve(added)?;
+            let length = self.verts.len();
+            slots.extend(length as u32..(length + added) as u32);
+            self.verts.resize(length + added, [NONE; 4]);
+            self.adj.resize(length + added, [NONE; 4]);
+            self.flags.resize(length + added, 0);
+        }
+        Ok(())
+    }
+
     /// Frees a slot.
     #[inline(always)]
     pub fn release(&mut self, t: u32) {
