@@ -6,6 +6,7 @@
 use delotet::delaunay::order::insertion_order;
 use delotet::delaunay::Delaunay;
 use delotet::predicates::Points;
+use std::io::BufRead;
 use std::time::Instant;
 
 /// Seconds this thread has computed, so that other programs on the machine disturb less; wall time where the system does
@@ -18,14 +19,27 @@ fn seconds(start: Instant) -> f64 {
 
 /// Points of a `.node` file, in order, attributes and markers ignored.
 fn read(path: &str) -> Vec<[f64; 3]> {
-    let text = std::fs::read_to_string(path).unwrap_or_else(|e| panic!("{path}: {e}"));
-    let mut lines = text.lines().map(|l| l.split('#').next().unwrap_or("")).filter(|l| !l.trim().is_empty());
+    let file = std::fs::File::open(path).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let mut lines = std::io::BufReader::new(file)
+        .lines()
+        .map(|line| line.unwrap())
+        .filter(|line| !line.trim_start().is_empty() && !line.trim_start().starts_with('#'));
     let count: usize = lines.next().unwrap().split_whitespace().next().unwrap().parse().unwrap();
-    let coordinates = |line: &str| {
+    let coordinates = |line: String| {
         let mut numbers = line.split_whitespace().skip(1).map(|x| x.parse::<f64>().unwrap());
         [(); 3].map(|()| numbers.next().unwrap())
     };
-    lines.take(count).map(coordinates).collect()
+    let mut points = Vec::with_capacity(count);
+    points.extend(lines.take(count).map(coordinates));
+    points
+}
+
+/// Most memory that the process had, in megabytes; zero where the system does not tell.
+fn peak_megabytes() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = text.lines().find(|line| line.starts_with("VmHWM"));
+    let kilobytes = line.and_then(|line| line.split_whitespace().nth(1)).and_then(|x| x.parse::<f64>().ok());
+    kilobytes.unwrap_or(0.0) * 1024e-6
 }
 
 /// A hash of the set of finite tetrahedra, in vertices of the file.
@@ -78,5 +92,10 @@ fn main() {
         let each = delaunay.bytes() as f64 / delaunay.mesh.live_count() as f64;
         last = format!("{} points, {count} tetrahedra, hash {hash:016x}, {each:.1} bytes each", points.len());
     }
-    println!("{last}\norder {}, insertion {}", summary(&mut ordering), summary(&mut insertion));
+    println!(
+        "{last}\norder {}, insertion {}, peak {:.0} MB",
+        summary(&mut ordering),
+        summary(&mut insertion),
+        peak_megabytes()
+    );
 }

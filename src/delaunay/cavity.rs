@@ -101,7 +101,7 @@ fn lengthen(
 }
 
 /// The hull face of a ghost sees `p`, or `p` lies in its plane and inside the sphere of the finite tetrahedron behind it.
-#[inline(never)]
+#[inline(always)]
 fn ghost_in_conflict(verts: &[[u32; 4]], adj: &[[u32; 4]], points: &Points, t: u32, p: u32) -> bool {
     let v = verts[t as usize];
     match points.orient3d(v[0], v[1], v[2], p) {
