@@ -10,14 +10,14 @@ use crate::error::{Error, Status};
 use crate::mesh::flag;
 use crate::mesh::star::StarSearch;
 use crate::options::{Mode, Options};
-use crate::output::{Region, Statistics, TetMesh};
+use crate::output::{Statistics, TetMesh};
 use crate::plc::merge::Guide;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared, RegionSeed};
 use crate::predicates::{scale, Points};
 use crate::progress::{report, Observer, Phase};
 use crate::region::{components, label, Components, Regions, Seeds};
-use crate::rounding::{round, Kept, Rounded};
+use crate::rounding::{round, Kept};
 use crate::INVALID;
 use std::time::Instant;
 
@@ -37,10 +37,12 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     let mut engine = Engine::new(prepared.surface(), options)?;
     run.delaunay(&mut engine)?;
     let mut mesh = match options.mode {
-        Mode::Delaunay => engine.output_delaunay(plc, prepared.surface())?,
+        Mode::Delaunay => assemble::delaunay(engine, plc, prepared.surface())?,
         Mode::Constrained => {
             let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
-            run.constrain(plc, &surface, options, segments, &mut engine)?
+            let mesh = run.constrain(plc, &surface, options, segments, &mut engine)?;
+            drop(engine);
+            mesh
         }
     };
     run.audit(plc, options, &mut mesh)?;
@@ -118,19 +120,6 @@ impl Engine {
         mapped.try_reserve(list.len())?;
         mapped.extend(list.iter().map(|v| v.map(|i| self.engine_of[i as usize])));
         Ok(mapped)
-    }
-
-    fn output_delaunay(&self, plc: &Plc, surface: &Surface) -> Result<TetMesh, Error> {
-        let mesh = &self.delaunay.mesh;
-        let components = Components { of: vec![0; mesh.slot_count()], count: 1 };
-        let regions = Regions {
-            of_component: vec![0],
-            regions: vec![Region { attribute: 1.0, seed: INVALID, max_volume: None }],
-        };
-        let rounded = Rounded::explicit(&self.points);
-        let mut out = assemble::mesh(self, plc, surface, &components, &regions, &rounded, None)?;
-        out.hull_kept = true;
-        Ok(out)
     }
 }
 

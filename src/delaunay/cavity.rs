@@ -10,85 +10,131 @@
 use super::Delaunay;
 use crate::error::Error;
 use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
-use crate::mesh::{flag, GHOST, NONE};
+use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
 use crate::predicates::{Points, Sign};
 
 /// Boundary vertices that the table can number.
 const LOCAL: usize = 32;
+/// First length of the lists of faces.
+const SCRATCH: usize = 256;
 
 /// Scratch space of an insertion.
 #[derive(Clone, Default)]
 pub struct Cavity {
-    /// Tetrahedra in conflict.
-    pub dead: Vec<u32>,
-    /// Corner codes of dead tetrahedra whose face is on the boundary.
+    /// Tetrahedra in conflict: the first `dead_count`.
+    dead: Vec<u32>,
+    dead_count: usize,
+    /// Their neighbours.
+    dead_adj: Vec<[u32; 4]>,
+    /// Corner codes of dead tetrahedra whose face is on the boundary: the first `boundary_count`.
     boundary: Vec<u32>,
+    boundary_count: usize,
     /// The new tetrahedra, all with the inserted vertex in slot 0.
     pub fresh: Vec<u32>,
     /// Flagged edges that the last constrained insertion destroyed.
     pub lost_edges: Vec<[u32; 2]>,
-    /// Per vertex its local number in the current cavity, valid only if `local_vertex` agrees (so it is never reset).
-    local_number: Vec<u8>,
-    local_vertex: [u32; LOCAL],
-    local_ghost: u8,
-    local_count: usize,
-    half_edges: Vec<u32>,
+    numbers: LocalNumbers,
+    /// Local numbers of the vertices of each boundary face (and a filler).
+    local_faces: Vec<[u8; 4]>,
+    half_edges: [[u32; LOCAL]; LOCAL],
     sorted_edges: Vec<(u64, u32)>,
+}
+
+/// Numbers from 0 for the vertices of one cavity's boundary.
+#[derive(Clone, Default)]
+struct LocalNumbers {
+    /// Per vertex its number in the current cavity, valid only if `vertex` agrees (so it is never reset).
+    of_vertex: Vec<u8>,
+    vertex: [u32; LOCAL],
+    ghost: u8,
+    /// How many are numbered; beyond `LOCAL` numbers are not distinct any more.
+    count: usize,
+}
+
+impl LocalNumbers {
+    /// The number of a vertex other than the ghost.
+    #[inline(always)]
+    fn of(&mut self, v: u32) -> u8 {
+        let entry = &mut self.of_vertex[v as usize];
+        let number = *entry as usize;
+        let known = (number < self.count) & (self.vertex[number % LOCAL] == v);
+        // No branch: about every fifth vertex is new, at random.
+        let number = if known { number } else { self.count % LOCAL };
+        self.count += !known as usize;
+        *entry = number as u8;
+        self.vertex[number] = v;
+        number as u8
+    }
+
+    /// The numbers of a boundary face's vertices, of which the last may be the ghost.
+    #[inline(always)]
+    fn of_face(&mut self, [a, b, c]: [u32; 3]) -> [u8; 3] {
+        let (a, b) = (self.of(a), self.of(b));
+        if c != GHOST {
+            return [a, b, self.of(c)];
+        }
+        let ghost = self.ghost as usize;
+        if ghost >= self.count || self.vertex[ghost] != GHOST {
+            self.ghost = (self.count % LOCAL) as u8;
+            self.vertex[self.count % LOCAL] = GHOST;
+            self.count += 1;
+        }
+        [a, b, self.ghost]
+    }
+}
+
+/// Lengthens the lists of an insertion.
+#[cold]
+fn lengthen(
+    dead: &mut Vec<u32>,
+    dead_adj: &mut Vec<[u32; 4]>,
+    boundary: &mut Vec<u32>,
+    length: usize,
+) -> Result<(), Error> {
+    dead.try_reserve(length.saturating_sub(dead.len()))?;
+    dead_adj.try_reserve(length.saturating_sub(dead_adj.len()))?;
+    boundary.try_reserve(length.saturating_sub(boundary.len()))?;
+    dead.resize(length.max(dead.len()), 0);
+    dead_adj.resize(length.max(dead_adj.len()), [0; 4]);
+    boundary.resize(length.max(boundary.len()), 0);
+    Ok(())
+}
+
+/// The hull face of a ghost sees `p`, or `p` lies in its plane and inside the sphere of the finite tetrahedron behind it.
+#[inline(always)]
+fn ghost_in_conflict(verts: &[[u32; 4]], adj: &[[u32; 4]], points: &Points, t: u32, p: u32) -> bool {
+    let v = verts[t as usize];
+    match points.orient3d(v[0], v[1], v[2], p) {
+        Sign::Positive => true,
+        Sign::Negative => false,
+        Sign::Zero => {
+            let w = verts[(adj[t as usize][3] >> 2) as usize];
+            points.insphere_perturbed(w[0], w[1], w[2], w[3], p) == Sign::Positive
+        }
+    }
 }
 
 impl Cavity {
     /// Makes room for vertices with ids below `vertex_count`.
     pub fn prepare(&mut self, vertex_count: usize) -> Result<(), Error> {
-        if self.local_number.len() < vertex_count {
-            self.local_number.try_reserve(vertex_count - self.local_number.len())?;
-            self.local_number.resize(vertex_count, 0);
-        }
-        if self.half_edges.is_empty() {
-            self.half_edges.try_reserve(LOCAL * LOCAL)?;
-            self.half_edges.resize(LOCAL * LOCAL, 0);
+        let numbers = &mut self.numbers.of_vertex;
+        if numbers.len() < vertex_count {
+            numbers.try_reserve(vertex_count - numbers.len())?;
+            numbers.resize(vertex_count, 0);
         }
         Ok(())
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        self.local_number.capacity()
-            + 4 * (self.dead.capacity()
+        self.numbers.of_vertex.capacity()
+            + 4 * (5 * self.dead.capacity()
                 + self.boundary.capacity()
                 + self.fresh.capacity()
-                + self.half_edges.capacity())
+                + self.local_faces.capacity()
+                + LOCAL * LOCAL)
             + 16 * self.sorted_edges.capacity()
             + 8 * self.lost_edges.capacity()
-    }
-
-    /// The local number of a vertex, or None if all are taken.
-    #[inline(always)]
-    fn local(&mut self, v: u32) -> Option<usize> {
-        if v == GHOST {
-            if self.local_ghost as usize >= self.local_count
-                || self.local_vertex[self.local_ghost as usize] != GHOST
-            {
-                if self.local_count == LOCAL {
-                    return None;
-                }
-                self.local_ghost = self.local_count as u8;
-                self.local_vertex[self.local_count] = GHOST;
-                self.local_count += 1;
-            }
-            return Some(self.local_ghost as usize);
-        }
-        let l = self.local_number[v as usize] as usize;
-        if l < self.local_count && self.local_vertex[l] == v {
-            return Some(l);
-        }
-        if self.local_count == LOCAL {
-            return None;
-        }
-        let l = self.local_count;
-        self.local_number[v as usize] = l as u8;
-        self.local_vertex[l] = v;
-        self.local_count += 1;
-        Some(l)
     }
 }
 
@@ -101,14 +147,7 @@ impl Delaunay {
         if v[3] != GHOST {
             return points.insphere_perturbed(v[0], v[1], v[2], v[3], p) == Sign::Positive;
         }
-        match points.orient3d(v[0], v[1], v[2], p) {
-            Sign::Positive => true,
-            Sign::Negative => false,
-            Sign::Zero => {
-                let w = &self.mesh.verts[(self.mesh.adj[t as usize][3] >> 2) as usize];
-                points.insphere_perturbed(w[0], w[1], w[2], w[3], p) == Sign::Positive
-            }
-        }
+        ghost_in_conflict(&self.mesh.verts, &self.mesh.adj, points, t, p)
     }
 
     /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`.
@@ -123,61 +162,99 @@ impl Delaunay {
         if CONSTRAINED {
             self.carry_edge_flags();
         }
-        for i in 0..self.cavity.dead.len() {
+        for i in 0..self.cavity.dead_count {
             self.mesh.release(self.cavity.dead[i]);
         }
         Ok(self.cavity.fresh[0])
     }
 
     /// Fills `dead` (marked) and `boundary`.
+    ///
+    /// Conflicts are hard to foretell, so each tested neighbour is written behind both lists and only the lengths depend
+    /// on the outcome. What the next steps need of a tetrahedron is loaded when it is first met: the tests of others
+    /// hide the way to memory.
     fn collect_conflicts(&mut self, points: &Points, p: u32, t: u32) -> Result<(), Error> {
-        self.cavity.dead.clear();
-        self.cavity.boundary.clear();
-        self.cavity.dead.push(t);
-        self.mesh.flags[t as usize] |= flag::MARK;
-        let mut next = 0;
-        while next < self.cavity.dead.len() {
-            let c = self.cavity.dead[next];
+        let at = *points.xyz(p);
+        let Tetrahedra { verts, adj, flags, .. } = &mut self.mesh;
+        let (verts, adj, flags) = (&verts[..], &adj[..], &mut flags[..]);
+        let Cavity { dead, dead_adj, boundary, .. } = &mut self.cavity;
+        if dead.len() < SCRATCH {
+            lengthen(dead, dead_adj, boundary, SCRATCH)?;
+        }
+        dead[0] = 4 * t;
+        dead_adj[0] = adj[t as usize];
+        flags[t as usize] |= flag::MARK;
+        let (mut dead_count, mut boundary_count, mut next) = (1, 0, 0);
+        // `dead` has corner codes here: the face through which each tetrahedron was entered, so that it is not looked at
+        // again. The first one has no such face.
+        let mut faces = 4;
+        while next < dead_count {
+            if dead_count.max(boundary_count) + 4 > dead.len().min(dead_adj.len()).min(boundary.len()) {
+                let length = 2 * dead_count.max(boundary_count) + 4;
+                lengthen(dead, dead_adj, boundary, length)?;
+            }
+            let code = dead[next];
+            let neighbors = dead_adj[next];
             next += 1;
-            self.cavity.dead.try_reserve(4)?;
-            self.cavity.boundary.try_reserve(4)?;
-            let adj = self.mesh.adj[c as usize];
-            for f in 0..4u32 {
-                let n = adj[f as usize] >> 2;
-                if self.mesh.flags[n as usize] & flag::MARK != 0 {
-                    continue;
-                }
-                if self.in_conflict(points, n, p) {
-                    self.mesh.flags[n as usize] |= flag::MARK;
-                    self.cavity.dead.push(n);
+            let mut untested = [(0, 0, [0; 4]); 4];
+            let mut count = 0;
+            for turn in 1..=faces {
+                let f = (code + turn) % 4;
+                let across = neighbors[f as usize];
+                let n = (across >> 2) as usize;
+                untested[count % 4] = (code & !3 | f, across, verts[n]);
+                count += (flags[n] & flag::MARK == 0) as usize;
+            }
+            faces = 3;
+            for &(inner, across, v) in untested.iter().take(count) {
+                let n = (across >> 2) as usize;
+                let conflict = if v[3] != GHOST {
+                    points.inside_perturbed(v, p, &at)
                 } else {
-                    self.cavity.boundary.push(4 * c + f);
-                }
+                    ghost_in_conflict(verts, adj, points, n as u32, p)
+                };
+                flags[n] |= flag::MARK * conflict as u16;
+                dead[dead_count] = across;
+                dead_adj[dead_count] = adj[n];
+                dead_count += conflict as usize;
+                boundary[boundary_count] = inner;
+                boundary_count += !conflict as usize;
             }
         }
+        for code in &mut dead[..dead_count] {
+            *code >>= 2;
+        }
+        self.cavity.dead_count = dead_count;
+        self.cavity.boundary_count = boundary_count;
         Ok(())
     }
 
     /// Joins `p` to the boundary faces and links the new tetrahedra.
     fn fill<const CONSTRAINED: bool>(&mut self, p: u32) -> Result<(), Error> {
-        let count = self.cavity.boundary.len();
-        self.mesh.reserve(count)?;
-        self.cavity.fresh.clear();
-        self.cavity.fresh.try_reserve(count)?;
-        self.cavity.local_count = 0;
+        let cavity = &mut self.cavity;
+        let mesh = &mut self.mesh;
+        let count = cavity.boundary_count;
+        cavity.fresh.clear();
+        mesh.allocate_all(count, &mut cavity.fresh)?;
+        cavity.numbers.count = 0;
+        if cavity.local_faces.len() < count {
+            cavity.local_faces.try_reserve(count)?;
+            cavity.local_faces.resize(2 * count, [0; 4]);
+        }
         let mut small = true;
-        for i in 0..count {
-            let code = self.cavity.boundary[i];
-            let mut b = self.mesh.face(code);
+        for ((&code, &t), local_face) in
+            cavity.boundary[..count].iter().zip(&cavity.fresh).zip(&mut cavity.local_faces)
+        {
+            let mut b = mesh.face(code);
             if b[0] == GHOST {
                 b = [b[1], b[2], b[0]];
             } else if b[1] == GHOST {
                 b = [b[2], b[0], b[1]];
             }
-            let outer = self.mesh.across(code);
-            let t = self.mesh.allocate([p, b[0], b[1], b[2]]);
-            self.mesh.link(4 * t, outer);
-            self.cavity.fresh.push(t);
+            let outer = mesh.across(code);
+            mesh.adj[(outer >> 2) as usize][(outer & 3) as usize] = 4 * t;
+            mesh.verts[t as usize] = [p, b[0], b[1], b[2]];
+            mesh.flags[t as usize] = 0;
             if CONSTRAINED {
                 for v in b {
                     if v != GHOST {
@@ -185,16 +262,15 @@ impl Delaunay {
                     }
                 }
             }
+            mesh.adj[t as usize][0] = outer;
             if small {
-                match (self.cavity.local(b[0]), self.cavity.local(b[1]), self.cavity.local(b[2])) {
-                    (Some(i0), Some(i1), Some(i2)) => {
-                        let table = &mut self.cavity.half_edges;
-                        table[i1 * LOCAL + i2] = 4 * t + 1;
-                        table[i2 * LOCAL + i0] = 4 * t + 2;
-                        table[i0 * LOCAL + i1] = 4 * t + 3;
-                    }
-                    _ => small = false,
-                }
+                let [i0, i1, i2] = cavity.numbers.of_face(b);
+                small = cavity.numbers.count <= LOCAL;
+                let table = &mut cavity.half_edges;
+                table[i1 as usize % LOCAL][i2 as usize % LOCAL] = 4 * t + 1;
+                table[i2 as usize % LOCAL][i0 as usize % LOCAL] = 4 * t + 2;
+                table[i0 as usize % LOCAL][i1 as usize % LOCAL] = 4 * t + 3;
+                *local_face = [i0, i1, i2, 0];
             }
         }
         if small {
@@ -209,22 +285,12 @@ impl Delaunay {
     }
 
     fn link_by_table(&mut self) {
-        for k in 0..self.cavity.fresh.len() {
-            let t = self.cavity.fresh[k];
-            let [_, b0, b1, b2] = self.mesh.verts[t as usize];
-            let local = |v: u32| -> usize {
-                if v == GHOST {
-                    self.cavity.local_ghost as usize
-                } else {
-                    self.cavity.local_number[v as usize] as usize
-                }
-            };
-            let (i0, i1, i2) = (local(b0), local(b1), local(b2));
-            let table = &self.cavity.half_edges;
+        let table = &self.cavity.half_edges;
+        for (&t, &[i0, i1, i2, _]) in self.cavity.fresh.iter().zip(&self.cavity.local_faces) {
             let adj = &mut self.mesh.adj[t as usize];
-            adj[1] = table[i2 * LOCAL + i1];
-            adj[2] = table[i0 * LOCAL + i2];
-            adj[3] = table[i1 * LOCAL + i0];
+            adj[1] = table[i2 as usize % LOCAL][i1 as usize % LOCAL];
+            adj[2] = table[i0 as usize % LOCAL][i2 as usize % LOCAL];
+            adj[3] = table[i1 as usize % LOCAL][i0 as usize % LOCAL];
         }
     }
 
@@ -255,7 +321,7 @@ impl Delaunay {
     /// Gives the new tetrahedra the subsegment flags of the boundary's edges and lists the flagged edges that are gone.
     fn carry_edge_flags(&mut self) {
         self.cavity.lost_edges.clear();
-        for i in 0..self.cavity.dead.len() {
+        for i in 0..self.cavity.dead_count {
             let t = self.cavity.dead[i];
             let mut bits = (self.mesh.flags[t as usize] & flag::EDGES) >> 4;
             while bits != 0 {
@@ -273,7 +339,7 @@ impl Delaunay {
             return;
         }
         // `fresh[i]` was made from `boundary[i]`: copy the flags of the face's edges.
-        for i in 0..self.cavity.boundary.len() {
+        for i in 0..self.cavity.boundary_count {
             let code = self.cavity.boundary[i];
             let flags = self.mesh.flags[(code >> 2) as usize];
             if flags & flag::EDGES == 0 {

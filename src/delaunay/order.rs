@@ -2,44 +2,93 @@
 //!
 //! Amenta, Choi & Rote 2003 (BRIO): random rounds of growing size keep the expected cost of incremental insertion optimal
 //! for every input; the curve inside a round keeps walks short. Curve indices by Skilling 2004 (transpose form).
+//!
+//! One sort does both: a point's key is its round, then its curve index. The leading digits are sorted from the last to
+//! the first, in linear time; the few points that still agree then, by comparison.
 
 /// Bits per axis of a curve index.
-const BITS: u32 = 21;
-/// Points in the first round.
+const BITS: u32 = 20;
+/// Points in the first round, at least.
 const FIRST_ROUND: usize = 2000;
 /// Each round is this many times the sum of those before, roughly.
 const GROWTH: f64 = 7.5;
+/// Points whose curve indices are computed together.
+const BLOCK: usize = 8;
+/// Bits of a digit.
+const DIGIT: u32 = 11;
+/// Below this many points digits are not worth their tables.
+const FEW: usize = 2000;
 
 /// A permutation of `ids` in which the points should be inserted. Depends on the coordinates and the ids' order only.
 pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Vec<u32> {
     let (low, scale) = frame(points, ids);
+    let rounds = round_limits(ids.len());
     let mut keyed: Vec<(u64, u32)> = Vec::with_capacity(ids.len());
-    let mut shuffled: Vec<(u64, u32)> =
-        ids.iter().enumerate().map(|(i, &id)| (splitmix(i as u64), id)).collect();
-    // Only the membership in rounds is random: sort by a hash of the position.
-    if ids.len() > FIRST_ROUND {
-        shuffled.sort_unstable();
-    }
-    let mut order = Vec::with_capacity(ids.len());
-    let mut ends = vec![ids.len()];
-    while let Some(&end) = ends.last() {
-        let before = (end as f64 / GROWTH) as usize;
-        if before < FIRST_ROUND {
-            break;
+    for (block, chunk) in ids.chunks(BLOCK).enumerate() {
+        let mut coordinates = [[0.0; 3]; BLOCK];
+        for (to, &id) in coordinates.iter_mut().zip(chunk) {
+            *to = points[id as usize];
         }
-        ends.push(before);
+        let indices = hilbert_indices(&coordinates, low, scale);
+        keyed.extend(chunk.iter().zip(indices).enumerate().map(|(i, (&id, index))| {
+            // Only the membership in rounds is random: by a hash of the position.
+            let hash = splitmix((block * BLOCK + i) as u64);
+            let round = rounds.iter().take_while(|&&limit| hash < limit).count();
+            (((rounds.len() - round) as u64) << (3 * BITS) | index, id)
+        }));
     }
-    let mut start = 0;
-    for &end in ends.iter().rev() {
-        keyed.clear();
-        keyed.extend(
-            shuffled[start..end].iter().map(|&(_, id)| (hilbert_key(&points[id as usize], low, scale), id)),
-        );
-        keyed.sort_unstable();
-        order.extend(keyed.iter().map(|&(_, id)| id));
-        start = end;
+    sort(&mut keyed);
+    keyed.iter().map(|&(_, id)| id).collect()
+}
+
+/// Hash values below the first limit leave the last round, those below the second the one before, and so on.
+fn round_limits(count: usize) -> Vec<u64> {
+    let mut limits = Vec::new();
+    let mut share = 1.0 / GROWTH;
+    while share * count as f64 >= FIRST_ROUND as f64 && limits.len() < 15 {
+        limits.push((share * u64::MAX as f64) as u64);
+        share /= GROWTH;
     }
-    order
+    limits
+}
+
+/// Sorts.
+fn sort(keyed: &mut Vec<(u64, u32)>) {
+    let count = keyed.len();
+    if count < FEW {
+        return keyed.sort_unstable();
+    }
+    // So many leading bits that hardly any two of as many evenly spread points agree in them.
+    let bits = count.ilog2() + 10;
+    let passes = bits.div_ceil(DIGIT);
+    let lowest = u64::BITS - passes * DIGIT;
+    let mut other = vec![(0u64, 0u32); count];
+    for pass in 0..passes {
+        let digit = |key: u64| (key >> (lowest + pass * DIGIT)) as usize % (1 << DIGIT);
+        let mut places = [0u32; 1 << DIGIT];
+        for &(key, _) in keyed.iter() {
+            places[digit(key)] += 1;
+        }
+        let mut sum = 0;
+        for place in &mut places {
+            sum += std::mem::replace(place, sum);
+        }
+        for &entry in keyed.iter() {
+            let place = &mut places[digit(entry.0)];
+            other[*place as usize] = entry;
+            *place += 1;
+        }
+        std::mem::swap(keyed, &mut other);
+    }
+    let mut begin = 0;
+    while begin < count {
+        let leading = keyed[begin].0 >> lowest;
+        let end = begin + keyed[begin..].iter().take_while(|entry| entry.0 >> lowest == leading).count();
+        if end - begin > 1 {
+            keyed[begin..end].sort_unstable();
+        }
+        begin = end;
+    }
 }
 
 /// Lower corner of the bounding box and the factor that maps its longest side to the curve's grid.
@@ -65,41 +114,45 @@ fn splitmix(x: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The index of a point along the Hilbert curve through the bounding cube.
-fn hilbert_key(p: &[f64; 3], low: [f64; 3], scale: f64) -> u64 {
-    let mut x = [0u32; 3];
-    for k in 0..3 {
-        x[k] = (((p[k] - low[k]) * scale) as u32).min((1 << BITS) - 1);
-    }
-    // Skilling's AxesToTranspose.
-    let mut q = 1u32 << (BITS - 1);
-    while q > 1 {
-        let mask = q - 1;
+/// The indices of points along the Hilbert curve through the bounding cube.
+///
+/// Skilling's AxesToTranspose without branches, several points at a time, so that it can be done in vector registers.
+fn hilbert_indices(points: &[[f64; 3]; BLOCK], low: [f64; 3], scale: f64) -> [u64; BLOCK] {
+    let mut x = [[0u32; BLOCK]; 3];
+    for i in 0..BLOCK {
         for k in 0..3 {
-            if x[k] & q != 0 {
-                x[0] ^= mask;
-            } else {
-                let swap = (x[0] ^ x[k]) & mask;
-                x[0] ^= swap;
-                x[k] ^= swap;
+            x[k][i] = (((points[i][k] - low[k]) * scale) as u32).min((1 << BITS) - 1);
+        }
+    }
+    let [mut x, mut y, mut z] = x;
+    for bit in (1..BITS).rev() {
+        let mask = (1 << bit) - 1;
+        for i in 0..BLOCK {
+            // All ones where the bit is set: then invert x below it, else exchange x and the other axis there.
+            x[i] ^= mask & (x[i] >> bit & 1).wrapping_neg();
+            for other in [&mut y, &mut z] {
+                let invert = (other[i] >> bit & 1).wrapping_neg();
+                let exchange = (x[i] ^ other[i]) & mask & !invert;
+                x[i] ^= exchange | (mask & invert);
+                other[i] ^= exchange;
             }
         }
-        q >>= 1;
     }
-    x[1] ^= x[0];
-    x[2] ^= x[1];
-    let mut t = 0;
-    q = 1 << (BITS - 1);
-    while q > 1 {
-        if x[2] & q != 0 {
-            t ^= q - 1;
+    let mut t = [0; BLOCK];
+    for i in 0..BLOCK {
+        y[i] ^= x[i];
+        z[i] ^= y[i];
+    }
+    for bit in 1..BITS {
+        for i in 0..BLOCK {
+            t[i] ^= ((1 << bit) - 1) & (z[i] >> bit & 1).wrapping_neg();
         }
-        q >>= 1;
     }
-    for axis in &mut x {
-        *axis ^= t;
+    let mut indices = [0; BLOCK];
+    for i in 0..BLOCK {
+        indices[i] = spread(x[i] ^ t[i]) << 2 | spread(y[i] ^ t[i]) << 1 | spread(z[i] ^ t[i]);
     }
-    spread(x[0]) << 2 | spread(x[1]) << 1 | spread(x[2])
+    indices
 }
 
 /// Puts two zero bits between the bits of a 21-bit number.
@@ -115,6 +168,26 @@ fn spread(x: u32) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn keys_are_sorted_whether_few_or_many_agree() {
+        for (count, mask) in [(100, u64::MAX), (50_000, u64::MAX), (50_000, 0xfff), (50_000, 0xf << 60)] {
+            let mut keyed: Vec<(u64, u32)> = (0..count).map(|i| (splitmix(i) & mask, i as u32)).collect();
+            let mut expected = keyed.clone();
+            expected.sort_unstable();
+            sort(&mut keyed);
+            assert_eq!(keyed, expected);
+        }
+    }
+
+    #[test]
+    fn rounds_grow() {
+        assert!(round_limits(10_000).is_empty());
+        let limits = round_limits(1_000_000);
+        assert_eq!(limits.len(), 3);
+        assert!(limits.windows(2).all(|w| w[0] > w[1]));
+        assert!(round_limits(u32::MAX as usize).len() < 16);
+    }
 
     #[test]
     fn order_is_a_permutation_and_the_curve_is_continuous() {
@@ -133,8 +206,10 @@ mod tests {
         // One round along the curve over a full grid of 2^4: consecutive points are grid neighbours.
         let (low, scale) = frame(&points, &ids);
         let scale = scale * 15.0 / 16.0 * (16.0 / 15.0);
-        let mut keyed: Vec<(u64, u32)> =
-            ids.iter().map(|&id| (hilbert_key(&points[id as usize], low, scale), id)).collect();
+        let mut keyed: Vec<(u64, u32)> = ids
+            .iter()
+            .map(|&id| (hilbert_indices(&[points[id as usize]; BLOCK], low, scale)[0], id))
+            .collect();
         keyed.sort_unstable();
         let far = keyed
             .windows(2)

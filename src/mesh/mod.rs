@@ -94,9 +94,11 @@ impl Tetrahedra {
         if self.verts.len() + extra > MAX_TETS {
             return Err(Error::new(Status::TooLarge, "more than 2^30 tetrahedra"));
         }
-        self.verts.try_reserve(extra)?;
-        self.adj.try_reserve(extra)?;
-        self.flags.try_reserve(extra)?;
+        // By a quarter, not twofold: most of the memory of a large mesh is here.
+        let room = extra.max(self.verts.len() / 4).min(MAX_TETS - self.verts.len());
+        self.verts.try_reserve_exact(room)?;
+        self.adj.try_reserve_exact(room)?;
+        self.flags.try_reserve_exact(room)?;
         self.free.try_reserve(extra)?;
         Ok(())
     }
@@ -115,6 +117,26 @@ impl Tetrahedra {
             self.flags.push(0);
             t
         }
+    }
+
+    /// Appends `count` slots for new tetrahedra to `slots`. Their content is undefined.
+    #[inline(always)]
+    pub fn allocate_all(&mut self, count: usize, slots: &mut Vec<u32>) -> Result<(), Error> {
+        slots.try_reserve(count)?;
+        let recycled = count.min(self.free.len());
+        let kept = self.free.len() - recycled;
+        slots.extend_from_slice(&self.free[kept..]);
+        self.free.truncate(kept);
+        let added = count - recycled;
+        if added > 0 {
+            self.reserve(added)?;
+            let length = self.verts.len();
+            slots.extend(length as u32..(length + added) as u32);
+            self.verts.resize(length + added, [NONE; 4]);
+            self.adj.resize(length + added, [NONE; 4]);
+            self.flags.resize(length + added, 0);
+        }
+        Ok(())
     }
 
     /// Frees a slot.

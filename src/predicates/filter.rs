@@ -37,27 +37,63 @@ pub(crate) fn orient3d_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3
 }
 
 /// The insphere determinant relative to `e`, rounded: positive inside for a positive tetrahedron.
+///
+/// The points go in two pairs, (a, c) and (b, d): all steps but a few are the same for both members, and compilers make
+/// one instruction of the two.
 #[inline(always)]
 pub(crate) fn insphere_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> f64 {
-    let [ax, ay, az] = [a[0] - e[0], a[1] - e[1], a[2] - e[2]];
-    let [bx, by, bz] = [b[0] - e[0], b[1] - e[1], b[2] - e[2]];
-    let [cx, cy, cz] = [c[0] - e[0], c[1] - e[1], c[2] - e[2]];
-    let [dx, dy, dz] = [d[0] - e[0], d[1] - e[1], d[2] - e[2]];
-    let ab = ax * by - bx * ay;
-    let bc = bx * cy - cx * by;
-    let cd = cx * dy - dx * cy;
-    let da = dx * ay - ax * dy;
-    let ac = ax * cy - cx * ay;
-    let bd = bx * dy - dx * by;
-    let abc = az * bc - bz * ac + cz * ab;
-    let bcd = bz * cd - cz * bd + dz * bc;
-    let cda = cz * da + dz * ac + az * cd;
-    let dab = dz * ab + az * bd + bz * da;
-    let al = ax * ax + ay * ay + az * az;
-    let bl = bx * bx + by * by + bz * bz;
-    let cl = cx * cx + cy * cy + cz * cz;
-    let dl = dx * dx + dy * dy + dz * dz;
-    (cl * dab - dl * abc) + (al * bcd - bl * cda)
+    let pair = |p: &[f64; 3], q: &[f64; 3], axis: usize| Pair([p[axis], q[axis]]) - Pair([e[axis]; 2]);
+    let [acx, acy, acz] = [pair(a, c, 0), pair(a, c, 1), pair(a, c, 2)];
+    let [bdx, bdy, bdz] = [pair(b, d, 0), pair(b, d, 1), pair(b, d, 2)];
+    let acl = acx * acx + acy * acy + acz * acz;
+    let bdl = bdx * bdx + bdy * bdy + bdz * bdz;
+    // Minors of x and y: those of (a, b) and (c, d), of (b, c) and (d, a), of (a, c) and (b, d).
+    let ab_cd = acx * bdy - bdx * acy;
+    let bc_da = bdx * acy.swapped() - acx.swapped() * bdy;
+    let (ac_terms, bd_terms) = (acx * acy.swapped(), bdx * bdy.swapped());
+    let ac_bd = Pair([ac_terms.0[0], bd_terms.0[0]]) - Pair([ac_terms.0[1], bd_terms.0[1]]);
+    let (ac, bd) = (Pair([ac_bd.0[0]; 2]), Pair([ac_bd.0[1]; 2]));
+    // Minors of x, y and z: of (a, b, c) and (c, d, a), of (b, c, d) and (d, a, b).
+    let (bz_ac, az_bd) = (bdz * ac, acz.swapped() * bd);
+    let abc_cda = acz * bc_da + acz.swapped() * ab_cd + Pair([-bz_ac.0[0], bz_ac.0[1]]);
+    let bcd_dab = bdz * ab_cd.swapped() + bdz.swapped() * bc_da + Pair([-az_bd.0[0], az_bd.0[1]]);
+    let sum = acl * bcd_dab - bdl * abc_cda.swapped();
+    sum.0[0] + sum.0[1]
+}
+
+/// Two numbers that take part in the same operations.
+#[derive(Clone, Copy)]
+struct Pair([f64; 2]);
+
+impl Pair {
+    #[inline(always)]
+    fn swapped(self) -> Pair {
+        Pair([self.0[1], self.0[0]])
+    }
+}
+
+impl std::ops::Add for Pair {
+    type Output = Pair;
+    #[inline(always)]
+    fn add(self, other: Pair) -> Pair {
+        Pair([self.0[0] + other.0[0], self.0[1] + other.0[1]])
+    }
+}
+
+impl std::ops::Sub for Pair {
+    type Output = Pair;
+    #[inline(always)]
+    fn sub(self, other: Pair) -> Pair {
+        Pair([self.0[0] - other.0[0], self.0[1] - other.0[1]])
+    }
+}
+
+impl std::ops::Mul for Pair {
+    type Output = Pair;
+    #[inline(always)]
+    fn mul(self, other: Pair) -> Pair {
+        Pair([self.0[0] * other.0[0], self.0[1] * other.0[1]])
+    }
 }
 
 /// Bounds of coordinate differences: `size` of the exact ones per axis, `error` of those of the nearest doubles.

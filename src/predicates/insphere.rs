@@ -22,6 +22,27 @@ impl Points {
         }
     }
 
+    /// Whether [`insphere_perturbed`](Points::insphere_perturbed) is positive; `at` are the coordinates of `e`. One
+    /// branch, and one that is hardly ever taken: for callers that cannot foretell the answer.
+    #[inline(always)]
+    pub fn inside_perturbed(&self, [a, b, c, d]: [u32; 4], e: u32, at: &[f64; 3]) -> bool {
+        let det = filter::insphere_det(self.xyz(a), self.xyz(b), self.xyz(c), self.xyz(d), at);
+        if det.abs() > self.insphere_bound {
+            det > 0.0
+        } else {
+            self.inside_close(det, [a, b, c, d, e])
+        }
+    }
+
+    #[inline(never)]
+    fn inside_close(&self, det: f64, ids: [u32; 5]) -> bool {
+        let sign = match self.insphere_close(det, ids) {
+            Sign::Zero => self.insphere_tie(ids),
+            sign => sign,
+        };
+        sign == Sign::Positive
+    }
+
     /// The semi-static filter.
     #[inline(never)]
     fn insphere_close(&self, det: f64, ids: [u32; 5]) -> Sign {

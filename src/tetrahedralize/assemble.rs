@@ -5,7 +5,7 @@ use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::mesh::flag;
-use crate::output::{SteinerPoint, Subface, Subsegment, TetMesh};
+use crate::output::{Region, SteinerPoint, Subface, Subsegment, TetMesh};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
 use crate::predicates::scale;
@@ -48,6 +48,43 @@ pub(super) fn mesh(
         subsegments(plc, surface, segments, &mut out, point_of)?;
         faces(engine, plc, subfaces, &number, &mut out, point_of)?;
     }
+    Ok(out)
+}
+
+/// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
+pub(super) fn delaunay(engine: Engine, plc: &Plc, surface: &Surface) -> Result<TetMesh, Error> {
+    let Engine { delaunay, input_of, .. } = engine;
+    let mut mesh = delaunay.mesh;
+    let mut number = Vec::new();
+    number.try_reserve_exact(mesh.slot_count())?;
+    let mut count = 0;
+    for t in 0..mesh.slot_count() as u32 {
+        let stays = mesh.is_live(t) && !mesh.is_ghost(t);
+        number.push(if stays { count } else { INVALID });
+        count += stays as u32;
+    }
+    mesh.flags = Vec::new();
+    for (t, &n) in number.iter().enumerate().filter(|&(_, &n)| n != INVALID) {
+        // New numbers are never larger: nothing is overwritten before it is read.
+        mesh.verts[n as usize] = mesh.verts[t].map(|v| input_of[v as usize]);
+        mesh.adj[n as usize] = mesh.adj[t].map(|code| number[(code >> 2) as usize]);
+    }
+    drop(number);
+    mesh.verts.truncate(count as usize);
+    mesh.adj.truncate(count as usize);
+    let mut out = TetMesh {
+        input_point_count: plc.points.len() as u32,
+        point_alias: surface.alias.clone(),
+        regions: vec![Region { attribute: 1.0, seed: INVALID, max_volume: None }],
+        tets: mesh.verts,
+        neighbors: mesh.adj,
+        hull_kept: true,
+        ..TetMesh::default()
+    };
+    out.points.try_reserve_exact(plc.points.len())?;
+    out.points.extend_from_slice(&plc.points);
+    out.tet_region.try_reserve_exact(count as usize)?;
+    out.tet_region.resize(count as usize, 0);
     Ok(out)
 }
 

@@ -1,0 +1,114 @@
+//! Times the Delaunay phase alone (ordering and insertion) on a TetGen `.node` file.
+//!
+//! `cargo bench --bench delaunay -- FILE.node [REPETITIONS]` prints points, tetrahedra, the time of reading and of each
+//! part (minimum and median over the repetitions), bytes per tetrahedron and a hash of the tetrahedra that does not depend
+//! on their order.
+use delotet::delaunay::order::insertion_order;
+use delotet::delaunay::Delaunay;
+use delotet::predicates::Points;
+use std::io::BufRead;
+use std::time::Instant;
+
+/// Seconds this thread has computed, so that other programs on the machine disturb less; wall time where the system does
+/// not tell.
+fn seconds(start: Instant) -> f64 {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    let nanoseconds = text.split_whitespace().next().and_then(|x| x.parse::<f64>().ok());
+    nanoseconds.map_or(start.elapsed().as_secs_f64(), |x| x * 1e-9)
+}
+
+/// Points of a `.node` file, in order, attributes and markers ignored.
+fn read(path: &str) -> Vec<[f64; 3]> {
+    let file = std::fs::File::open(path).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let mut lines = std::io::BufReader::new(file)
+        .lines()
+        .map(|line| line.unwrap())
+        .filter(|line| !line.trim_start().is_empty() && !line.trim_start().starts_with('#'));
+    let count: usize = lines.next().unwrap().split_whitespace().next().unwrap().parse().unwrap();
+    let coordinates = |line: String| {
+        let mut numbers = line.split_whitespace().skip(1).map(|x| x.parse::<f64>().unwrap());
+        [(); 3].map(|()| numbers.next().unwrap())
+    };
+    let mut points = Vec::with_capacity(count);
+    points.extend(lines.take(count).map(coordinates));
+    points
+}
+
+/// Most memory that the process had, in megabytes; zero where the system does not tell.
+fn peak_megabytes() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = text.lines().find(|line| line.starts_with("VmHWM"));
+    let kilobytes = line.and_then(|line| line.split_whitespace().nth(1)).and_then(|x| x.parse::<f64>().ok());
+    kilobytes.unwrap_or(0.0) * 1024e-6
+}
+
+/// A hash of the set of finite tetrahedra, in vertices of the file.
+fn fingerprint(delaunay: &Delaunay, order: &[u32]) -> (usize, u64) {
+    let mesh = &delaunay.mesh;
+    let (mut count, mut hash) = (0, 0u64);
+    for t in 0..mesh.slot_count() as u32 {
+        if mesh.is_live(t) && !mesh.is_ghost(t) {
+            let mut v = mesh.verts[t as usize].map(|v| order[v as usize]);
+            v.sort_unstable();
+            let mix = v.iter().fold(0x9e37_79b9_7f4a_7c15u64, |h, &v| {
+                (h ^ v as u64).wrapping_mul(0xff51_afd7_ed55_8ccd).rotate_left(29)
+            });
+            count += 1;
+            hash = hash.wrapping_add(mix);
+        }
+    }
+    (count, hash)
+}
+
+/// The first part; a function of its own so that tools can find it.
+#[inline(never)]
+fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Vec<u32> {
+    insertion_order(points, ids)
+}
+
+/// The second part.
+#[inline(never)]
+fn insert_all(points: &Points) -> Delaunay {
+    let mut delaunay = Delaunay::new();
+    let mut sequence: Vec<u32> = (0..points.len() as u32).collect();
+    delaunay.build(points, &mut sequence, &mut |_| Ok(())).unwrap();
+    delaunay
+}
+
+/// Minimum and median in milliseconds.
+fn summary(seconds: &mut [f64]) -> String {
+    seconds.sort_by(f64::total_cmp);
+    format!("{:.1} / {:.1} ms", seconds[0] * 1e3, seconds[seconds.len() / 2] * 1e3)
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
+    let Some(path) = arguments.first() else {
+        eprintln!("usage: delaunay FILE.node [REPETITIONS]");
+        return;
+    };
+    let repetitions: usize = arguments.get(1).map_or(1, |n| n.parse().unwrap());
+    let points = read(path);
+    let ids: Vec<u32> = (0..points.len() as u32).collect();
+    let (mut ordering, mut insertion) = (Vec::new(), Vec::new());
+    let mut last = String::new();
+    let start = Instant::now();
+    for _ in 0..repetitions.max(1) {
+        let clock = seconds(start);
+        let order = sort_all(&points, &ids);
+        let store = Points::new(order.iter().map(|&i| points[i as usize]).collect());
+        ordering.push(seconds(start) - clock);
+        let clock = seconds(start);
+        let delaunay = insert_all(&store);
+        insertion.push(seconds(start) - clock);
+        let (count, hash) = fingerprint(&delaunay, &order);
+        let each = delaunay.bytes() as f64 / delaunay.mesh.live_count() as f64;
+        last = format!("{} points, {count} tetrahedra, hash {hash:016x}, {each:.1} bytes each", points.len());
+    }
+    println!(
+        "{last}\norder {}, insertion {}, peak {:.0} MB",
+        summary(&mut ordering),
+        summary(&mut insertion),
+        peak_megabytes()
+    );
+}
