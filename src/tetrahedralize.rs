@@ -199,6 +199,11 @@ impl Run<'_> {
         Ok(surface)
     }
 
+    /// Takes note of what the kernel's arrays hold now.
+    fn note_peak(&mut self, engine: &Engine) {
+        self.statistics.peak_bytes = self.statistics.peak_bytes.max(engine.delaunay.bytes() as u64);
+    }
+
     fn delaunay(&mut self, engine: &mut Engine) -> Result<(), Error> {
         let mut order: Vec<u32> = (0..engine.points.len() as u32).collect();
         let total = order.len().max(1) as f64;
@@ -206,6 +211,7 @@ impl Run<'_> {
         engine.delaunay.build(&engine.points, &mut order, &mut |done| {
             report(observer, Phase::Delaunay, done as f64 / total)
         })?;
+        self.note_peak(engine);
         self.lap(Phase::Delaunay);
         Ok(())
     }
@@ -330,7 +336,7 @@ impl Run<'_> {
             &Seeds { holes: &holes, regions: &seeds },
             options.keep_hull,
         )?;
-        self.statistics.peak_bytes = engine.delaunay.bytes() as u64;
+        self.note_peak(engine);
         self.lap(Phase::Regions);
         Ok((components, regions))
     }

@@ -210,6 +210,7 @@ fn delaunay_mode_ignores_facets() {
     let mesh = run(&plc, &Options { mode: Mode::Delaunay, ..Options::default() }).unwrap();
     assert_eq!(volume6(&mesh), 6.0 * 512.0);
     assert!(mesh.subfaces.is_empty());
+    assert!(mesh.statistics.peak_bytes > 0);
     let points_only = Plc { points: plc.points, ..Plc::default() };
     check_mesh(&points_only, &mesh, true, 10).unwrap();
 }
