@@ -99,6 +99,18 @@ fn nested_boxes_are_two_regions_or_a_hole() {
 }
 
 #[test]
+fn a_hole_may_take_a_whole_room_with_its_walls() {
+    // A box of two rooms: the facets of the carved one border nothing any more.
+    let mut plc = cube(2.0);
+    plc.points.extend([[1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [1.0, 2.0, 2.0], [1.0, 0.0, 2.0]]);
+    plc.facets.push(Facet { polygons: vec![vec![8, 9, 10, 11]], ..Facet::default() });
+    plc.holes.push([1.5, 1.0, 1.0]);
+    let mesh = run(&plc, &Options::default()).unwrap();
+    assert_eq!(volume6(&mesh), 24.0);
+    assert!(mesh.subfaces.iter().any(|s| s.tets == [INVALID; 2]));
+}
+
+#[test]
 fn seeds_on_facets_and_outside_are_named() {
     let mut plc = nested();
     plc.holes.push([2.0, 3.0, 3.0]);
