@@ -103,6 +103,11 @@ fn a_hole_may_take_a_whole_room_with_its_walls() {
     // A box of two rooms: the facets of the carved one border nothing any more.
     let mut plc = cube(2.0);
     plc.points.extend([[1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [1.0, 2.0, 2.0], [1.0, 0.0, 2.0]]);
+    // Floor, ceiling and two sides know the wall's edges.
+    for (facet, edge) in [(0, [8, 9]), (1, [11, 10]), (2, [8, 11]), (3, [9, 10])] {
+        plc.facets[facet].polygons.push(edge.to_vec());
+        plc.facets[facet].interior = Interior::Seeds;
+    }
     plc.facets.push(Facet { polygons: vec![vec![8, 9, 10, 11]], ..Facet::default() });
     plc.holes.push([1.5, 1.0, 1.0]);
     let mesh = run(&plc, &Options::default()).unwrap();
