@@ -28,7 +28,9 @@ pub struct Options {
     pub max_defects: usize,
     /// Worker threads, at least 1. The result does not depend on it. Default: 1.
     pub threads: usize,
-    /// Give up with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None.
+    /// Give up with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None, that
+    /// is 100,000 and 100 more per segment, many times what any model has needed: elements an ulp apart would go on splitting
+    /// each other beyond what doubles can resolve.
     pub steiner_limit: Option<u64>,
     /// Return the mesh also if some Steiner points have no valid position in doubles, instead of
     /// [`Status::Rounding`](crate::Status::Rounding): [`TetMesh::crowded`](crate::TetMesh::crowded) lists them,

@@ -281,7 +281,8 @@ impl Run<'_> {
         segments.careful = careful.to_vec();
         let observer = &mut *self.observer;
         let mut best = 0.0f64;
-        Recovery::new(&mut engine.delaunay, &mut engine.points, &mut segments, options.steiner_limit).run(
+        let limit = options.steiner_limit.unwrap_or(100_000 + 100 * segments.ends.len() as u64);
+        Recovery::new(&mut engine.delaunay, &mut engine.points, &mut segments, Some(limit)).run(
             &mut |done, known| {
                 best = best.max(done as f64 / known.max(1) as f64);
                 report(observer, Phase::Segments, best)

@@ -972,7 +972,8 @@ enum DelotetStatus delotet_options_set_threads(struct DelotetOptions *options,
                                                size_t threads);
 
 /**
- * Give up with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX: no limit, the default.
+ * Give up with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX: the default, 100,000 and 100 more
+ * per segment.
  * Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API

@@ -211,7 +211,8 @@ pub unsafe extern "C" fn delotet_options_set_threads(
     }
 }
 
-/// Give up with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX: no limit, the default.
+/// Give up with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX: the default, 100,000 and 100 more
+/// per segment.
 /// Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_set_steiner_limit(

@@ -171,6 +171,21 @@ fn where_doubles_are_too_coarse_the_exact_form_remains() {
 }
 
 #[test]
+fn elements_an_ulp_apart_end_with_a_status() {
+    // A vertex of one triangle lies an ulp beside an edge of another that starts at the same corner (found by the property
+    // test of triangles in a cube, coordinates times 0.1): equal radii cannot be kept equal in doubles.
+    let s = 0.30000000000000004;
+    let mut plc = cube(0.4);
+    plc.facets.clear();
+    plc.points.extend([[s, s, 0.0], [0.0, s, s], [0.4, 0.4, 0.2], [0.0, 0.2, s], [0.2, s, 0.1], [0.0, s, s]]);
+    plc.triangles = vec![[8, 9, 10], [11, 12, 13]];
+    match run(&plc, &Options { keep_hull: true, ..Options::default() }) {
+        Ok(mesh) => assert!(mesh.hull_kept),
+        Err(error) => assert_eq!(error.status, Status::SteinerLimit),
+    }
+}
+
+#[test]
 fn scaled_models_give_the_same_mesh() {
     // Powers of two change nothing but the exponents, far beyond what plain doubles could multiply.
     let reference = run(&schoenhardt(0.0), &Options::default()).unwrap();
