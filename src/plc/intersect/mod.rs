@@ -175,6 +175,10 @@ impl<'a> Scene<'a> {
         match if x <= y { (x, y) } else { (y, x) } {
             (Item::Triangle(i), Item::Triangle(j)) => {
                 let (a, b) = (triangle(i), triangle(j));
+                // Triangles of one facet come from one triangulation of it: they meet in its edges only.
+                if a.facet == b.facet {
+                    return Ok(());
+                }
                 let (a, b) = if a.index <= b.index { (a, b) } else { (b, a) };
                 triangle_triangle::classify(a, b, out)
             }
