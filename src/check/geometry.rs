@@ -29,7 +29,7 @@ impl Geometry {
         xyz.extend_from_slice(&rounded[..explicit]);
         let mut exact = Points::new(xyz);
         for s in &mesh.steiner {
-            exact.push_on_segment(s.ends[0], s.ends[1], s.t)?;
+            exact.push_on_segment(s.ends[0], s.ends[1], &predicates::Expansion::from(s.t))?;
         }
         Ok(Geometry { exact, rounded, inputs: plc.points.len() })
     }

@@ -12,7 +12,7 @@ use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::mesh::star::StarSearch;
 use crate::mesh::{flag, Tetrahedra};
-use crate::predicates::{orient3d, scale, Points, Sign};
+use crate::predicates::{orient3d, scale, Expansion, Points, Sign};
 use crate::region::{Components, Regions};
 use crate::INVALID;
 use candidates::{lattice, Candidate};
@@ -291,7 +291,7 @@ impl Repair<'_> {
     fn try_parameter(&mut self, v: u32, candidate: &Candidate, t: f64) -> Result<bool, Error> {
         let old = self.xyz[v as usize];
         let bad = self.bad_in_star(v, old, usize::MAX);
-        self.points.move_on_segment(v, candidate.ends, t)?;
+        self.points.move_on_segment(v, candidate.ends, &Expansion::from(t))?;
         let at = self.points.xyz(v).map(|x| scale(scale(x, -self.scale_exponent), self.scale_exponent));
         if self.bad_in_star(v, at, bad) < bad && self.star_is_valid() {
             self.xyz[v as usize] = at;
@@ -299,7 +299,7 @@ impl Repair<'_> {
             self.moved += 1;
             return Ok(true);
         }
-        self.points.move_on_segment(v, candidate.ends, candidate.t)?;
+        self.points.move_on_segment(v, candidate.ends, &Expansion::from(candidate.t))?;
         Ok(false)
     }
 

@@ -186,7 +186,10 @@ fn subsegments(
 ) -> Result<(), Error> {
     out.subsegments.try_reserve(segments.pieces.len())?;
     let mut pieces: Vec<_> = segments.pieces.iter().collect();
-    pieces.sort_unstable_by(|x, y| x.segment.cmp(&y.segment).then(x.t[0].total_cmp(&y.t[0])));
+    pieces.sort_unstable_by(|x, y| {
+        let order = || segments.order(x.segment, [x.ends[0], y.ends[0]], [x.t[0], y.t[0]]);
+        x.segment.cmp(&y.segment).then_with(order)
+    });
     for piece in pieces {
         let segment = surface.segment_parent[piece.segment as usize];
         let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);
