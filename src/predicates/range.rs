@@ -51,13 +51,22 @@ pub fn in_range(x: f64) -> bool {
         && lowest_exponent(x).is_none_or(|e| e >= LOWEST_EXPONENT)
 }
 
-/// All parameters of Steiner points are multiples of two to this. Two points in range are apart by `2^-415` of the largest
-/// distance at least, and parameters that agree to the square of that are what segments this close to each other need at most;
-/// where even this is not enough, a segment ends in an error.
+/// The nearest multiple of the unit of coordinates in range; `x` itself unless it is tiny.
+pub fn to_range(x: f64) -> f64 {
+    let unit = scale(1.0, LOWEST_EXPONENT);
+    if x.abs() < unit * (1u64 << 53) as f64 {
+        (x / unit).round() * unit
+    } else {
+        x
+    }
+}
+
+/// All parameters of Steiner points are multiples of two to this. Segments at an angle α need a precision of α²: this is enough
+/// down to angles of `2^-390`, and doubles in range reach `2^-415`.
 const LOWEST_PARAMETER_EXPONENT: i32 = -800;
 
 /// Whether a Steiner point can have this parameter: strictly between 0 and 1, and not too fine.
-pub(crate) fn is_parameter(t: &Expansion) -> bool {
+pub fn is_parameter(t: &Expansion) -> bool {
     t.sign() == Sign::Positive
         && t.difference(&Expansion::from(1.0)).sign() == Sign::Negative
         && t.components().iter().all(|&x| lowest_exponent(x).is_none_or(|e| e >= LOWEST_PARAMETER_EXPONENT))

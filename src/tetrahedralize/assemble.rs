@@ -5,7 +5,7 @@ use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::mesh::flag;
-use crate::output::{Region, SteinerPoint, Subface, Subsegment, TetMesh};
+use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
 use crate::predicates::scale;
@@ -173,6 +173,11 @@ fn steiner(
             segment: surface.segment_parent[s as usize],
             exact: exact && returned,
         });
+        let Some(exact) = segments.fine.get(&(i as u32)) else { continue };
+        let rest = exact.difference(&t.into()).compressed();
+        out.steiner_terms.try_reserve(rest.components().len())?;
+        let term = |&value: &f64| SteinerTerm { steiner: i as u32, value };
+        out.steiner_terms.extend(rest.components().iter().rev().map(term));
     }
     Ok(())
 }
