@@ -70,6 +70,11 @@ impl Collector {
         push(&mut self.found.segment_in_facet, (segment, triangle))
     }
 
+    /// An edge of a triangle runs through the interior of another one, in its plane.
+    pub(super) fn edge_in_facet(&mut self, edge: [u32; 2], of: &Triangle) -> Result<(), Error> {
+        push(&mut self.found.edge_in_facet, (sorted(edge), of.facet))
+    }
+
     /// Two triangles meet where they must not.
     pub(super) fn triangles(
         &mut self,
@@ -125,6 +130,7 @@ impl Collector {
             && self.found.vertex_on_edge.is_empty()
             && self.found.vertex_in_triangle.is_empty()
             && self.found.segment_in_facet.is_empty()
+            && self.found.edge_in_facet.is_empty()
     }
 
     fn defect(
@@ -187,6 +193,8 @@ impl Collector {
         sort_unique(&mut found.vertex_on_edge);
         sort_unique(&mut found.vertex_in_triangle);
         sort_unique(&mut found.segment_in_facet);
+        sort_unique(&mut found.edge_in_facet);
+        found.edge_in_facet.dedup_by_key(|x| x.0);
         Ok(found)
     }
 }

@@ -43,7 +43,7 @@ pub struct IntersectInput<'a> {
     pub segments: &'a [[u32; 2]],
 }
 
-/// What was found. The first four lists are legal contacts.
+/// What was found. The lists before the defects are legal contacts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Intersections {
     /// (segment, vertex): the vertex lies strictly inside the segment and splits it.
@@ -54,6 +54,9 @@ pub struct Intersections {
     pub vertex_in_triangle: Vec<(u32, u32)>,
     /// (segment, triangle): the segment lies in the triangle's plane and passes through its interior.
     pub segment_in_facet: Vec<(u32, u32)>,
+    /// (edge of a triangle as sorted ends, its facet): it runs through the interior of another triangle, in its plane. Whether it
+    /// crosses edges there is found when it is given as a segment.
+    pub edge_in_facet: Vec<([u32; 2], u32)>,
     /// Defects, at most as many as the caller allows: the first ones in the order of elements and kinds.
     pub defects: Vec<Defect>,
     /// How many defects there are in all.
