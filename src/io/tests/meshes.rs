@@ -45,7 +45,7 @@ fn tetgen_files_to_the_letter() {
     let folder = Folder::new("ele");
     let (mesh, plc) = small_mesh();
     write(&folder.file("m.ele"), &mesh, &plc, &WriteOptions::default()).unwrap();
-    assert_eq!(folder.names(), ["m.edge", "m.ele", "m.face", "m.neigh", "m.node"]);
+    assert_eq!(folder.names(), ["m.edge", "m.ele", "m.face", "m.neigh", "m.node", "m.parents"]);
     let text = |name: &str| std::fs::read_to_string(folder.file(name)).unwrap();
     let node = text("m.node");
     assert_eq!(node.lines().next(), Some("5  3  1  1"));
