@@ -57,7 +57,9 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     }
     let point = |i: usize| Element::Point((plc.points.len() + i) as u32);
     let known = |i: u32| (i as usize) < mesh.steiner.len();
-    if !mesh.steiner.iter().all(|s| s.t.is_finite()) || !mesh.steiner_terms.iter().all(|x| x.value.is_finite()) {
+    if !mesh.steiner.iter().all(|s| s.t.is_finite())
+        || !mesh.steiner_terms.iter().all(|x| x.value.is_finite())
+    {
         report.add(DefectKind::NonFinite, point(0), None, None);
         return;
     }

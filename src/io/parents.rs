@@ -6,7 +6,7 @@
 //! per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two facets.
 //! Doubles read back bit for bit.
 use super::output_files::Out;
-use super::text::{Line, Lines};
+use super::text::{bad, float, Line, Lines};
 use crate::error::{Error, Status};
 use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, TetMesh};
 use crate::INVALID;
@@ -67,9 +67,10 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
         let ends = [index(&mut line)?, index(&mut line)?];
         let segment = index(&mut line)?;
         mesh.steiner.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact: false });
-        while !line.rest().is_empty() {
+        while let Some(token) = line.token() {
+            let value = float(token).ok_or_else(|| bad(line.number(), "a term is no number"))?;
             mesh.steiner_terms.try_reserve(1)?;
-            mesh.steiner_terms.push(SteinerTerm { steiner: i, value: line.float("a term")? });
+            mesh.steiner_terms.push(SteinerTerm { steiner: i, value });
         }
     }
     for face in &mut mesh.subfaces {
@@ -90,6 +91,5 @@ fn index(line: &mut Line<'_>) -> Result<u32, Error> {
     if value == -1 {
         return Ok(INVALID);
     }
-    u32::try_from(value)
-        .map_err(|_| Error::new(Status::Format, format!("line {}: {value} is no index", line.number())))
+    u32::try_from(value).map_err(|_| bad(line.number(), format_args!("{value} is no index")))
 }

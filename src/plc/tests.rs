@@ -570,7 +570,10 @@ fn facets_that_meet_in_a_t() {
     (plc.points[6], plc.points[7]) = ([3., 3., 2.], [-1., 0., 2.]);
     let error = run(&plc).unwrap_err();
     assert_eq!(error.defects[0].kind, DefectKind::FacetFacet);
-    assert_eq!((error.defects[0].first, error.defects[0].second), (Element::Facet(1), Some(Element::Facet(0))));
+    assert_eq!(
+        (error.defects[0].first, error.defects[0].second),
+        (Element::Facet(1), Some(Element::Facet(0)))
+    );
     plc.points.push([0., 0.75, 0.]);
     let s = run(&plc).unwrap();
     assert!(s.segments.contains(&[4, 8]) && s.segments.contains(&[5, 8]));

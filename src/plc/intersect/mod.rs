@@ -63,6 +63,18 @@ pub struct Intersections {
     pub defect_count: usize,
 }
 
+impl Intersections {
+    /// Whether a vertex lies on both a segment and an edge of triangles: where they cross, then. The lists must be sorted.
+    pub fn meet_in_vertex(&self, segment: u32, edge: [u32; 2]) -> bool {
+        self.on_segment(segment).any(|v| self.vertex_on_edge.binary_search(&(edge, v)).is_ok())
+    }
+
+    fn on_segment(&self, segment: u32) -> impl Iterator<Item = u32> + '_ {
+        let begin = self.vertex_on_segment.partition_point(|x| x.0 < segment);
+        self.vertex_on_segment[begin..].iter().take_while(move |x| x.0 == segment).map(|x| x.1)
+    }
+}
+
 /// How many candidate pairs are classified between two calls of the observer.
 const PAIRS_PER_REPORT: u32 = 1 << 14;
 

@@ -186,7 +186,7 @@ fn expect_segment(
         }
     }
     for (j, t) in segments.iter().enumerate().skip(i + 1) {
-        if proper_crossing(&s[0], &s[1], &t[0], &t[1]).is_some() {
+        if proper_crossing(&s[0], &s[1], &t[0], &t[1]).is_some_and(|x| !points.contains(&x)) {
             defects.insert((DefectKind::SegmentSegment, id, Element::Segment(j as u32)));
         }
     }
@@ -195,11 +195,11 @@ fn expect_segment(
         if part.len() == 2 && !in_an_edge(&part, t) {
             lists.segment_in_facet.push((i as u32, j as u32));
         }
-        if part.len() == 1 && !s.contains(&part[0]) && !t.contains(&part[0]) && !in_an_edge(&part, t) {
+        if part.len() == 1 && !points.contains(&part[0]) && !in_an_edge(&part, t) {
             defects.insert((DefectKind::SegmentFacet, id, Element::Facet(j as u32)));
         }
         for k in 0..3 {
-            if proper_crossing(&s[0], &s[1], &t[k], &t[(k + 1) % 3]).is_none() {
+            if proper_crossing(&s[0], &s[1], &t[k], &t[(k + 1) % 3]).is_none_or(|x| points.contains(&x)) {
                 continue;
             }
             let ends = [model.triangles[j][k], model.triangles[j][(k + 1) % 3]];

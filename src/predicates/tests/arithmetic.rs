@@ -128,8 +128,14 @@ fn store_of_points() {
     assert!(points.is_explicit(6) && !points.is_explicit(5));
     assert!(points.push_on_segment(2, 5, &0.5.into()).is_err(), "an implicit end");
     assert!(points.push_on_segment(2, 9, &0.5.into()).is_err(), "no such point");
-    assert!(points.push_on_segment(2, 3, &scale(1.0, -801).into()).is_err() && points.push_on_segment(2, 3, &1.0.into()).is_err());
-    assert!(points.push_on_segment(2, 3, &f64::NAN.into()).is_err() && points.push_on_segment(2, 3, &0.0.into()).is_err());
+    assert!(
+        points.push_on_segment(2, 3, &scale(1.0, -801).into()).is_err()
+            && points.push_on_segment(2, 3, &1.0.into()).is_err()
+    );
+    assert!(
+        points.push_on_segment(2, 3, &f64::NAN.into()).is_err()
+            && points.push_on_segment(2, 3, &0.0.into()).is_err()
+    );
     assert!(points.push([f64::NAN, 0.0, 0.0]).is_err() && points.push([1e-70, 0.0, 0.0]).is_err());
     let [x, ..] = points.exact_coordinates(5);
     assert_eq!(x.nearest(), points.xyz(5)[0]);
