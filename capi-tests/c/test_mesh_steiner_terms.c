@@ -19,7 +19,7 @@ int main(void)
     OK(delotet_plc_new(xyz, 12, &plc, &error));
     OK(delotet_plc_add_segments(plc, ends, NULL, 3, &error));
     options = delotet_options_new();
-    OK(delotet_options_set_keep_hull(options, true, &error));
+    OK(delotet_options_set_keep_hull(options, true));
     mesh = mesh_with(plc, options);
     terms = delotet_mesh_steiner_terms(mesh);
     CHECK(terms.count > 0);
