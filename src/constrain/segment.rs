@@ -190,9 +190,8 @@ impl<'a> Recovery<'a> {
             if steps % 1024 == 0 {
                 tick(steps, steps + self.queue.len())?;
             }
-            if !self.mark_if_present(piece) {
-                self.split(piece)?;
-            }
+            // An edge that is missing once stays so: whatever sphere through its ends is chosen, some vertex spoils it.
+            self.split(piece)?;
         }
         Ok(())
     }
@@ -350,13 +349,14 @@ impl<'a> Recovery<'a> {
         let mut entered = 4;
         for step in 0..1000u32 {
             let v = mesh.verts[t as usize];
-            for &w in &v {
-                if sub.ends.contains(&w) {
-                    continue;
-                }
-                let angle = cosine(self.points.xyz(w), a, b);
-                if angle < best.0 {
-                    best = (angle, Some(w), t);
+            for (slot, &w) in v.iter().enumerate() {
+                // The others have been met already.
+                let new = entered == 4 || slot == entered as usize;
+                if new && !sub.ends.contains(&w) {
+                    let angle = obtuse_cosine(self.points.xyz(w), a, b);
+                    if angle < best.0 {
+                        best = (angle, Some(w), t);
+                    }
                 }
             }
             if v.contains(&sub.ends[1]) {
@@ -386,12 +386,17 @@ impl<'a> Recovery<'a> {
     }
 }
 
-/// Cosine of the angle under which `p` sees the segment `a b`.
-fn cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
+/// Cosine of the angle under which `p` sees the segment `a b` if that is above 90°, else zero.
+fn obtuse_cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
     let u = [a[0] - p[0], a[1] - p[1], a[2] - p[2]];
     let v = [b[0] - p[0], b[1] - p[1], b[2] - p[2]];
     let dot = |x: &[f64; 3], y: &[f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    dot(&u, &v) / (dot(&u, &u) * dot(&v, &v)).sqrt()
+    let product = dot(&u, &v);
+    if product < 0.0 {
+        product / (dot(&u, &u) * dot(&v, &v)).sqrt()
+    } else {
+        0.0
+    }
 }
 
 /// The determinant of [`crate::predicates::orient3d`] in plain arithmetic.

@@ -7,10 +7,11 @@
 //! grid.
 
 use super::big::Big;
-use super::expansion::Expansion;
+use super::expansion::{two_product, two_sum, Expansion};
 use super::filter::{larger, Spread};
 use super::range::{self, in_range};
-use super::wide::Differences;
+use super::wide::{self, Differences};
+use super::Sign;
 use crate::error::Error;
 
 /// An implicit point.
@@ -214,12 +215,18 @@ impl Points {
         Ok((p, Some(Implicit { a, b, t, rest, two_doubles, fine })))
     }
 
-    /// Square of the distance between `a + t (b − a)` and its nearest double point, approximately; zero exactly if it is one.
+    /// Square of the distance between `a + t (b − a)` and its nearest double point, approximately; zero hardly ever unless it
+    /// is one. Twice the precision of doubles is enough to choose by.
     pub fn rounding_error(&self, a: u32, b: u32, t: f64) -> f64 {
-        self.on_segment(a, b, t)
-            .ok()
-            .and_then(|(_, implicit)| implicit)
-            .map_or(0.0, |implicit| implicit.rest.iter().map(|x| x * x).sum())
+        let (a, b) = (self.xyz(a), self.xyz(b));
+        let error = |axis: usize| {
+            let (high, low) = two_sum(b[axis], -a[axis]);
+            let (product, rest) = two_product(high, t);
+            let (sum, beyond) = two_sum(a[axis], product);
+            let rest = beyond + (rest + low * t);
+            rest - ((sum + rest) - sum)
+        };
+        (0..3).map(|axis| error(axis) * error(axis)).sum()
     }
 
     /// Moves an implicit point along its segment, to parameter `t`; it becomes explicit where it can.
@@ -282,6 +289,24 @@ impl Points {
             }
         }
         Differences::new(&coordinates)
+    }
+
+    /// The insphere sign from the leading bits of the differences, if they decide.
+    pub(super) fn insphere_leading(&self, ids: [u32; 5]) -> Option<Sign> {
+        let mut coordinates = [[[0.0; 2]; 3]; 5];
+        let mut lost = 0.0f64;
+        for (to, &i) in coordinates.iter_mut().zip(&ids) {
+            let (p, implicit) = (self.xyz(i), self.implicit(i));
+            for axis in 0..3 {
+                let rest = implicit.map_or(0.0, |implicit| implicit.rest[axis]);
+                to[axis] = [p[axis], rest];
+                if implicit.is_some_and(|implicit| !implicit.two_doubles) {
+                    // Rounded to nearest; the smallest double where that underflows.
+                    lost = lost.max(rest.abs() * f64::EPSILON + range::scale(1.0, -1074));
+                }
+            }
+        }
+        wide::insphere_leading(&coordinates, lost)
     }
 
     /// Exact coordinates as big integers.
