@@ -43,6 +43,8 @@ pub struct Points {
     grid: f64,
     pub(super) orient3d_bound: f64,
     pub(super) insphere_bound: f64,
+    /// Of circles, per axis that the projection drops.
+    pub(super) incircle_bounds: [f64; 3],
 }
 
 const NONE: u32 = u32::MAX;
@@ -61,6 +63,7 @@ impl Points {
             grid: f64::MAX,
             orient3d_bound: f64::INFINITY,
             insphere_bound: f64::INFINITY,
+            incircle_bounds: [f64::INFINITY; 3],
         };
         let mut lowest = i32::MAX;
         for p in &xyz {
@@ -91,6 +94,7 @@ impl Points {
         }
         self.orient3d_bound = spread.orient3d_bound();
         self.insphere_bound = spread.insphere_bound();
+        self.incircle_bounds = [0, 1, 2].map(|axis| spread.incircle_bound((axis + 1) % 3, (axis + 2) % 3));
     }
 
     /// The number of points.
