@@ -324,6 +324,15 @@ impl Points {
         self.first_implicit != NONE && ids.iter().any(|&i| !self.is_explicit(i))
     }
 
+    /// Whether three of the points lie on one segment that an implicit one of them knows.
+    pub(super) fn three_on_a_segment(&self, ids: [u32; 4]) -> bool {
+        let ends = |i: u32| self.implicit(i).map(|p| [p.a, p.b]);
+        ids.iter().filter_map(|&i| ends(i)).any(|[a, b]| {
+            let on = |&&i: &&u32| i == a || i == b || ends(i) == Some([a, b]);
+            ids.iter().filter(on).count() >= 3
+        })
+    }
+
     /// Whether a point among these needs big integers.
     pub(super) fn any_fine(&self, ids: &[u32]) -> bool {
         self.first_implicit != NONE && ids.iter().any(|&i| self.implicit(i).is_some_and(|p| p.fine))
