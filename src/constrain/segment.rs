@@ -12,9 +12,8 @@ use super::placement::{choose, distance, round_parameter, Context, Subsegment};
 use super::{crossing, edge_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error, Status};
-use crate::mesh::star::{flag_edge, StarSearch};
-use crate::mesh::tables::{EDGE_OF, FACE};
-use crate::mesh::{flag, NONE};
+use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
+use crate::mesh::{flag, GHOST, NONE};
 use crate::predicates::{Expansion, Points, Sign};
 use rustc_hash::FxHashMap;
 use std::cmp::{Ordering, Reverse};
@@ -189,7 +188,6 @@ pub struct Recovery<'a> {
     pub limit: Option<u64>,
     /// Missing pieces by length (the bits of a non-negative double are in its order), then by number.
     queue: BinaryHeap<(u64, Reverse<u32>)>,
-    search: StarSearch,
 }
 
 impl<'a> Recovery<'a> {
@@ -200,22 +198,14 @@ impl<'a> Recovery<'a> {
         segments: &'a mut Segments,
         limit: Option<u64>,
     ) -> Self {
-        Recovery {
-            delaunay,
-            points,
-            segments,
-            limit,
-            queue: Default::default(),
-            search: StarSearch::default(),
-        }
+        Recovery { delaunay, points, segments, limit, queue: Default::default() }
     }
 
     /// Makes every segment a union of edges. `tick` gets the numbers of pieces done and known.
     pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<(), Error> {
-        for piece in 0..self.segments.pieces.len() as u32 {
-            if !self.mark_if_present(piece) {
-                self.enqueue(piece)?;
-            }
+        let present = self.mark_present()?;
+        for piece in (0..self.segments.pieces.len()).filter(|&piece| !present[piece]) {
+            self.enqueue(piece as u32)?;
         }
         self.segments.missing = self.queue.len() as u64;
         let mut steps = 0usize;
@@ -224,9 +214,8 @@ impl<'a> Recovery<'a> {
             if steps % 1024 == 0 {
                 tick(steps, steps + self.queue.len())?;
             }
-            if !self.mark_if_present(piece) {
-                self.split(piece)?;
-            }
+            // An edge that is missing once stays so: whatever sphere through its ends is chosen, some vertex spoils it.
+            self.split(piece)?;
         }
         Ok(())
     }
@@ -240,17 +229,40 @@ impl<'a> Recovery<'a> {
         Ok(())
     }
 
-    /// Flags the piece's edge if the mesh has it.
-    fn mark_if_present(&mut self, piece: u32) -> bool {
-        let [a, b] = self.segments.pieces[piece as usize].ends;
-        let start = self.delaunay.vertex_tet[a as usize];
-        match self.search.find_edge(&mut self.delaunay.mesh, a, b, start) {
-            Some(t) => {
-                flag_edge(&mut self.delaunay.mesh, t, a, b, true);
-                true
+    /// Flags the edges of the mesh that are pieces, and tells which pieces are.
+    ///
+    /// One pass over the mesh: most surfaces have more segments than a tenth of the tetrahedra, and where a piece is an edge is
+    /// found in constant time only from there.
+    fn mark_present(&mut self) -> Result<Vec<bool>, Error> {
+        let mut ends = Vec::new();
+        ends.try_reserve(self.points.len())?;
+        ends.resize(self.points.len(), false);
+        for piece in &self.segments.pieces {
+            for v in piece.ends {
+                ends[v as usize] = true;
             }
-            None => false,
         }
+        let mut present = Vec::new();
+        present.try_reserve(self.segments.pieces.len())?;
+        present.resize(self.segments.pieces.len(), false);
+        let mesh = &mut self.delaunay.mesh;
+        for (v, flags) in mesh.verts.iter().zip(&mut mesh.flags) {
+            if *flags & flag::DEAD != 0 {
+                continue;
+            }
+            let end = v.map(|w| w != GHOST && ends[w as usize]);
+            for (e, [i, j]) in EDGE.into_iter().enumerate() {
+                let (i, j) = (i as usize, j as usize);
+                if !end[i] || !end[j] {
+                    continue;
+                }
+                if let Some(&piece) = self.segments.piece_of.get(&edge_key(v[i], v[j])) {
+                    *flags |= flag::EDGE << e;
+                    present[piece as usize] = true;
+                }
+            }
+        }
+        Ok(present)
     }
 
     /// Splits a missing piece in two by a Steiner point.
@@ -280,7 +292,7 @@ impl<'a> Recovery<'a> {
         self.segments.steiner_t.push(t);
         let at = self.delaunay.locate(self.points, p, near)?;
         let touched = self.delaunay.mesh.verts[at as usize];
-        if touched.iter().any(|&v| v != crate::mesh::GHOST && self.points.same_position(v, p)) {
+        if touched.iter().any(|&v| v != GHOST && self.points.same_position(v, p)) {
             return Err(crossing("a vertex lies on a segment", Element::Segment(sub.segment), None));
         }
         self.delaunay.hint = self.delaunay.insert_at::<true>(self.points, p, at)?;
@@ -430,13 +442,14 @@ impl<'a> Recovery<'a> {
         let mut entered = 4;
         for step in 0..1000u32 {
             let v = mesh.verts[t as usize];
-            for &w in &v {
-                if sub.ends.contains(&w) {
-                    continue;
-                }
-                let angle = cosine(self.points.xyz(w), a, b);
-                if angle < best.0 {
-                    best = (angle, Some(w), t);
+            for (slot, &w) in v.iter().enumerate() {
+                // The others have been met already.
+                let new = entered == 4 || slot == entered as usize;
+                if new && !sub.ends.contains(&w) {
+                    let angle = obtuse_cosine(self.points.xyz(w), a, b);
+                    if angle < best.0 {
+                        best = (angle, Some(w), t);
+                    }
                 }
             }
             if v.contains(&sub.ends[1]) {
@@ -466,12 +479,17 @@ impl<'a> Recovery<'a> {
     }
 }
 
-/// Cosine of the angle under which `p` sees the segment `a b`.
-fn cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
+/// Cosine of the angle under which `p` sees the segment `a b` if that is above 90°, else zero.
+fn obtuse_cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
     let u = [a[0] - p[0], a[1] - p[1], a[2] - p[2]];
     let v = [b[0] - p[0], b[1] - p[1], b[2] - p[2]];
     let dot = |x: &[f64; 3], y: &[f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    dot(&u, &v) / (dot(&u, &u) * dot(&v, &v)).sqrt()
+    let product = dot(&u, &v);
+    if product < 0.0 {
+        product / (dot(&u, &u) * dot(&v, &v)).sqrt()
+    } else {
+        0.0
+    }
 }
 
 /// The determinant of [`crate::predicates::orient3d`] in plain arithmetic.

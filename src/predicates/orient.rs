@@ -40,6 +40,9 @@ impl Points {
         if explicit && size <= self.grid() * 65536.0 {
             return Sign::of(det);
         }
+        if !explicit && self.three_on_a_segment(ids) {
+            return Sign::Zero;
+        }
         if let Some(rows) = self.differences(ids) {
             return wide::orient3d(&rows);
         }

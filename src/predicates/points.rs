@@ -7,10 +7,11 @@
 //! grid. Where segments run so close to each other that a double is too coarse, t is the sum of several.
 
 use super::big::Big;
-use super::expansion::Expansion;
+use super::expansion::{two_product, two_sum, Expansion};
 use super::filter::{larger, Spread};
 use super::range::{self, in_range};
-use super::wide::Differences;
+use super::wide::{self, Differences};
+use super::Sign;
 use crate::error::Error;
 
 /// An implicit point.
@@ -53,6 +54,8 @@ pub struct Points {
     grid: f64,
     pub(super) orient3d_bound: f64,
     pub(super) insphere_bound: f64,
+    /// Of circles, per axis that the projection drops.
+    pub(super) incircle_bounds: [f64; 3],
 }
 
 const NONE: u32 = u32::MAX;
@@ -71,6 +74,7 @@ impl Points {
             grid: f64::MAX,
             orient3d_bound: f64::INFINITY,
             insphere_bound: f64::INFINITY,
+            incircle_bounds: [f64::INFINITY; 3],
         };
         let mut lowest = i32::MAX;
         for p in &xyz {
@@ -101,6 +105,7 @@ impl Points {
         }
         self.orient3d_bound = spread.orient3d_bound();
         self.insphere_bound = spread.insphere_bound();
+        self.incircle_bounds = [0, 1, 2].map(|axis| spread.incircle_bound((axis + 1) % 3, (axis + 2) % 3));
     }
 
     /// The number of points.
@@ -230,12 +235,18 @@ impl Points {
         Ok((p, Some(Implicit { a, b, t: nearest, low, rest, two_doubles, fine })))
     }
 
-    /// Square of the distance between `a + t (b − a)` and its nearest double point, approximately; zero exactly if it is one.
+    /// Square of the distance between `a + t (b − a)` and its nearest double point, approximately; zero hardly ever unless it
+    /// is one. Twice the precision of doubles is enough to choose by.
     pub fn rounding_error(&self, a: u32, b: u32, t: f64) -> f64 {
-        self.on_segment(a, b, &Expansion::from(t))
-            .ok()
-            .and_then(|(_, implicit)| implicit)
-            .map_or(0.0, |implicit| implicit.rest.iter().map(|x| x * x).sum())
+        let (a, b) = (self.xyz(a), self.xyz(b));
+        let error = |axis: usize| {
+            let (high, low) = two_sum(b[axis], -a[axis]);
+            let (product, rest) = two_product(high, t);
+            let (sum, beyond) = two_sum(a[axis], product);
+            let rest = beyond + (rest + low * t);
+            rest - ((sum + rest) - sum)
+        };
+        (0..3).map(|axis| error(axis) * error(axis)).sum()
     }
 
     /// Moves an implicit point along its segment, to parameter `t`; it becomes explicit where it can.
@@ -300,6 +311,24 @@ impl Points {
         Differences::new(&coordinates)
     }
 
+    /// The insphere sign from the leading bits of the differences, if they decide.
+    pub(super) fn insphere_leading(&self, ids: [u32; 5]) -> Option<Sign> {
+        let mut coordinates = [[[0.0; 2]; 3]; 5];
+        let mut lost = 0.0f64;
+        for (to, &i) in coordinates.iter_mut().zip(&ids) {
+            let (p, implicit) = (self.xyz(i), self.implicit(i));
+            for axis in 0..3 {
+                let rest = implicit.map_or(0.0, |implicit| implicit.rest[axis]);
+                to[axis] = [p[axis], rest];
+                if implicit.is_some_and(|implicit| !implicit.two_doubles) {
+                    // Rounded to nearest; the smallest double where that underflows.
+                    lost = lost.max(rest.abs() * f64::EPSILON + range::scale(1.0, -1074));
+                }
+            }
+        }
+        wide::insphere_leading(&coordinates, lost)
+    }
+
     /// Exact coordinates as big integers.
     pub(super) fn big<const N: usize>(&self, ids: [u32; N]) -> [[Big; 3]; N] {
         Big::rows(&ids.map(|i| self.exact_coordinates(i)))
@@ -309,6 +338,15 @@ impl Points {
     #[inline(always)]
     pub(super) fn any_implicit(&self, ids: &[u32]) -> bool {
         self.first_implicit != NONE && ids.iter().any(|&i| !self.is_explicit(i))
+    }
+
+    /// Whether three of the points lie on one segment that an implicit one of them knows.
+    pub(super) fn three_on_a_segment(&self, ids: [u32; 4]) -> bool {
+        let ends = |i: u32| self.implicit(i).map(|p| [p.a, p.b]);
+        ids.iter().filter_map(|&i| ends(i)).any(|[a, b]| {
+            let on = |&&i: &&u32| i == a || i == b || ends(i) == Some([a, b]);
+            ids.iter().filter(on).count() >= 3
+        })
     }
 
     /// Whether a point among these needs big integers.

@@ -49,20 +49,32 @@ fn classify_close(a: &Triangle, b: &Triangle, shared: usize, out: &mut Collector
 }
 
 /// Whether in `a`'s projection the line of one of `a`'s edges has all corners of `b` on its outer side, and those on the line are
-/// common corners. Then nothing else is common, in space either. This spares exact signs in flat patches.
+/// common corners or beyond the edge's ends, all beyond the same. Then nothing else is common, in space either. This spares
+/// exact signs in flat patches.
 fn separated_in_projection(a: &Triangle, b: &Triangle, b_shared: &[bool; 3]) -> bool {
     let Some(projection) = a.projection else {
         return false;
     };
     (0..3).any(|k| {
         let ([p, q], ends) = (a.edge_points(k), a.edge(k));
-        (0..3).all(|i| {
+        // Per end of the edge: common with `b`; some corner of `b` on the line beyond it.
+        let (mut common, mut beyond) = ([false; 2], [false; 2]);
+        let outside = (0..3).all(|i| {
+            let (id, corner) = (b.ids[i], &b.corners[i]);
             if b_shared[i] {
-                ends.contains(&b.ids[i])
-            } else {
-                projection.turn(p, q, &b.corners[i]) == Sign::Negative
+                common = [common[0] || id == ends[0], common[1] || id == ends[1]];
+                return ends.contains(&id);
             }
-        })
+            match projection.turn(p, q, corner) {
+                Sign::Negative => true,
+                Sign::Positive => false,
+                Sign::Zero => projection.beyond(p, q, corner).is_some_and(|end| {
+                    beyond[end] = true;
+                    true
+                }),
+            }
+        });
+        outside && !(beyond[0] && (beyond[1] || common[1])) && !(beyond[1] && common[0])
     })
 }
 

@@ -40,6 +40,47 @@ fn widest_integers() {
     assert!(wide_enough[0] > 300 && wide_enough[1] > 900, "{wide_enough:?}");
 }
 
+/// Leading bits decide rightly or not at all, and nearly always unless the five points are cospherical.
+#[test]
+fn leading_bits() {
+    let mut random = Random(31);
+    let mut undecided = [0, 0];
+    for round in 0..6000 {
+        // Far from the origin as seen from each other, with bits far down in the second double.
+        let [high, low] = [[60, 0], [90, 0], [150, 60], [170, 100]][round % 4];
+        let far = [0; 3].map(|_| if round % 3 == 0 { 0.0 } else { scale(random.unit(), high + 30) });
+        let corner = |random: &mut Random, i: u64| -> [[f64; 2]; 3] {
+            std::array::from_fn(|axis| {
+                let cube = far[axis] + scale((i >> axis & 1) as f64, high);
+                let other = far[axis] + scale(random.unit(), high);
+                [if round % 5 == 0 { cube } else { other }, 0.0]
+            })
+        };
+        let mut p = [0, 1, 2, 4, 7].map(|i| corner(&mut random, i));
+        let cospherical = round % 5 == 0 && round % 2 == 0;
+        if !cospherical {
+            for x in p.iter_mut().flatten() {
+                x[1] = (random.unit() - 0.5) * scale(1.0, low);
+            }
+        }
+        let exact = p.map(|q| q.map(|[x, y]| integer(x) + integer(y)));
+        match wide::insphere_leading(&p, 0.0) {
+            Some(sign) => assert_eq!(sign, exact_insphere(&exact)),
+            None => undecided[usize::from(cospherical)] += 1,
+        }
+        // What is lost counts: no decision may come from bits below it.
+        if let Some(sign) = wide::insphere_leading(&p, scale(1.0, high - 60)) {
+            let moved = p.map(|q| q.map(|[x, y]| integer(x) + integer(y) + integer(scale(0.9, high - 60))));
+            let mixed =
+                [0, 1, 2, 3, 4]
+                    .map(|i| if round >> i & 1 == 0 { exact[i].clone() } else { moved[i].clone() });
+            assert_eq!(sign, exact_insphere(&mixed));
+        }
+    }
+    assert_eq!(undecided[1], 600);
+    assert!(undecided[0] < 20, "{undecided:?}");
+}
+
 #[test]
 fn nearest_is_rounded_correctly() {
     let mut random = Random(8);
