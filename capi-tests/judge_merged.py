@@ -27,17 +27,16 @@ def judge(options, source, stem, flags):
 
 
 def read_off(path):
-    """Header lines' counts, the points as text, and the faces as lists of indices."""
-    lines = [l.split("#")[0].split() for l in open(path)]
-    words = [w for l in lines for w in l]
-    assert words[0].endswith("OFF")
-    count, faces = int(words[1]), int(words[2])
-    at = 4
-    points = [words[at + 3 * i:at + 3 * i + 3] for i in range(count)]
-    at += 3 * count
-    polygons = []
-    for l in [l for l in lines if l][-faces:]:
-        polygons.append([int(w) for w in l[1:1 + int(l[0])]])
+    """The points as text, and the faces as lists of indices. The counts follow the word OFF or are on the next line."""
+    lines = [l for l in (l.split("#")[0].split() for l in open(path)) if l]
+    counts = lines[0][1:]
+    at = 1
+    if len(counts) < 2:
+        counts = lines[1]
+        at = 2
+    count, faces = int(counts[0]), int(counts[1])
+    points = [l[:3] for l in lines[at:at + count]]
+    polygons = [[int(w) for w in l[1:1 + int(l[0])]] for l in lines[at + count:at + count + faces]]
     return points, polygons
 
 

@@ -19,6 +19,7 @@ use crate::progress::{report, Observer, Phase};
 use crate::region::{components, label, Components, Regions, Seeds};
 use crate::rounding::{round, Kept};
 use crate::INVALID;
+use rustc_hash::FxHashMap;
 use std::time::Instant;
 
 mod assemble;
@@ -204,7 +205,8 @@ impl Run<'_> {
                 current.deferred = edges_beside(surface)?;
                 self.recover_segments(&mut current, options, &mut trial)?;
                 if current.waiting.is_empty() {
-                    let again = (mending > 0).then(|| self.recover_anew(surface, options, engine)).transpose()?;
+                    let again =
+                        (mending > 0).then(|| self.recover_anew(surface, options, engine)).transpose()?;
                     let fewer = again.filter(|(_, segments)| {
                         segments.waiting.is_empty() && segments.steiner_t.len() < current.steiner_t.len()
                     });
@@ -251,9 +253,20 @@ impl Run<'_> {
     ) -> Result<(), Error> {
         let Engine { delaunay, engine_of, .. } = engine;
         let mut search = StarSearch::default();
-        let mut is_edge = |ends: [u32; 2]| {
-            let [a, b] = ends.map(|v| engine_of[v as usize]);
-            search.find_edge(&mut delaunay.mesh, a, b, delaunay.vertex_tet[a as usize]).is_some()
+        // Every edge is asked for many times. Looked up only, never iterated.
+        let mut known: FxHashMap<[u32; 2], bool> = FxHashMap::default();
+        let mut is_edge = |[a, b]: [u32; 2]| {
+            let key = [a.min(b), a.max(b)];
+            if let Some(&answer) = known.get(&key) {
+                return answer;
+            }
+            let [a, b] = key.map(|v| engine_of[v as usize]);
+            let start = delaunay.vertex_tet[a as usize];
+            let answer = search.find_edge(&mut delaunay.mesh, a, b, start).is_some();
+            if known.try_reserve(1).is_ok() {
+                known.insert(key, answer);
+            }
+            answer
         };
         merger.run(Some(&mut Guide { is_edge: &mut is_edge, avoid, avoid_all }), self.observer)?;
         report(self.observer, Phase::Validate, 1.0)?;
