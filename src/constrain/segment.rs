@@ -53,6 +53,10 @@ pub struct Segments {
     pub missing: u64,
     /// How often rounding to doubles failed on each segment: its points are chosen with more care.
     pub careful: Vec<u8>,
+    /// Segments that are not to be split (none if empty).
+    pub deferred: Vec<bool>,
+    /// Deferred segments that were missing at some time.
+    pub waiting: Vec<u32>,
     acute: Vec<bool>,
     exact_bits: Vec<u8>,
     /// All pairs of ends, sorted, once asked for.
@@ -142,6 +146,53 @@ impl Segments {
         }
     }
 
+    /// The same Steiner points on other segments: those with points are among the new ones, the others may have gone.
+    ///
+    /// # Errors
+    /// `Internal` if a segment with points has gone; `OutOfMemory`.
+    pub fn exchange(self, points: &Points, ends: Vec<[u32; 2]>) -> Result<Self, Error> {
+        let mut new = Segments::new(points, ends)?;
+        new.first_steiner = self.first_steiner;
+        new.missing = self.missing;
+        for &segment in &self.steiner_segment {
+            let [a, b] = self.ends[segment as usize];
+            let heir = new.piece_of.get(&edge_key(a, b)).copied();
+            let heir = heir.ok_or_else(|| Error::internal("a segment with Steiner points has gone"))?;
+            new.steiner_segment.try_reserve(1)?;
+            new.steiner_segment.push(heir);
+        }
+        new.steiner_t = self.steiner_t;
+        new.split_pieces()?;
+        Ok(new)
+    }
+
+    /// Makes the pieces from the Steiner points.
+    fn split_pieces(&mut self) -> Result<(), Error> {
+        let list = self.steiner_by_segment();
+        self.pieces.try_reserve(list.len())?;
+        self.piece_of
+            .try_reserve(list.len())
+            .map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        for chain in list.chunk_by(|x, y| x.0 == y.0) {
+            let segment = chain[0].0;
+            let [first, last] = self.ends[segment as usize];
+            self.piece_of.remove(&edge_key(first, last));
+            let (mut from, mut t) = (first, 0.0);
+            let mut slot = segment as usize;
+            for (to, end) in chain.iter().map(|x| (x.2, x.1)).chain([(last, 1.0)]) {
+                let piece = Subsegment { segment, ends: [from, to], t: [t, end] };
+                match self.pieces.get_mut(slot) {
+                    Some(whole) => *whole = piece,
+                    None => self.pieces.push(piece),
+                }
+                self.piece_of.insert(edge_key(from, to), slot as u32);
+                (from, t) = (to, end);
+                slot = self.pieces.len();
+            }
+        }
+        Ok(())
+    }
+
     fn bits(&mut self, points: &Points, segment: u32) -> u32 {
         if self.exact_bits.is_empty() {
             self.exact_bits.resize(self.ends.len(), u8::MAX);
@@ -207,7 +258,8 @@ impl<'a> Recovery<'a> {
         for piece in (0..self.segments.pieces.len()).filter(|&piece| !present[piece]) {
             self.enqueue(piece as u32)?;
         }
-        self.segments.missing = self.queue.len() as u64;
+        let missing = (self.queue.len() + self.segments.waiting.len()) as u64;
+        self.segments.missing = self.segments.missing.max(missing);
         let mut steps = 0usize;
         while let Some((_, Reverse(piece))) = self.queue.pop() {
             steps += 1;
@@ -217,12 +269,21 @@ impl<'a> Recovery<'a> {
             // An edge that is missing once stays so: whatever sphere through its ends is chosen, some vertex spoils it.
             self.split(piece)?;
         }
+        // Some may have come back. A deferred segment is its own only piece.
+        let mut waiting = std::mem::take(&mut self.segments.waiting);
+        waiting.retain(|&segment| !self.mark_if_present(segment));
+        self.segments.waiting = waiting;
         Ok(())
     }
 
     /// Puts a missing piece in its place in the queue.
     fn enqueue(&mut self, piece: u32) -> Result<(), Error> {
-        let [a, b] = self.segments.pieces[piece as usize].ends;
+        let Subsegment { segment, ends: [a, b], .. } = self.segments.pieces[piece as usize];
+        if self.segments.deferred.get(segment as usize) == Some(&true) {
+            self.segments.waiting.try_reserve(1)?;
+            self.segments.waiting.push(segment);
+            return Ok(());
+        }
         let length = distance(self.points.xyz(a), self.points.xyz(b));
         self.queue.try_reserve(1)?;
         self.queue.push((length.to_bits(), Reverse(piece)));

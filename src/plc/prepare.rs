@@ -4,7 +4,7 @@
 //! one, then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
 use super::duplicates::first_equal;
 use super::intersect::{find_intersections, IntersectInput, Intersections};
-use super::merge::{merge, Guide};
+use super::merge::Merger;
 use super::patch::{connect, FixedEdge};
 use super::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
 use super::split::split;
@@ -108,24 +108,28 @@ impl Prepared {
         &self.surface
     }
 
-    /// Merges facets, if the options ask for it, and finds segments and patches. `guide` steers the merging (see [`merge`]).
+    /// Finds segments and patches, without merging facets.
     ///
     /// # Errors
     /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
-    pub fn connect(
-        self,
-        plc: &Plc,
-        options: &Options,
-        guide: Option<&mut Guide>,
-        observer: &mut dyn Observer,
-    ) -> Result<Surface, Error> {
+    pub fn connect(self, plc: &Plc, observer: &mut dyn Observer) -> Result<Surface, Error> {
         let Prepared { mut surface, fixed } = self;
-        if let Some(degrees) = options.merge_facets {
-            merge(&mut surface, &fixed, plc, degrees, guide, observer)?;
-        }
         connect(&mut surface, &fixed, |facet| plc.facet_marker(facet as usize))?;
         report(observer, Phase::Validate, 1.0)?;
         Ok(surface)
+    }
+
+    /// Begins the merging of facets that meet above `degrees`.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`].
+    pub fn merger<'a>(&'a mut self, plc: &'a Plc, degrees: f64) -> Result<Merger<'a>, Error> {
+        Merger::new(&mut self.surface, std::mem::take(&mut self.fixed), plc, degrees)
+    }
+
+    /// The surface when merging is done.
+    pub fn into_surface(self) -> Surface {
+        self.surface
     }
 }
 
@@ -135,7 +139,10 @@ impl Prepared {
 /// All defects found, with the worst class as status; without `options.validate` crossings of elements are not looked for.
 /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
 pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Surface, Error> {
-    check_and_split(plc, options, observer)?.connect(plc, options, None, observer)
+    let mut prepared = check_and_split(plc, options, observer)?;
+    let Some(degrees) = options.merge_facets else { return prepared.connect(plc, observer) };
+    prepared.merger(plc, degrees)?.run(None, observer)?;
+    Ok(prepared.into_surface())
 }
 
 /// The first part of [`prepare`]: everything that does not depend on the Delaunay tetrahedralization.
