@@ -269,10 +269,6 @@ impl<'a> Recovery<'a> {
             // An edge that is missing once stays so: whatever sphere through its ends is chosen, some vertex spoils it.
             self.split(piece)?;
         }
-        // Some may have come back. A deferred segment is its own only piece.
-        let mut waiting = std::mem::take(&mut self.segments.waiting);
-        waiting.retain(|&segment| !self.mark_if_present(segment));
-        self.segments.waiting = waiting;
         Ok(())
     }
 
