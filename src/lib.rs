@@ -40,6 +40,7 @@ pub mod output;
 pub mod plc;
 pub mod predicates;
 pub mod progress;
+pub mod reconnect;
 pub mod region;
 pub mod rounding;
 pub mod tetrahedralize;
@@ -47,7 +48,9 @@ pub mod tetrahedralize;
 pub use check::check_mesh;
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, Options};
-pub use output::{FacetFlip, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh};
+pub use output::{
+    FacetFlip, PreserveStatistics, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh,
+};
 pub use plc::{Facet, Interior, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
 pub use tetrahedralize::tetrahedralize;

@@ -65,6 +65,27 @@ pub struct FacetFlip {
     pub facets: [u32; 2],
 }
 
+/// What keeping the boundary took ([`Mode::Preserve`](crate::Mode::Preserve)).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PreserveStatistics {
+    /// Edges of the surface missing from the Delaunay tetrahedralization of the points.
+    pub missing_edges: u64,
+    /// Triangles of the surface missing from it.
+    pub missing_faces: u64,
+    /// Edges and faces recovered by reconnecting tetrahedra alone.
+    pub by_reconnection: u64,
+    /// Edges and faces recovered with the help of points inside.
+    pub by_interior_points: u64,
+    /// Edges and faces recovered by points on them, which were taken away again.
+    pub by_splits: u64,
+    /// Points on the surface taken away without a replacement.
+    pub deleted: u64,
+    /// Points on the surface taken away with points inside in their place.
+    pub relocated: u64,
+    /// Points added inside that are left.
+    pub interior: u64,
+}
+
 /// Counts and costs of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
@@ -82,6 +103,8 @@ pub struct Statistics {
     pub missing_regions: u64,
     /// Largest number of bytes that the kernel's arrays held.
     pub peak_bytes: u64,
+    /// What keeping the boundary took; all zero in other modes.
+    pub preserve: PreserveStatistics,
     /// Seconds per phase, indexed by [`Phase`].
     pub seconds: [f64; Phase::COUNT],
 }

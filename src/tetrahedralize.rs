@@ -44,6 +44,7 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
             drop(engine);
             mesh
         }
+        Mode::Preserve => return Err(Error::new(Status::Unsupported, "not offered yet")),
     };
     run.audit(plc, options, &mut mesh)?;
     Ok(mesh)
@@ -133,7 +134,7 @@ impl Run<'_> {
     fn prepare(&mut self, plc: &Plc, options: &Options) -> Result<Prepared, Error> {
         report(self.observer, Phase::Validate, 0.0)?;
         let prepared = match options.mode {
-            Mode::Constrained => crate::plc::check_and_split(plc, options, self.observer)?,
+            Mode::Constrained | Mode::Preserve => crate::plc::check_and_split(plc, options, self.observer)?,
             Mode::Delaunay => {
                 let points_only = Plc { points: plc.points.clone(), ..Plc::default() };
                 crate::plc::check_and_split(&points_only, options, self.observer)?
