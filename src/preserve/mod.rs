@@ -5,6 +5,7 @@
 //! ([`unsplit`]), patches get the surface's triangles again ([`retarget`]), and points inside that are not needed go ([`thin`]).
 pub mod center;
 pub mod check;
+pub mod hollow;
 pub mod inside;
 pub mod place;
 pub mod polygon;
@@ -27,6 +28,7 @@ use solid::Solid;
 use thin::Thin;
 use unsplit::{Effort, Outcome, Unsplit};
 
+static T0: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);
 /// Steps per search, from the first attempt to the last.
 const BUDGETS: [u32; 3] = [200, 2_000, 20_000];
 /// Triangulations per wall tried with these.
@@ -45,14 +47,18 @@ pub fn from_constrained(
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<Inside, Error> {
     let mut inside = Inside::default();
-    unsplit_all(solid, points, segments, target, &mut inside, statistics, tick)?;
-    let flips = Retarget::new(solid, points, &mut inside, BUDGETS[1]).run(target)?;
+    T0.elapsed();
+    let isolated = unsplit_all(solid, points, segments, target, &mut inside, statistics, tick)?;
+    let sp = inside.list.len();
+    let flips = Retarget::new(solid, points, &mut inside, &isolated, BUDGETS[0]).run(target)?;
+    if std::env::var("DBG").is_ok() { eprintln!("inside {sp} {flips:?} {:?}", T0.elapsed()); }
     if flips.missing > 0 {
         return Err(Error::internal(format!("{} triangles of the surface were not reached", flips.missing)));
     }
     let mut thin = Thin::default();
     for budget in BUDGETS {
         thin.run(solid, points, &mut inside, budget)?;
+        if std::env::var("DBG").is_ok() { eprintln!("thin {budget} {} {:?}", inside.list.len(), T0.elapsed()); }
     }
     statistics.interior = inside.list.len() as u64;
     Ok(inside)
@@ -102,7 +108,7 @@ fn unsplit_all(
     inside: &mut Inside,
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-) -> Result<(), Error> {
+) -> Result<FxHashSet<[u32; 2]>, Error> {
     let mut along = Along::new(segments)?;
     let mut wanted: FxHashSet<[u32; 2]> = FxHashSet::default();
     for &[a, b, c] in target.triangles {
@@ -143,13 +149,14 @@ fn unsplit_all(
                 along.remove(v);
             }
             left = kept;
+            if std::env::var("DBG").is_ok() { eprintln!("round {effort:?}: {before} -> {} fills {:?}  {:?}", left.len(), unsplit.reconnect_stats(), T0.elapsed()); }
             if left.is_empty() || left.len() == before {
                 break;
             }
         }
     }
     if left.is_empty() {
-        return Ok(());
+        return Ok(isolated);
     }
     let mut error = Error::new(
         Status::Rounding,

@@ -5,16 +5,17 @@
 //! tetrahedra round `ab`, and fills them again under the two new triangles: by reconnection, or from a point inside near the
 //! crossing of `ab` and `cd`, which all the faces see.
 use super::center::dot;
+use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::place::place;
 use super::solid::{ghost_at, Sector, Solid};
 use super::unsplit::axis_of;
 use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
-use crate::mesh::{flag, GHOST};
+use crate::mesh::{flag, GHOST, NONE};
 use crate::predicates::{Points, Sign};
 use crate::reconnect::{Polyhedron, Reconnect};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::VecDeque;
 
 /// The triangles that patches must have.
@@ -30,6 +31,8 @@ pub struct Target<'a> {
 pub struct Flips {
     /// Flips in the plane.
     pub flips: u64,
+    /// Sides of flips that needed more tetrahedra than those round the edge.
+    pub grown: u64,
     /// Sides of flips that needed a point inside.
     pub placed: u64,
     /// Triangles that were not reached.
@@ -44,8 +47,11 @@ pub struct Retarget<'a> {
     pub points: &'a mut Points,
     /// Points inside.
     pub inside: &'a mut Inside,
+    /// Pieces of segments on no facet.
+    pub isolated: &'a FxHashSet<[u32; 2]>,
     /// Steps per search.
     pub budget: u32,
+    hollow: Hollow,
     reconnect: Reconnect,
     /// A corner code of each subface.
     code_of: FxHashMap<[u32; 3], u32>,
@@ -64,12 +70,14 @@ struct Side {
 
 impl<'a> Retarget<'a> {
     /// Nothing is done yet.
-    pub fn new(solid: &'a mut Solid, points: &'a mut Points, inside: &'a mut Inside, budget: u32) -> Self {
+    pub fn new(solid: &'a mut Solid, points: &'a mut Points, inside: &'a mut Inside, isolated: &'a FxHashSet<[u32; 2]>, budget: u32) -> Self {
         Retarget {
             solid,
             points,
             inside,
+            isolated,
             budget,
+            hollow: Hollow::default(),
             reconnect: Reconnect::default(),
             code_of: FxHashMap::default(),
             apexes: FxHashMap::default(),
@@ -246,13 +254,13 @@ impl<'a> Retarget<'a> {
         let before = self.inside.list.len();
         let mut sectors = Vec::new();
         for code in codes {
-            let side = self.collect_side(code, [a, b], [c, d])?;
+            let mut side = self.collect_side(code, [a, b], [c, d])?;
             let t = code >> 2;
             let ghost = self.solid.mesh.is_ghost(t);
             let new = if ghost {
                 side.faces.iter().map(|&f| ghost_at(f)).collect()
             } else {
-                match self.fill_side(&side, [a, b], [c, d])? {
+                match self.fill_side(&mut side, [a, b], [c, d])? {
                     Some(new) => new,
                     None => {
                         self.inside.shorten(before);
@@ -332,13 +340,23 @@ impl<'a> Retarget<'a> {
 
     fn fill_side(
         &mut self,
-        side: &Side,
+        side: &mut Side,
         [a, b]: [u32; 2],
         [c, d]: [u32; 2],
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
         let mut new = Vec::new();
         let polyhedron = Polyhedron { faces: &side.faces, inner: &[], edges: &[] };
         if self.reconnect.fill(self.points, &polyhedron, self.budget, &mut new)? {
+            return Ok(Some(new));
+        }
+        let walls = [side.faces[side.faces.len() - 2], side.faces[side.faces.len() - 1]];
+        let gone = [face_key([a, b, c]), face_key([a, b, d])];
+        let start = Start { tets: &side.tets, gone: &gone, walls: &walls, without: NONE, edge: None };
+        let growth = Growth { budget: self.budget, singles: 12, stages: 4 };
+        let Retarget { solid, points, reconnect, isolated, hollow, .. } = self;
+        if let Some(new) = hollow.grow(solid, points, reconnect, &start, isolated, growth)? {
+            self.count.grown += 1;
+            side.tets = std::mem::take(&mut hollow.tets);
             return Ok(Some(new));
         }
         let [pa, pb, pc, pd] = [a, b, c, d].map(|v| *self.points.xyz(v));
