@@ -40,6 +40,7 @@ pub mod output;
 pub mod plc;
 pub mod predicates;
 pub mod progress;
+pub mod preserve;
 pub mod reconnect;
 pub mod region;
 pub mod rounding;
