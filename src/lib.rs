@@ -39,6 +39,7 @@ pub mod options;
 pub mod output;
 pub mod plc;
 pub mod predicates;
+pub mod preserve;
 pub mod progress;
 pub mod preserve;
 pub mod reconnect;

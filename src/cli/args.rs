@@ -29,6 +29,8 @@ pub enum ModeArg {
     Delaunay,
     /// The constrained Delaunay tetrahedralization of the surface.
     Cdt,
+    /// The surface kept as it is: points are added inside only.
+    Preserve,
 }
 
 #[derive(Debug, ClapArgs)]

@@ -54,6 +54,7 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
     let mode = match args.mode {
         Some(ModeArg::Delaunay) => Mode::Delaunay,
         Some(ModeArg::Cdt) => Mode::Constrained,
+        Some(ModeArg::Preserve) => Mode::Preserve,
         None if points_only => Mode::Delaunay,
         None => Mode::Constrained,
     };

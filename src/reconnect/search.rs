@@ -122,7 +122,8 @@ impl Search {
             let sees = (0..self.boundary.len()).all(|i| {
                 let f = self.boundary[i];
                 if f.contains(&w) {
-                    return true;
+                    // A face with the inside on both sides cancels in the sum of boundaries: the cone may lack it.
+                    return !self.boundary.contains(&canonical(reversed(f)));
                 }
                 let positive = self.signs.of(points, w, f[0], f[1], f[2]) > 0;
                 if positive {
