@@ -6,7 +6,7 @@ int main(void)
     DelotetOptions *options = delotet_options_new();
     DelotetPlc *plc = nested_boxes();
     DelotetMesh *mesh;
-    CHECK(delotet_options_set_mode(options, 2) == INVALID);
+    CHECK(delotet_options_set_mode(options, 3) == INVALID);
     CHECK(delotet_options_set_mode(options, UINT32_MAX) == INVALID);
     CHECK(delotet_options_set_mode(NULL, DELOTET_MODE_DELAUNAY) == INVALID);
     CHECK(delotet_options_set_mode(options, DELOTET_MODE_DELAUNAY) == DELOTET_STATUS_OK);

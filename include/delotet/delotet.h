@@ -289,7 +289,7 @@ typedef enum DelotetElement {
 } DelotetElement;
 
 /**
- * Stages of a run, in order.
+ * Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_REGIONS.
  */
 typedef enum DelotetPhase {
     /**
@@ -328,6 +328,10 @@ typedef enum DelotetPhase {
      * Writing files.
      */
     DELOTET_PHASE_WRITE = 8,
+    /**
+     * Keeping the surface as it is (DELOTET_MODE_PRESERVE).
+     */
+    DELOTET_PHASE_PRESERVE = 9,
 } DelotetPhase;
 
 /**
@@ -705,6 +709,38 @@ typedef struct DelotetStats {
      * Seconds per phase, indexed by DelotetPhase; unused entries are 0.
      */
     double seconds[16];
+    /**
+     * DELOTET_MODE_PRESERVE, else 0: edges of the surface missing from the Delaunay tetrahedralization of the points.
+     */
+    uint64_t preserve_missing_edges;
+    /**
+     * Triangles of the surface missing from it.
+     */
+    uint64_t preserve_missing_faces;
+    /**
+     * Edges and faces recovered by reconnecting tetrahedra alone.
+     */
+    uint64_t preserve_by_reconnection;
+    /**
+     * Edges and faces recovered with the help of points inside.
+     */
+    uint64_t preserve_by_interior_points;
+    /**
+     * Edges and faces recovered by points on them, which were taken away again.
+     */
+    uint64_t preserve_by_splits;
+    /**
+     * Points on the surface taken away without a replacement.
+     */
+    uint64_t preserve_deleted;
+    /**
+     * Points on the surface taken away with points inside in their place.
+     */
+    uint64_t preserve_relocated;
+    /**
+     * Points added inside that are left.
+     */
+    uint64_t preserve_interior;
 } DelotetStats;
 
 /**
@@ -835,6 +871,12 @@ typedef struct DelotetSecondOrderView {
  * segments only. The default.
  */
 #define DELOTET_MODE_CONSTRAINED 1
+
+/**
+ * A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation) is a
+ * face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+ */
+#define DELOTET_MODE_PRESERVE 2
 
 /**
  * VTK, Abaqus and CalculiX (C3D10), Nastran: nodes on the edges 01 12 02 03 13 23.

@@ -53,7 +53,11 @@ using Tet10 = std::array<Index, 10>;
 /// "None": no neighbour, no parent, not found.
 constexpr Index invalid_index = DELOTET_INVALID_INDEX;
 
-enum class Mode : std::uint32_t { delaunay = DELOTET_MODE_DELAUNAY, constrained = DELOTET_MODE_CONSTRAINED };
+enum class Mode : std::uint32_t {
+    delaunay = DELOTET_MODE_DELAUNAY,
+    constrained = DELOTET_MODE_CONSTRAINED,
+    preserve = DELOTET_MODE_PRESERVE
+};
 
 enum class NodeOrder : std::uint32_t {
     vtk = DELOTET_NODE_ORDER_VTK,

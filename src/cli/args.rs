@@ -27,8 +27,10 @@ pub enum Command {
 pub enum ModeArg {
     /// The Delaunay tetrahedralization of the points; facets and segments are ignored.
     Delaunay,
-    /// The constrained Delaunay tetrahedralization of the surface.
+    /// The constrained Delaunay tetrahedralization of the surface: points are added on segments only.
     Cdt,
+    /// The surface kept triangle by triangle: points are added inside only.
+    Preserve,
 }
 
 #[derive(Debug, ClapArgs)]

@@ -187,6 +187,22 @@ pub struct DelotetStats {
     pub peak_bytes: u64,
     /// Seconds per phase, indexed by DelotetPhase; unused entries are 0.
     pub seconds: [f64; 16],
+    /// DELOTET_MODE_PRESERVE, else 0: edges of the surface missing from the Delaunay tetrahedralization of the points.
+    pub preserve_missing_edges: u64,
+    /// Triangles of the surface missing from it.
+    pub preserve_missing_faces: u64,
+    /// Edges and faces recovered by reconnecting tetrahedra alone.
+    pub preserve_by_reconnection: u64,
+    /// Edges and faces recovered with the help of points inside.
+    pub preserve_by_interior_points: u64,
+    /// Edges and faces recovered by points on them, which were taken away again.
+    pub preserve_by_splits: u64,
+    /// Points on the surface taken away without a replacement.
+    pub preserve_deleted: u64,
+    /// Points on the surface taken away with points inside in their place.
+    pub preserve_relocated: u64,
+    /// Points added inside that are left.
+    pub preserve_interior: u64,
 }
 const _: () = assert!(Phase::COUNT <= 16);
 
@@ -205,6 +221,14 @@ impl DelotetStats {
             missing_regions: statistics.missing_regions,
             peak_bytes: statistics.peak_bytes,
             seconds,
+            preserve_missing_edges: statistics.preserve.missing_edges,
+            preserve_missing_faces: statistics.preserve.missing_faces,
+            preserve_by_reconnection: statistics.preserve.by_reconnection,
+            preserve_by_interior_points: statistics.preserve.by_interior_points,
+            preserve_by_splits: statistics.preserve.by_splits,
+            preserve_deleted: statistics.preserve.deleted,
+            preserve_relocated: statistics.preserve.relocated,
+            preserve_interior: statistics.preserve.interior,
         }
     }
 }
