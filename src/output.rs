@@ -20,12 +20,8 @@ pub struct SteinerPoint {
 impl SteinerPoint {
     /// A point on no edge, facet or segment of the input ([`Mode::Preserve`](crate::Mode::Preserve)): it lies exactly where
     /// its doubles are.
-    pub const INSIDE: SteinerPoint = SteinerPoint {
-        ends: [crate::INVALID; 2],
-        t: 0.0,
-        segment: crate::INVALID,
-        exact: true,
-    };
+    pub const INSIDE: SteinerPoint =
+        SteinerPoint { ends: [crate::INVALID; 2], t: 0.0, segment: crate::INVALID, exact: true };
 
     /// Whether the point lies on no edge of the input.
     pub fn is_inside(&self) -> bool {
