@@ -2,12 +2,12 @@
 """Compares delotet with the recorded figures of other programs, translated to this machine.
 
   compare_peers.py --bin target/release/delotet [--peers ../shared/docs/peers.tsv] [--corpus ../shared/corpus/models]
-                   [--repeat 1] [--only SUBSTRING] [--limit 60] [--tsv FILE]
+                   [--repeat 1] [--only SUBSTRING] [--limit 60] [--merge-facets] [--tsv FILE]
 
 Runs Debian's `tetgen -p` and `delotet mesh` alternately on every model of the table, in time without reading and writing (TetGen's
 "Total running seconds"; ours: total less read and write). The factor between this machine and the recorded one is
 TetGen's time here over its recorded time, summed over the models that it survives in both places; the exact peer's recorded seconds are multiplied by it.
-The least of --repeat runs counts. Exit 0 if delotet meshed every model.
+The least of --repeat runs counts. With --merge-facets ours merges facets, as TetGen's -p does. Exit 0 if delotet meshed every model.
 """
 import argparse
 import json
@@ -43,10 +43,10 @@ def tetgen_seconds(model, folder, limit):
     return float(found.group(1)) if found and result.returncode == 0 else None
 
 
-def our_figures(program, model, folder, limit):
+def our_figures(program, model, folder, limit, flags):
     """(seconds, Steiner points, statistics) or the reason why not."""
     stats = os.path.join(folder, "stats.json")
-    command = [program, "mesh", model, "-o", os.path.join(folder, "out.ele"), "--stats", stats, "--quiet"]
+    command = [program, "mesh", model, "-o", os.path.join(folder, "out.ele"), "--stats", stats, "--quiet"] + flags
     try:
         result = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=limit)
     except subprocess.TimeoutExpired:
@@ -61,14 +61,15 @@ def our_figures(program, model, folder, limit):
 def measure(options, rows):
     """One line a model."""
     failures = 0
-    print(f"{'model':34s} {'triangles':>9s} {'ours s':>9s} {'peer s*':>9s} {'ours pts':>9s} {'peer pts':>9s} {'tetgen s':>9s} {'recorded':>9s}")
+    flags = ["--merge-facets"] if options.merge_facets else []
+    print(f"{'model':34s} {'triangles':>9s} {'ours s':>9s} {'peer s*':>9s} {'ours pts':>9s} {'peer pts':>9s} {'tetgen s':>9s} {'recorded':>9s} {'tetgen pts':>10s}")
     with tempfile.TemporaryDirectory() as folder:
         for row in rows:
             model = os.path.join(options.corpus, row["file"])
             tetgen, ours = [], []
             for _ in range(options.repeat):
                 tetgen.append(tetgen_seconds(model, folder, options.limit))
-                ours.append(our_figures(options.bin, model, folder, options.limit))
+                ours.append(our_figures(options.bin, model, folder, options.limit, flags))
             row["tetgen_here"] = None if None in tetgen else min(tetgen)
             bad = next((o for o in ours if isinstance(o, str)), None)
             if bad:
@@ -78,7 +79,7 @@ def measure(options, rows):
             show = lambda x, form: format(x, form) if x is not None else "-"
             print(f"{row['file']:34s} {row['triangles']:>9s} {bad or show(row['ours_s'], '.3f'):>9s} {show(number(row['peer_s']), '.3f'):>9s} "
                   f"{show(row.get('ours_steiner'), 'd'):>9s} {show(number(row['peer_steiner']), '.0f'):>9s} "
-                  f"{show(row['tetgen_here'], '.3f'):>9s} {show(number(row['tetgen_s']), '.3f'):>9s}", flush=True)
+                  f"{show(row['tetgen_here'], '.3f'):>9s} {show(number(row['tetgen_s']), '.3f'):>9s} {show(number(row['tetgen_added']), '.0f'):>10s}", flush=True)
     return failures
 
 
@@ -106,7 +107,10 @@ def summarize(rows, failures):
         print(f"median ratio of Steiner points, {len(counted)} models with any: {statistics.median(counted):.3f}; worst {max(counted):.3f}")
     beside = [r for r in rows if r["tetgen_here"] is not None and "ours_s" in r]
     print(f"beside TetGen -p (which is not exact) on {len(beside)} models: seconds {sum(r['ours_s'] for r in beside):.2f} : "
-          f"{sum(r['tetgen_here'] for r in beside):.2f}")
+          f"{sum(r['tetgen_here'] for r in beside):.2f}, ratio {ratio(sum(r['ours_s'] for r in beside), sum(r['tetgen_here'] for r in beside))}")
+    counted = [r for r in beside if number(r["tetgen_added"]) is not None]
+    points, added = sum(r["ours_steiner"] for r in counted), sum(number(r["tetgen_added"]) for r in counted)
+    print(f"of these {len(counted)} recorded: Steiner points {points} : {added:.0f} (recorded), ratio {ratio(points, added)}")
 
 
 def main():
@@ -118,6 +122,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=1)
     parser.add_argument("--only", default="")
     parser.add_argument("--limit", type=float, default=60)
+    parser.add_argument("--merge-facets", action="store_true")
     parser.add_argument("--tsv")
     options = parser.parse_args()
     options.bin = os.path.abspath(options.bin)
