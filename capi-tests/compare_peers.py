@@ -37,7 +37,8 @@ def number(text):
 def tetgen_seconds(model, folder, limit, switches="-p"):
     """TetGen's own seconds, or None if it does not survive. It writes beside its input: so that is a copy."""
     copy = os.path.join(folder, os.path.basename(model))
-    shutil.copyfile(model, copy)
+    if os.path.abspath(model) != os.path.abspath(copy):
+        shutil.copyfile(model, copy)
     try:
         result = subprocess.run(["tetgen", switches, copy], capture_output=True, text=True, errors="replace", timeout=limit)
     except subprocess.TimeoutExpired:
@@ -117,11 +118,17 @@ def summarize(rows, failures):
 
 
 def tetgen_added(model, folder):
-    """How many points TetGen's last mesh of a model has more than the model; it drops points that it takes for equal."""
+    """How many points TetGen's last mesh of an .off or .smesh model has that are not the model's, by their coordinates to 15 digits: TetGen
+    drops points that it takes for equal, so a difference of numbers will not do."""
     stem = os.path.join(folder, os.path.basename(model).rsplit(".", 1)[0])
-    words = [w for line in open(model, errors="replace") for w in line.split("#")[0].split()][:2]
+    key = lambda words: tuple(format(float(w) + 0.0, ".15g") for w in words)
+    words = [w for line in open(model, errors="replace") for w in line.split("#")[0].split()]
     try:
-        return int(open(stem + ".1.node").readline().split()[0]) - int(words[1])
+        off = model.endswith(".off")
+        count, width, skip = (int(words[1]), 3, 0) if off else (int(words[0]), 4, 1)
+        given = {key(words[i + skip:i + skip + 3]) for i in range(4, 4 + width * count, width)}
+        rows = [line.split() for line in open(stem + ".1.node") if line.split("#")[0].strip()]
+        return sum(key(row[1:4]) not in given for row in rows[1:])
     except (OSError, ValueError, IndexError):
         return None
 
@@ -164,7 +171,8 @@ def summarize_preserved(rows, failures):
     inside, added = sum(r["preserve"]["interior"] for r in both), sum(r["tetgen_inside"] or 0 for r in both)
     print(f"on {len(both)} models that both do: seconds {ours:.2f} : {theirs:.2f}, ratio {ratio(ours, theirs)}; points inside {inside} : {added}, "
           f"ratio {ratio(inside, added)}")
-    recorded = [r for r in both if number(r["tetgen_y_added"]) is not None]
+    # A negative record: TetGen dropped more points than it added.
+    recorded = [r for r in both if (number(r["tetgen_y_added"]) or 0) >= 0 and number(r["tetgen_y_added"]) is not None]
     inside, added = sum(r["preserve"]["interior"] for r in recorded), sum(number(r["tetgen_y_added"]) for r in recorded)
     print(f"of these {len(recorded)} recorded: points inside {inside} : {added:.0f} (recorded), ratio {ratio(inside, added)}")
     if done:

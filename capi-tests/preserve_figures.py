@@ -31,9 +31,11 @@ class Table:
 
     def __init__(self, options, folder):
         self.options, self.folder, self.rows, self.failures = options, folder, [], 0
+        beside = options.tetgen
+        print(f"{'':34s} {'':9s} {'':8s} {'':7s} {'missing at first':>19s} {'recovered by':>29s} {'of those on it':>19s} {'inside':>9s}"
+              + (f" {'tetgen -pY':>19s}" if beside else ""))
         print(f"{'model':34s} {'triangles':>9s} {'seconds':>8s} {'us/tri':>7s} " + " ".join(f"{h:>9s}" for h in HEADS)
-              + (f" {'tetgen s':>9s} {'tetgen':>7s}" if options.tetgen else ""))
-        print(f"{'':34s} {'':9s} {'':8s} {'':7s} {'- missing at first -':>19s} {'-- recovered by --':>29s} {'- on surface, then -':>19s} {'inside':>9s}")
+              + (f" {'seconds':>9s} {'added':>9s}" if beside else ""), flush=True)
 
     def add(self, source, name, check=True):
         options, folder = self.options, self.folder
@@ -47,7 +49,7 @@ class Table:
         line = f"{name:34s} {stats['subfaces']:9d} {seconds:8.3f} {1e6 * seconds / max(1, stats['subfaces']):7.2f} " + " ".join(f"{c:9d}" for c in counts)
         if options.tetgen:
             theirs = compare_peers.tetgen_seconds(source, folder, options.limit, "-pY")
-            line += f" {theirs:9.3f} {compare_peers.tetgen_added(source, folder)!s:>7s}" if theirs is not None else f" {'fails':>9s}"
+            line += f" {theirs:9.3f} {compare_peers.tetgen_added(source, folder)!s:>9s}" if theirs is not None else f" {'fails':>9s}"
         if check:
             result = subprocess.run([options.bin, "check", os.path.join(folder, "out.ele"), "--input", source, "--preserved"], capture_output=True, text=True)
             if result.returncode != 0:

@@ -78,6 +78,27 @@ static Triangle sorted(Triangle face)
     return face;
 }
 
+/// A mesh with the model's points first, by exact coordinates: TetGen drops points that it takes for equal.
+static Result renumbered(const Result &mesh, const Model &model)
+{
+    Result out = mesh;
+    out.points = model.points;
+    std::map<Point, std::uint32_t> index;
+    for (std::uint32_t i = 0; i < model.points.size(); i++)
+        index.emplace(model.points[i], i);
+    std::vector<std::uint32_t> number;
+    for (const Point &point : mesh.points) {
+        const auto [entry, is_new] = index.emplace(point, static_cast<std::uint32_t>(out.points.size()));
+        if (is_new)
+            out.points.push_back(point);
+        number.push_back(entry->second);
+    }
+    for (Tet &tet : out.tets)
+        for (std::uint32_t &corner : tet)
+            corner = number[corner];
+    return out;
+}
+
 /// Triangles of the model that are not faces of one or two tetrahedra.
 static std::size_t not_faces(const Model &model, const Result &mesh)
 {
@@ -149,7 +170,7 @@ int main(int argc, char **argv)
         const delotet::Status status = delotet::tetrahedralize(plc, options, mesh, error);
         Result ours;
         ours.seconds = watch.seconds();
-        const Result theirs = tetgen(model.points, model.triangles, 60, true);
+        const Result theirs = renumbered(tetgen(model.points, model.triangles, 60, true), model);
         const std::size_t inputs = model.points.size();
         std::printf("%-30.30s %8zu | ", slash ? slash + 1 : argv[i], model.triangles.size());
         std::string complaints;
@@ -184,7 +205,6 @@ int main(int argc, char **argv)
         std::printf(" | ");
         if (theirs.ok()) {
             print(theirs, inputs);
-            // TetGen joins points that it takes for equal: then its numbers are its own.
             theirs_bad += not_positive(theirs) != 0 || not_faces(model, theirs) != 0;
         } else {
             lost++;
