@@ -296,11 +296,7 @@ fn check_says_that_the_surface_was_not_preserved() {
     let output = delotet(&arguments, &dir);
     assert_eq!(output.status.code(), Some(1), "{}", error_line(&output));
     assert!(error_line(&output).contains("corner of a face on the surface"), "{}", error_line(&output));
-    assert!(
-        text(dir.join("r.json")).contains("\"kind\": \"facet missing\""),
-        "{}",
-        text(dir.join("r.json"))
-    );
+    assert!(text(dir.join("r.json")).contains("\"kind\": \"facet missing\""), "{}", text(dir.join("r.json")));
     // The cube needs no points, however it is meshed; its square sides may be cut either way.
     assert!(delotet(&["mesh", "cube.off", "-o", "c.ele"], &dir).status.success());
     let output = delotet(&["check", "c.ele", "--input", "cube.off", "--preserved"], &dir);

@@ -1,16 +1,16 @@
 //! The result: flat arrays in doubles, input points first, with the origin of everything.
 use crate::progress::Phase;
 
-/// A Steiner point and where it lies: on an edge of the input, or inside ([`SteinerPoint::INSIDE`]).
+/// A Steiner point and where it lies: on an edge of the input, or inside ([`SteinerPoint::INSIDE`]; on no segment then).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct SteinerPoint {
-    /// Ends of the input edge (input point indices) that the point was put on: exactly `a + t (b − a)`. Both
-    /// [`INVALID`](crate::INVALID) for a point inside.
+    /// Ends of the input edge (input point indices) that the point was put on: exactly `a + t (b − a)`. Both are
+    /// [`INVALID`](crate::INVALID) for a point inside, which lies on no edge ([`TetMesh::preserved`]).
     pub ends: [u32; 2],
     /// The parameter; 0 for a point inside.
     pub t: f64,
-    /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only or the point lies inside.
+    /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only.
     pub segment: u32,
     /// The double coordinates in `points` are exactly `a + t (b − a)`; false: they are rounded (or moved by the rounding step).
     /// A point inside lies where its doubles are: true.
@@ -153,6 +153,9 @@ pub struct TetMesh {
     pub facet_flips: Vec<FacetFlip>,
     /// The mesh is the convex hull's (nothing outside was carved).
     pub hull_kept: bool,
+    /// The surface's triangles and segments are faces and edges as they are: Steiner points lie inside, and faces are not
+    /// necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)).
+    pub preserved: bool,
     /// Counts and costs.
     pub statistics: Statistics,
 }

@@ -27,9 +27,9 @@ pub enum Command {
 pub enum ModeArg {
     /// The Delaunay tetrahedralization of the points; facets and segments are ignored.
     Delaunay,
-    /// The constrained Delaunay tetrahedralization of the surface: points are added on segments only.
+    /// The constrained Delaunay tetrahedralization of the surface.
     Cdt,
-    /// The surface kept triangle by triangle: points are added inside only.
+    /// The surface kept as it is: points are added inside only.
     Preserve,
 }
 
