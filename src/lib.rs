@@ -41,7 +41,6 @@ pub mod plc;
 pub mod predicates;
 pub mod preserve;
 pub mod progress;
-pub mod preserve;
 pub mod reconnect;
 pub mod region;
 pub mod rounding;

@@ -21,8 +21,8 @@ use rustc_hash::FxHashMap;
 
 /// Search steps per cavity in each round.
 const BUDGETS: [u32; 3] = [50, 200, 200];
-/// Most vertices of a cavity that is searched: the cost of a step grows with the square.
-const MOST_SEARCHED: usize = 32;
+/// Most faces of a cavity that is searched: the cost of a step grows with the square. (Larger ones may still be cones.)
+const MOST_SEARCHED: usize = 60;
 
 /// Most pieces of one segment; beyond, reconnection has failed.
 const MOST_PIECES: u32 = 64;
@@ -211,9 +211,6 @@ impl<'a> Recovery<'a> {
                 self.recovered += if done { region.len() as u64 } else { 0 };
             }
         }
-        if std::env::var("DBG").is_ok() {
-            eprintln!("faces left {}", present.iter().filter(|&&p| !p).count());
-        }
         Ok(present.iter().all(|&p| p))
     }
 
@@ -337,7 +334,9 @@ impl<'a> Recovery<'a> {
                 if self.refill(budget, None)? {
                     continue;
                 }
-                let Outcome::Found = self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? else {
+                let Outcome::Found =
+                    self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)?
+                else {
                     return Ok(false);
                 };
                 self.cavity.unmark(self.delaunay);
@@ -351,9 +350,14 @@ impl<'a> Recovery<'a> {
     /// Fills the bounded cavity and puts the filling in its place.
     fn refill(&mut self, budget: u32, without: Option<[u32; 2]>) -> Result<bool, Error> {
         self.tets.clear();
-        let polyhedron =
-            Polyhedron { faces: &self.cavity.faces, inner: &self.cavity.inner, edges: &self.cavity.edges, without };
-        if !self.reconnect.fill(self.points, &polyhedron, budget, MOST_SEARCHED, &mut self.tets)? {
+        let budget = if self.cavity.faces.len() > MOST_SEARCHED { 0 } else { budget };
+        let polyhedron = Polyhedron {
+            faces: &self.cavity.faces,
+            inner: &self.cavity.inner,
+            edges: &self.cavity.edges,
+            without,
+        };
+        if !self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
             return Ok(false);
         }
         self.cavity.replace(self.delaunay, &self.tets, &[])?;
@@ -556,7 +560,7 @@ impl<'a> Recovery<'a> {
             inner.dedup();
             inner.retain(|v| !faces.iter().any(|f| f.contains(v)));
             let polyhedron = Polyhedron { faces: &faces, inner: &inner, edges: &edges, without: None };
-            if !self.reconnect.fill(self.points, &polyhedron, budget, MOST_SEARCHED, &mut self.tets)? {
+            if !self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
                 return Ok(false);
             }
         }

@@ -81,9 +81,8 @@ impl Search {
         self.inner.clear();
         self.inner.try_reserve(polyhedron.inner.len())?;
         self.inner.extend(polyhedron.inner.iter().filter_map(|&v| self.signs.number(v)));
-        self.without = polyhedron.without.and_then(|[a, b]| {
-            Some([self.signs.number(a)?, self.signs.number(b)?])
-        });
+        self.without =
+            polyhedron.without.and_then(|[a, b]| Some([self.signs.number(a)?, self.signs.number(b)?]));
         self.front.clear();
         self.front.try_reserve(4 * self.boundary.len() + 64)?;
         self.front.extend_from_slice(&self.boundary);
@@ -104,7 +103,9 @@ impl Search {
             uses.extend([(x, y), (y, z), (z, x)].map(|(a, b)| (a.min(b), a.max(b), a < b)));
         }
         uses.sort_unstable();
-        Ok(uses.chunk_by(|u, v| (u.0, u.1) == (v.0, v.1)).all(|c| 2 * c.iter().filter(|u| u.2).count() == c.len()))
+        Ok(uses
+            .chunk_by(|u, v| (u.0, u.1) == (v.0, v.1))
+            .all(|c| 2 * c.iter().filter(|u| u.2).count() == c.len()))
     }
 
     /// A vertex from which all boundary faces without it are seen from inside: the one with the best worst tetrahedron.

@@ -1,33 +1,101 @@
 //! The pipeline of [`Mode::Preserve`](crate::Mode::Preserve).
-use super::{Engine, Run};
+//!
+//! First by reconnection: edges and faces of the surface are recovered in the Delaunay tetrahedralization without a point, or with few
+//! points on the edges that resist ([`recover`](crate::preserve::recover)). Where that is given up, and where the hull is kept or facets are
+//! merged, from the constrained Delaunay tetrahedralization, which always exists. Either way what is on the surface is
+//! taken away again ([`from_constrained`]).
+use super::{assemble, Engine, Run};
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::{Subfaces, Triangles};
-use crate::error::{Error, Status};
+use crate::error::Error;
 use crate::options::Options;
 use crate::output::TetMesh;
+use crate::plc::patch::Patches;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
-use crate::plc::patch::Patches;
+use crate::preserve::from_constrained;
 use crate::preserve::recover::Recovery;
-use rustc_hash::FxHashMap;
+use crate::preserve::retarget::Target;
+use crate::preserve::solid::Solid;
 use crate::progress::{report, Phase};
+use rustc_hash::FxHashMap;
+
+/// A mesh with the surface in it, perhaps with points on its segments.
+struct Embedded {
+    engine: Engine,
+    segments: Segments,
+    subfaces: Subfaces,
+    /// Patch of each triangle of the surface.
+    patch: Vec<u32>,
+}
 
 impl Run<'_> {
-    /// Recovers edges and faces inside a box, so that nothing of the surface lies on the hull.
+    /// Makes a mesh that has every triangle of the surface.
     pub(super) fn preserve(
         &mut self,
         plc: &Plc,
         options: &Options,
         prepared: Prepared,
     ) -> Result<TetMesh, Error> {
+        if !options.keep_hull && options.merge_facets.is_none() {
+            let surface = prepared.clone().connect(plc, options, None, self.observer)?;
+            self.lap(Phase::Validate);
+            if let Some(embedded) = self.reconnect(&surface, options)? {
+                return self.free_surface(plc, &surface, options, embedded);
+            }
+            self.statistics.preserve = Default::default();
+        }
         let mut engine = Engine::new(prepared.surface(), options)?;
+        self.delaunay(&mut engine)?;
+        let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
+        let subfaces = self.recover_facets(&surface, &segments, &mut engine)?;
+        let counts = &mut self.statistics.preserve;
+        counts.missing_edges = segments.missing;
+        counts.by_splits = segments.missing;
+        let patch = surface.triangle_patch.clone();
+        self.free_surface(plc, &surface, options, Embedded { engine, segments, subfaces, patch })
+    }
+
+    /// Carves the domain and takes all points off the surface.
+    fn free_surface(
+        &mut self,
+        plc: &Plc,
+        surface: &Surface,
+        options: &Options,
+        embedded: Embedded,
+    ) -> Result<TetMesh, Error> {
+        let Embedded { mut engine, segments, subfaces, patch } = embedded;
+        let (components, regions) = self.find_regions(plc, options, &mut engine)?;
+        report(self.observer, Phase::Preserve, 0.0)?;
+        let carved = std::mem::take(&mut engine.delaunay.mesh);
+        let mut solid = Solid::carve(carved, engine.points.len(), &components, &regions, &subfaces)?;
+        drop((subfaces, components));
+        let target = Target { triangles: &engine.map(&surface.triangles)?, patch: &patch };
+        let observer = &mut *self.observer;
+        let inside = from_constrained(
+            &mut solid,
+            &mut engine.points,
+            &segments,
+            &target,
+            &mut self.statistics.preserve,
+            &mut |fraction| report(observer, Phase::Preserve, fraction),
+        )?;
+        self.statistics.missing_segments = segments.missing;
+        let mut mesh = assemble::preserved(&engine, plc, surface, &solid, &inside.list, &regions)?;
+        mesh.hull_kept = options.keep_hull;
+        self.lap(Phase::Preserve);
+        Ok(mesh)
+    }
+
+    /// Recovers edges and faces by reconnection, inside a box, so that nothing of the surface lies on the hull. None if it was
+    /// given up.
+    fn reconnect(&mut self, surface: &Surface, options: &Options) -> Result<Option<Embedded>, Error> {
+        let mut engine = Engine::new(surface, options)?;
         let count = engine.points.len() as u32;
         for corner in surrounding_box(engine.points.coordinates()) {
             engine.points.push(corner)?;
         }
-        let surface = prepared.connect(plc, options, None, self.observer)?;
-        self.lap(Phase::Validate);
         let mut order: Vec<u32> = (count..count + 8).chain(0..count).collect();
         let total = order.len() as f64;
         let observer = &mut *self.observer;
@@ -35,37 +103,47 @@ impl Run<'_> {
             report(observer, Phase::Delaunay, done as f64 / total)
         })?;
         engine.delaunay.index_vertices(engine.points.len())?;
+        self.note_peak(&engine);
         self.lap(Phase::Delaunay);
-        let all_edges = edges_of(&surface)?;
+
+        report(self.observer, Phase::Segments, 0.0)?;
+        let all_edges = edges_of(surface)?;
         let edges = engine.map(&all_edges)?;
         let corners = engine.map(&surface.triangles)?;
         let Engine { delaunay, points, .. } = &mut engine;
+        let observer = &mut *self.observer;
         let mut recovery = Recovery::new(delaunay, points);
-        let missing = recovery.edges(&edges, &mut |_| Ok(()))?;
-        let relaxed = relax(&surface, &all_edges, &missing)?;
-        let kept: Vec<[u32; 2]> = edges.iter().zip(&relaxed.keep).filter(|(_, k)| **k).map(|(e, _)| *e).collect();
+        let missing = recovery.edges(&edges, &mut |f| report(observer, Phase::Segments, f))?;
+        let relaxed = relax(surface, &all_edges, &missing)?;
+        let mut kept = Vec::new();
+        kept.try_reserve(edges.len())?;
+        kept.extend(edges.iter().zip(&relaxed.keep).filter(|e| *e.1).map(|e| *e.0));
         let mut segments = Segments::new(recovery.points, kept)?;
-        let ok = recovery.split_missing(&mut segments, &mut |_| Ok(()))?;
-        eprintln!("edges {} missing {} recovered {} relaxed {} split {} points {} ok {ok}", edges.len(), recovery.missing_edges, recovery.recovered, edges.len() - segments.ends.len(), recovery.split, segments.steiner_t.len());
+        segments.missing = recovery.missing_edges;
+        let split = recovery.split_missing(&mut segments, &mut |f| report(observer, Phase::Segments, f))?;
         self.lap(Phase::Segments);
-        let triangles = Triangles { corners: &corners, facet: &surface.triangle_facet, patch: &relaxed.patch, patch_count: relaxed.patch_count };
-        let mut subfaces = Subfaces::build(recovery.points, &triangles, &segments)?;
-        recovery.recovered = 0;
-        let ok = ok && recovery.faces(&mut subfaces, &mut |_| Ok(()))?;
-        eprintln!("faces {} missing {} recovered {} {}", subfaces.verts.len(), recovery.missing_faces, recovery.recovered, if ok {"GOOD"} else {"BAD"});
-        drop(recovery);
-        self.lap(Phase::Facets);
-        crate::mesh::check::check_topology(&engine.delaunay.mesh).map_err(Error::internal)?;
-        let mesh = &engine.delaunay.mesh;
-        for t in 0..mesh.slot_count() as u32 {
-            if mesh.is_live(t) && !mesh.is_ghost(t) {
-                let [a, b, c, d] = mesh.verts[t as usize];
-                if engine.points.orient3d(a, b, c, d) != crate::predicates::Sign::Positive { return Err(Error::internal("neg")); }
-            }
+        if !split {
+            return Ok(None);
         }
-        self.lap(Phase::Segments);
-        eprintln!("seconds {:?}", self.statistics.seconds);
-        Err(Error::new(Status::Unsupported, "not offered yet"))
+
+        report(self.observer, Phase::Facets, 0.0)?;
+        let triangles = Triangles {
+            corners: &corners,
+            facet: &surface.triangle_facet,
+            patch: &relaxed.patch,
+            patch_count: relaxed.patch_count,
+        };
+        let mut subfaces = Subfaces::build(recovery.points, &triangles, &segments)?;
+        let observer = &mut *self.observer;
+        let found = recovery.faces(&mut subfaces, &mut |f| report(observer, Phase::Facets, f))?;
+        let counts = &mut self.statistics.preserve;
+        counts.missing_edges = recovery.missing_edges;
+        counts.missing_faces = recovery.missing_faces;
+        counts.by_reconnection = recovery.recovered;
+        counts.by_splits = recovery.split;
+        self.lap(Phase::Facets);
+        self.note_peak(&engine);
+        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch }))
     }
 }
 
