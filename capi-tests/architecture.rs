@@ -23,7 +23,19 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("reconnect", &["predicates", "error"]),
     (
         "preserve",
-        &["reconnect", "region", "constrain", "delaunay", "mesh", "predicates", "plc", "output", "error", "progress", "options"],
+        &[
+            "reconnect",
+            "region",
+            "constrain",
+            "delaunay",
+            "mesh",
+            "predicates",
+            "plc",
+            "output",
+            "error",
+            "progress",
+            "options",
+        ],
     ),
     (
         "tetrahedralize",

@@ -45,7 +45,7 @@ if make_judge; then
   grep -v '/bad_' "$work/sample" > "$work/sample-valid.txt"
   grep '/bad_' "$work/sample" > "$work/sample-invalid.txt"
   run() { python3 "$shared/tools/run-corpus" --bin "$bin" --judge "$judge" "$@"; }
-  for mode in cdt merge; do
+  for mode in cdt merge preserve; do
     step "our models, $mode, judged" run --list "$work/own-valid.txt" --mode $mode
     step "sample of the corpus, $mode, judged" run --list "$work/sample-valid.txt" --mode $mode
   done

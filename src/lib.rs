@@ -46,7 +46,7 @@ pub mod region;
 pub mod rounding;
 pub mod tetrahedralize;
 
-pub use check::check_mesh;
+pub use check::{check_mesh, check_preserved};
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, Options};
 pub use output::{

@@ -1,7 +1,7 @@
 //! The result: flat arrays in doubles, input points first, with the origin of everything.
 use crate::progress::Phase;
 
-/// A Steiner point and where it lies.
+/// A Steiner point and where it lies: on an edge of the input, or inside ([`SteinerPoint::INSIDE`]; on no segment then).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct SteinerPoint {
@@ -13,7 +13,20 @@ pub struct SteinerPoint {
     /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only.
     pub segment: u32,
     /// The double coordinates in `points` are exactly `a + t (b − a)`; false: they are rounded (or moved by the rounding step).
+    /// A point inside lies where its doubles are: true.
     pub exact: bool,
+}
+
+impl SteinerPoint {
+    /// A point on no edge, facet or segment of the input ([`Mode::Preserve`](crate::Mode::Preserve)): it lies exactly where
+    /// its doubles are.
+    pub const INSIDE: SteinerPoint =
+        SteinerPoint { ends: [crate::INVALID; 2], t: 0.0, segment: crate::INVALID, exact: true };
+
+    /// Whether the point lies on no edge of the input.
+    pub fn is_inside(&self) -> bool {
+        self.ends == [crate::INVALID; 2]
+    }
 }
 
 /// A piece of a facet: a triangle that is a face of the mesh.

@@ -15,9 +15,6 @@ use crate::plc::merge::Guide;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared, RegionSeed};
 use crate::predicates::{scale, Points};
-use crate::preserve::from_constrained;
-use crate::preserve::retarget::Target;
-use crate::preserve::solid::Solid;
 use crate::progress::{report, Observer, Phase};
 use crate::region::{components, label, Components, Regions, Seeds};
 use crate::rounding::{round, Kept};
@@ -25,6 +22,7 @@ use crate::INVALID;
 use std::time::Instant;
 
 mod assemble;
+mod preserve;
 
 /// Makes a tetrahedral mesh of a PLC.
 ///
@@ -37,20 +35,21 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     }
     let mut run = Run { clock: Instant::now(), statistics: Statistics::default(), observer };
     let prepared = run.prepare(plc, options)?;
-    let mut engine = Engine::new(prepared.surface(), options)?;
-    run.delaunay(&mut engine)?;
     let mut mesh = match options.mode {
-        Mode::Delaunay => assemble::delaunay(engine, plc, prepared.surface())?,
+        Mode::Delaunay => {
+            let mut engine = Engine::new(prepared.surface(), options)?;
+            run.delaunay(&mut engine)?;
+            assemble::delaunay(engine, plc, prepared.surface())?
+        }
         Mode::Constrained => {
+            let mut engine = Engine::new(prepared.surface(), options)?;
+            run.delaunay(&mut engine)?;
             let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
             let mesh = run.constrain(plc, &surface, options, segments, &mut engine)?;
             drop(engine);
             mesh
         }
-        Mode::Preserve => {
-            let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
-            run.preserve(plc, &surface, options, &segments, &mut engine)?
-        }
+        Mode::Preserve => run.preserve(plc, options, prepared)?,
     };
     run.audit(plc, options, &mut mesh)?;
     Ok(mesh)
@@ -273,37 +272,6 @@ impl Run<'_> {
             self.lap(Phase::Round);
             return Ok(mesh);
         }
-    }
-
-    /// From segments that are unions of edges to the surface without any point on it.
-    fn preserve(
-        &mut self,
-        plc: &Plc,
-        surface: &Surface,
-        options: &Options,
-        segments: &Segments,
-        engine: &mut Engine,
-    ) -> Result<TetMesh, Error> {
-        let subfaces = self.recover_facets(surface, segments, engine)?;
-        let (components, regions) = self.find_regions(plc, options, engine)?;
-        let carved = std::mem::take(&mut engine.delaunay.mesh);
-        let mut solid = Solid::carve(carved, engine.points.len(), &components, &regions, &subfaces)?;
-        drop((subfaces, components));
-        let target = Target { triangles: &engine.map(&surface.triangles)?, patch: &surface.triangle_patch };
-        let observer = &mut *self.observer;
-        let inside = from_constrained(
-            &mut solid,
-            &mut engine.points,
-            segments,
-            &target,
-            &mut self.statistics.preserve,
-            &mut |fraction| report(observer, Phase::Round, fraction),
-        )?;
-        self.statistics.missing_segments = segments.missing;
-        let mut mesh = assemble::preserved(engine, plc, surface, &solid, &inside.list, &regions)?;
-        mesh.hull_kept = options.keep_hull;
-        self.lap(Phase::Round);
-        Ok(mesh)
     }
 
     fn recover_segments(

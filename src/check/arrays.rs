@@ -59,6 +59,10 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     for (i, steiner) in mesh.steiner.iter().enumerate() {
         let ends_ok = steiner.ends.iter().all(|&v| (v as usize) < plc.points.len());
         let t_ok = steiner.t >= SMALLEST_PARAMETER && steiner.t < 1.0;
+        // A point inside lies where its doubles are: it has no parents and no parameter.
+        if steiner.is_inside() && steiner.segment == INVALID && steiner.exact {
+            continue;
+        }
         if !ends_ok || !segment_or_none(steiner.segment) || !t_ok {
             bad_index(report, Element::Point((plc.points.len() + i) as u32));
         }

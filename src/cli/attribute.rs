@@ -1,18 +1,24 @@
 //! The facets of a mesh's faces, where a file does not tell them: TetGen's `.face` holds markers only.
 //!
-//! Needed for meshes without Steiner points alone (the checker does not judge facets of others, for the parents of such points
-//! are not in the files): there the corners of a face are corners of its facet.
+//! Needed for meshes without Steiner points on the surface alone (the checker does not judge facets of others, for the parents of
+//! such points are not in the files): there the corners of a face are corners of its facet.
 use delotet::predicates::{orient3d, Sign};
 use delotet::{Error, Plc, Status, Subface, TetMesh, INVALID};
 use std::collections::HashMap;
 
-/// Sets facet and sides of every subface of a mesh that has the input's points and no others; else drops the subfaces.
+/// Sets facet and sides of every subface of a mesh whose added points are all said to lie inside; else, or where that is not
+/// so, drops the subfaces.
 ///
 /// # Errors
 /// [`Status::Unsupported`] if a face cannot be attributed to one facet.
 pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
     let points = mesh.points.len();
-    if points != plc.points.len() || mesh.tets.iter().flatten().any(|&v| v as usize >= points) {
+    let known = mesh.steiner.len() == points.saturating_sub(plc.points.len());
+    let on_input = |face: &Subface| face.corners.iter().all(|&v| (v as usize) < plc.points.len());
+    if !known
+        || !mesh.subfaces.iter().all(on_input)
+        || mesh.tets.iter().flatten().any(|&v| v as usize >= points)
+    {
         mesh.subfaces.clear();
         return Ok(());
     }

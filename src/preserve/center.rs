@@ -48,13 +48,7 @@ pub fn center(planes: &[Plane], size: f64) -> ([f64; 3], f64) {
         }
         // The entering column in terms of the basis.
         let n = plane.normal;
-        let columns = [0, 1, 2, 3].map(|k| {
-            if k == 3 {
-                [1.0; 4]
-            } else {
-                basis.map(|b| b.normal[k])
-            }
-        });
+        let columns = [0, 1, 2, 3].map(|k| if k == 3 { [1.0; 4] } else { basis.map(|b| b.normal[k]) });
         let Some(share) = solve(columns, [n[0], n[1], n[2], 1.0]) else { break };
         let leaving = (0..4)
             .filter(|&j| share[j] > 1e-14)

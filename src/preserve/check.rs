@@ -27,7 +27,11 @@ pub fn check_solid(solid: &Solid, points: &Points) -> Result<(), String> {
                 return Err(format!("tetrahedron {t}: face {face:?} has flag {flagged}"));
             }
             let n = solid.mesh.across(4 * t + f) >> 2;
-            if !flagged && !ghost && !solid.mesh.is_ghost(n) && solid.region[t as usize] != solid.region[n as usize] {
+            if !flagged
+                && !ghost
+                && !solid.mesh.is_ghost(n)
+                && solid.region[t as usize] != solid.region[n as usize]
+            {
                 return Err(format!("tetrahedron {t}: another region beyond face {face:?}"));
             }
         }

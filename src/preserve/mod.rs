@@ -3,12 +3,15 @@
 //! From the constrained Delaunay tetrahedralization, whose Steiner points lie on segments, to one that has every triangle of the
 //! surface as a face ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are taken away
 //! ([`unsplit`]), patches get the surface's triangles again ([`retarget`]), and points inside that are not needed go ([`thin`]).
+pub mod cavity;
 pub mod center;
 pub mod check;
 pub mod hollow;
+pub mod corridor;
 pub mod inside;
 pub mod place;
 pub mod polygon;
+pub mod recover;
 pub mod retarget;
 pub mod solid;
 pub mod star;
@@ -137,7 +140,10 @@ fn unsplit_all(
                 if i % 64 == 0 {
                     tick(1.0 - (before - i + kept.len()) as f64 / total)?;
                 }
-                if std::env::var("DBGCHECK").is_ok() { check::check_solid(unsplit.solid, unsplit.points).map_err(|e| Error::internal(format!("{v} {:?}: {e}", kept.last())))?; }
+                if std::env::var("DBGCHECK").is_ok() {
+                    check::check_solid(unsplit.solid, unsplit.points)
+                        .map_err(|e| Error::internal(format!("{v} {:?}: {e}", kept.last())))?;
+                }
                 match unsplit.remove(v, along.of(v), effort)? {
                     Outcome::Deleted => statistics.deleted += 1,
                     Outcome::Relocated => statistics.relocated += 1,
@@ -160,7 +166,10 @@ fn unsplit_all(
     }
     let mut error = Error::new(
         Status::Rounding,
-        format!("{} points cannot be taken off the surface: points inside have no valid position", left.len()),
+        format!(
+            "{} points cannot be taken off the surface: points inside have no valid position",
+            left.len()
+        ),
     );
     error.defect_count = left.len();
     error.defects = left

@@ -16,7 +16,12 @@ pub fn sees_all(points: &Points, p: u32, faces: &[[u32; 3]]) -> bool {
 }
 
 /// The planes of the faces, coordinates relative to `origin`; faces that are flat in plain arithmetic are left out.
-pub fn planes(points: &Points, faces: &[[u32; 3]], origin: &[f64; 3], out: &mut Vec<Plane>) -> Result<f64, Error> {
+pub fn planes(
+    points: &Points,
+    faces: &[[u32; 3]],
+    origin: &[f64; 3],
+    out: &mut Vec<Plane>,
+) -> Result<f64, Error> {
     out.clear();
     out.try_reserve(faces.len())?;
     let mut size = 0.0f64;

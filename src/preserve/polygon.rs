@@ -147,7 +147,12 @@ fn shape(points: &Points, corners: [u32; 3]) -> f64 {
 }
 
 /// A triangulation by cutting ears that hold no other corner.
-fn clip_ears(points: &Points, axis: usize, polygon: &[u32], turn: Sign) -> Result<Option<Vec<[u32; 3]>>, Error> {
+fn clip_ears(
+    points: &Points,
+    axis: usize,
+    polygon: &[u32],
+    turn: Sign,
+) -> Result<Option<Vec<[u32; 3]>>, Error> {
     let mut left: Vec<u32> = Vec::new();
     left.try_reserve(polygon.len())?;
     left.extend_from_slice(polygon);

@@ -107,9 +107,12 @@ impl<'a> Retarget<'a> {
         let mut wanted: Vec<(u32, [u32; 3])> = Vec::new();
         wanted.try_reserve(target.triangles.len())?;
         wanted.extend(
-            target.patch.iter().copied().zip(target.triangles.iter().copied()).filter(|x| {
-                wrong.binary_search(&x.0).is_ok()
-            }),
+            target
+                .patch
+                .iter()
+                .copied()
+                .zip(target.triangles.iter().copied())
+                .filter(|x| wrong.binary_search(&x.0).is_ok()),
         );
         wanted.sort_unstable();
         for patch in wrong {
@@ -125,12 +128,7 @@ impl<'a> Retarget<'a> {
         Ok(self.count)
     }
 
-    fn note_codes(
-        &mut self,
-        t: u32,
-        wrong: &[u32],
-        present: &mut Vec<(u32, [u32; 3])>,
-    ) -> Result<(), Error> {
+    fn note_codes(&mut self, t: u32, wrong: &[u32], present: &mut Vec<(u32, [u32; 3])>) -> Result<(), Error> {
         let flags = self.solid.mesh.flags[t as usize];
         if flags & flag::DEAD != 0 {
             return Ok(());
@@ -310,7 +308,8 @@ impl<'a> Retarget<'a> {
             side.tets.try_reserve(1)?;
             side.faces.try_reserve(2)?;
             side.tets.push(t);
-            let Some(slots) = [a, b, left].map(|v| mesh.slot_of(t, v)).into_iter().collect::<Option<Vec<u32>>>()
+            let Some(slots) =
+                [a, b, left].map(|v| mesh.slot_of(t, v)).into_iter().collect::<Option<Vec<u32>>>()
             else {
                 return Err(Error::internal("the tetrahedra round a flat edge are no ring"));
             };
@@ -345,7 +344,7 @@ impl<'a> Retarget<'a> {
         [c, d]: [u32; 2],
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
         let mut new = Vec::new();
-        let polyhedron = Polyhedron { faces: &side.faces, inner: &[], edges: &[] };
+        let polyhedron = Polyhedron { faces: &side.faces, inner: &[], ..Polyhedron::default() };
         if self.reconnect.fill(self.points, &polyhedron, self.budget, &mut new)? {
             return Ok(Some(new));
         }

@@ -81,9 +81,8 @@ impl Solid {
         solid.region = region_of;
         let mut carved: Vec<u32> = Vec::new();
         carved.try_reserve(slots)?;
-        carved.extend(
-            (0..slots as u32).filter(|&t| solid.mesh.is_live(t) && solid.region[t as usize] == NONE),
-        );
+        carved
+            .extend((0..slots as u32).filter(|&t| solid.mesh.is_live(t) && solid.region[t as usize] == NONE));
         solid.close(slots)?;
         solid.mesh.free.try_reserve(carved.len())?;
         for t in carved {

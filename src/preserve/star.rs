@@ -70,8 +70,11 @@ impl Star {
                 continue;
             }
             let number = self.sectors.len();
-            let mut sector =
-                Between { void: mesh.is_ghost(seed), region: solid.region[seed as usize], ..Between::default() };
+            let mut sector = Between {
+                void: mesh.is_ghost(seed),
+                region: solid.region[seed as usize],
+                ..Between::default()
+            };
             self.sector_of.insert(seed, number);
             stack.push(seed);
             while let Some(t) = stack.pop() {

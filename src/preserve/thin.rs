@@ -53,7 +53,7 @@ impl Thin {
             }
         }
         let mut new = Vec::new();
-        let polyhedron = Polyhedron { faces: &self.faces, inner: &[], edges: &[] };
+        let polyhedron = Polyhedron { faces: &self.faces, inner: &[], ..Polyhedron::default() };
         if !self.reconnect.fill(points, &polyhedron, budget, &mut new)? {
             return Ok(false);
         }

@@ -150,10 +150,9 @@ impl<'a> Unsplit<'a> {
         let wanted = self.wanted;
         for wall in &self.star.walls {
             let Some(axis) = axis_of(self.points, &wall.polygon) else { return Ok(false) };
-            let mut list =
-                self.polygons.triangulations(self.points, axis, &wall.polygon, &|a, b| {
-                    wanted.contains(&edge_key(a, b))
-                })?;
+            let mut list = self
+                .polygons
+                .triangulations(self.points, axis, &wall.polygon, &|a, b| wanted.contains(&edge_key(a, b)))?;
             list.truncate(most);
             if list.is_empty() {
                 return Ok(false);
@@ -241,7 +240,7 @@ impl<'a> Unsplit<'a> {
             self.stat_fills += 1;
             let walled = self.star.walls.iter().any(|w| w.sides.iter().any(|side| side.0 == s));
             let edges: &[[u32; 2]] = if walled { &[] } else { &[ends] };
-            let polyhedron = Polyhedron { faces: &self.faces, inner: &[], edges };
+            let polyhedron = Polyhedron { faces: &self.faces, edges, ..Polyhedron::default() };
             self.reconnect.fill(self.points, &polyhedron, budget, &mut new)?
         };
         if found { self.stat_ok += 1; }
@@ -365,7 +364,7 @@ impl<'a> Unsplit<'a> {
                     self.new_point([0, 1, 2].map(|k| from[k] + distance * w[k]))?;
                 }
                 let inner: Vec<u32> = self.inside.list[before..].to_vec();
-                let polyhedron = Polyhedron { faces: &self.faces, inner: &inner, edges };
+                let polyhedron = Polyhedron { faces: &self.faces, inner: &inner, edges, without: None };
                 let mut new = Vec::new();
                 if self.reconnect.fill(self.points, &polyhedron, effort.budget, &mut new)? {
                     return Ok(Some(new));

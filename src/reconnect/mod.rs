@@ -30,6 +30,8 @@ pub struct Polyhedron<'a> {
     pub inner: &'a [u32],
     /// Pairs of vertices that must be edges.
     pub edges: &'a [[u32; 2]],
+    /// A pair of vertices that must not be an edge.
+    pub without: Option<[u32; 2]>,
 }
 
 /// Fills polyhedra; keeps its scratch space.
@@ -51,10 +53,8 @@ impl Reconnect {
         if !self.search.begin(points, polyhedron)? {
             return Ok(false);
         }
-        if polyhedron.inner.is_empty() && polyhedron.edges.is_empty() {
-            if let Some(apex) = self.search.cone(points) {
-                return self.search.append_cone(apex, tets);
-            }
+        if let Some(apex) = self.search.cone(points) {
+            return self.search.append_cone(apex, tets);
         }
         self.search.run(points, budget, tets)
     }

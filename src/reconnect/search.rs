@@ -28,9 +28,11 @@ pub struct Search {
     /// Edges that must be.
     edges: Vec<[u8; 2]>,
     inner: Vec<u8>,
+    without: Option<[u8; 2]>,
     levels: Vec<Level>,
     depth: usize,
     tets: Vec<[u8; 4]>,
+    uses: Vec<(u8, u8, bool)>,
     xyz: Vec<[f64; 3]>,
 }
 
@@ -66,6 +68,9 @@ impl Search {
             let [Some(x), Some(y), Some(z)] = face.map(|v| self.signs.number(v)) else { return Ok(false) };
             self.boundary.push(canonical([x, y, z]));
         }
+        if !self.is_closed()? {
+            return Ok(false);
+        }
         self.edges.clear();
         self.edges.try_reserve(polyhedron.edges.len())?;
         for edge in polyhedron.edges {
@@ -76,6 +81,8 @@ impl Search {
         self.inner.clear();
         self.inner.try_reserve(polyhedron.inner.len())?;
         self.inner.extend(polyhedron.inner.iter().filter_map(|&v| self.signs.number(v)));
+        self.without =
+            polyhedron.without.and_then(|[a, b]| Some([self.signs.number(a)?, self.signs.number(b)?]));
         self.front.clear();
         self.front.try_reserve(4 * self.boundary.len() + 64)?;
         self.front.extend_from_slice(&self.boundary);
@@ -87,10 +94,31 @@ impl Search {
         Ok(true)
     }
 
+    /// Every edge of the boundary is used as often in one direction as in the other.
+    fn is_closed(&mut self) -> Result<bool, Error> {
+        let uses = &mut self.uses;
+        uses.clear();
+        uses.try_reserve(3 * self.boundary.len())?;
+        for &[x, y, z] in &self.boundary {
+            uses.extend([(x, y), (y, z), (z, x)].map(|(a, b)| (a.min(b), a.max(b), a < b)));
+        }
+        uses.sort_unstable();
+        Ok(uses
+            .chunk_by(|u, v| (u.0, u.1) == (v.0, v.1))
+            .all(|c| 2 * c.iter().filter(|u| u.2).count() == c.len()))
+    }
+
     /// A vertex from which all boundary faces without it are seen from inside: the one with the best worst tetrahedron.
     pub fn cone(&mut self, points: &Points) -> Option<u8> {
         let mut best: Option<(f64, u8)> = None;
         for w in 0..self.signs.count() as u8 {
+            // All that is inside the cone is the apex itself and edges from it.
+            let fits = self.inner.iter().all(|&v| v == w)
+                && self.edges.iter().all(|e| e.contains(&w))
+                && !self.without.is_some_and(|e| e.contains(&w));
+            if !fits {
+                continue;
+            }
             let mut worst = f64::INFINITY;
             let sees = (0..self.boundary.len()).all(|i| {
                 let f = self.boundary[i];
@@ -282,6 +310,9 @@ impl Search {
     /// The tetrahedron holds no vertex, its new edges pierce no front face, and no front or required edge pierces its new faces.
     fn is_free(&mut self, points: &Points, w: u8, face: Face, on_front: u64) -> bool {
         let [x, y, z] = face;
+        if self.without.is_some_and(|[p, q]| (w == p && face.contains(&q)) || (w == q && face.contains(&p))) {
+            return false;
+        }
         let mut rest = on_front & !(1 << w | 1 << x | 1 << y | 1 << z);
         while rest != 0 {
             let v = rest.trailing_zeros() as u8;

@@ -264,9 +264,7 @@ fn faces(
     point_of: impl Fn(u32) -> u32,
 ) -> Result<(), Error> {
     let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-    code_of
-        .try_reserve(subfaces.len())
-        .map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+    code_of.try_reserve(subfaces.len()).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
     for t in 0..mesh.slot_count() as u32 {
         for f in 0..4 {
             if mesh.is_live(t) && mesh.flags[t as usize] & (flag::FACE << f) != 0 {
