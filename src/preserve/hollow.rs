@@ -2,7 +2,7 @@
 //!
 //! What cannot be filled as it is often can when a tetrahedron behind one of its faces is added: the face that blocks it is gone then.
 //! Tetrahedra behind faces that few vertices see from inside are added first.
-use super::solid::Solid;
+use super::solid::{Sector, Solid};
 use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
 use crate::mesh::tables::EDGE;
@@ -50,6 +50,10 @@ pub struct Start<'a> {
     pub without: u32,
     /// An edge that must come.
     pub edge: Option<[u32; 2]>,
+    /// Tetrahedra with both vertices are not added: they belong to another part of the same replacement.
+    pub avoid: [u32; 2],
+    /// Nor are these.
+    pub taken: &'a [Sector],
 }
 
 impl Hollow {
@@ -118,7 +122,7 @@ impl Hollow {
         if self.corners.len() > MOST_VERTICES {
             return Ok(false);
         }
-        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges };
+        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges, without: None };
         reconnect.fill(points, &polyhedron, budget, new)
     }
 
@@ -136,9 +140,10 @@ impl Hollow {
         self.tets.try_reserve(start.tets.len() + growth.stages)?;
         self.tets.extend_from_slice(start.tets);
         let mut new = Vec::new();
+        let growth = match std::env::var("DBGG") { Ok(s) => { let v: Vec<usize> = s.split(',').map(|x| x.parse().unwrap()).collect(); Growth { budget: v[0] as u32, singles: v[1], stages: v[2] } } _ => growth };
         for _ in 0..growth.stages {
             self.bound(solid, start, isolated)?;
-            let ranked = self.ranked(solid, points)?;
+            let ranked = self.ranked(solid, points, start)?;
             for &(_, t) in ranked.iter().take(growth.singles) {
                 self.tets.push(t);
                 self.bound(solid, start, isolated)?;
@@ -154,7 +159,7 @@ impl Hollow {
     }
 
     /// Tetrahedra that could be added, those behind the faces that the fewest vertices see first.
-    fn ranked(&self, solid: &Solid, points: &Points) -> Result<Vec<(u32, u32)>, Error> {
+    fn ranked(&self, solid: &Solid, points: &Points, start: &Start) -> Result<Vec<(u32, u32)>, Error> {
         let mut vertices: Vec<u32> = self.corners.iter().copied().collect();
         vertices.sort_unstable();
         let mut ranked: Vec<(u32, u32)> = Vec::new();
@@ -166,7 +171,9 @@ impl Hollow {
                 .filter(|&&v| v != x && v != y && v != z && points.orient3d(v, x, y, z) == Sign::Positive)
                 .count();
             let t = code >> 2;
-            if solid.region[t as usize] == NONE {
+            let verts = &solid.mesh.verts[t as usize];
+            let taken = start.taken.iter().any(|s| s.old.contains(&t));
+            if solid.region[t as usize] == NONE || taken || start.avoid.iter().all(|v| verts.contains(v)) {
                 continue;
             }
             ranked.push((seen as u32, t));

@@ -24,6 +24,7 @@ use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::mesh::NONE;
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
+use hollow::Growth;
 use inside::Inside;
 use retarget::{Retarget, Target};
 use rustc_hash::FxHashSet;
@@ -34,6 +35,12 @@ use unsplit::{Effort, Outcome, Unsplit};
 static T0: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);
 /// Steps per search, from the first attempt to the last.
 const BUDGETS: [u32; 3] = [200, 2_000, 20_000];
+/// How far stars of points inside grow.
+const GROWTHS: [Growth; 3] = [
+    Growth { budget: 200, singles: 0, stages: 0 },
+    Growth { budget: 100, singles: 8, stages: 2 },
+    Growth { budget: 200, singles: 16, stages: 8 },
+];
 /// Triangulations per wall tried with these.
 const WALLS: [usize; 3] = [3, 8, 24];
 
@@ -59,9 +66,9 @@ pub fn from_constrained(
         return Err(Error::internal(format!("{} triangles of the surface were not reached", flips.missing)));
     }
     let mut thin = Thin::default();
-    for budget in BUDGETS {
-        thin.run(solid, points, &mut inside, budget)?;
-        if std::env::var("DBG").is_ok() { eprintln!("thin {budget} {} {:?}", inside.list.len(), T0.elapsed()); }
+    for growth in GROWTHS {
+        thin.run(solid, points, &mut inside, &isolated, growth)?;
+        if std::env::var("DBG").is_ok() { eprintln!("thin {growth:?} {} {:?}", inside.list.len(), T0.elapsed()); }
     }
     statistics.interior = inside.list.len() as u64;
     Ok(inside)

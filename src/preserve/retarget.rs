@@ -258,7 +258,7 @@ impl<'a> Retarget<'a> {
             let new = if ghost {
                 side.faces.iter().map(|&f| ghost_at(f)).collect()
             } else {
-                match self.fill_side(&mut side, [a, b], [c, d])? {
+                match self.fill_side(&mut side, &sectors, [a, b], [c, d])? {
                     Some(new) => new,
                     None => {
                         self.inside.shorten(before);
@@ -340,6 +340,7 @@ impl<'a> Retarget<'a> {
     fn fill_side(
         &mut self,
         side: &mut Side,
+        taken: &[Sector],
         [a, b]: [u32; 2],
         [c, d]: [u32; 2],
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
@@ -350,7 +351,15 @@ impl<'a> Retarget<'a> {
         }
         let walls = [side.faces[side.faces.len() - 2], side.faces[side.faces.len() - 1]];
         let gone = [face_key([a, b, c]), face_key([a, b, d])];
-        let start = Start { tets: &side.tets, gone: &gone, walls: &walls, without: NONE, edge: None };
+        let start = Start {
+            tets: &side.tets,
+            gone: &gone,
+            walls: &walls,
+            without: NONE,
+            edge: None,
+            avoid: [a, b],
+            taken,
+        };
         let growth = Growth { budget: self.budget, singles: 12, stages: 4 };
         let Retarget { solid, points, reconnect, isolated, hollow, .. } = self;
         if let Some(new) = hollow.grow(solid, points, reconnect, &start, isolated, growth)? {

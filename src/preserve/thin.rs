@@ -1,5 +1,6 @@
 //! Taking points inside away: the star of each is filled without it, where small polyhedron reconnection finds a way (contraction to
 //! a neighbour included: that is a filling with a common apex).
+use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::solid::{Sector, Solid};
 use crate::error::Error;
@@ -7,6 +8,7 @@ use crate::mesh::star::StarSearch;
 use crate::mesh::NONE;
 use crate::predicates::Points;
 use crate::reconnect::{Polyhedron, Reconnect};
+use rustc_hash::FxHashSet;
 
 /// Deletes points inside.
 #[derive(Default)]
@@ -14,6 +16,7 @@ pub struct Thin {
     reconnect: Reconnect,
     search: StarSearch,
     faces: Vec<[u32; 3]>,
+    hollow: Hollow,
 }
 
 impl Thin {
@@ -23,13 +26,14 @@ impl Thin {
         solid: &mut Solid,
         points: &Points,
         inside: &mut Inside,
-        budget: u32,
+        isolated: &FxHashSet<[u32; 2]>,
+        growth: Growth,
     ) -> Result<u64, Error> {
         let mut gone = 0;
         loop {
             let before = gone;
             for i in (0..inside.list.len()).rev() {
-                gone += u64::from(self.delete(solid, points, inside.list[i], budget)?);
+                gone += u64::from(self.delete(solid, points, inside.list[i], isolated, growth)?);
             }
             inside.sweep(solid);
             if gone == before {
@@ -39,7 +43,14 @@ impl Thin {
     }
 
     /// Fills the star of `p` without it, if it can.
-    fn delete(&mut self, solid: &mut Solid, points: &Points, p: u32, budget: u32) -> Result<bool, Error> {
+    fn delete(
+        &mut self,
+        solid: &mut Solid,
+        points: &Points,
+        p: u32,
+        isolated: &FxHashSet<[u32; 2]>,
+        growth: Growth,
+    ) -> Result<bool, Error> {
         let start = solid.vertex_tet[p as usize];
         if start == NONE {
             return Ok(false);
@@ -54,11 +65,30 @@ impl Thin {
         }
         let mut new = Vec::new();
         let polyhedron = Polyhedron { faces: &self.faces, inner: &[], ..Polyhedron::default() };
-        if !self.reconnect.fill(points, &polyhedron, budget, &mut new)? {
-            return Ok(false);
+        let mut old = self.search.tets.clone();
+        if !self.reconnect.fill(points, &polyhedron, growth.budget, &mut new)? {
+            if growth.stages == 0 {
+                return Ok(false);
+            }
+            let start = Start {
+                tets: &old,
+                gone: &[],
+                walls: &[],
+                without: p,
+                edge: None,
+                avoid: [p; 2],
+                taken: &[],
+            };
+            let Some(found) =
+                self.hollow.grow(solid, points, &mut self.reconnect, &start, isolated, growth)?
+            else {
+                return Ok(false);
+            };
+            new = found;
+            old = std::mem::take(&mut self.hollow.tets);
         }
         let region = solid.region[start as usize];
-        solid.replace(&[Sector { old: self.search.tets.clone(), new, region }])?;
+        solid.replace(&[Sector { old, new, region }])?;
         solid.vertex_tet[p as usize] = NONE;
         Ok(true)
     }
