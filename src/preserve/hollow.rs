@@ -122,7 +122,8 @@ impl Hollow {
         if self.corners.len() > MOST_VERTICES {
             return Ok(false);
         }
-        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges, without: None };
+        let polyhedron =
+            Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges, without: None };
         reconnect.fill(points, &polyhedron, budget, new)
     }
 
@@ -140,7 +141,13 @@ impl Hollow {
         self.tets.try_reserve(start.tets.len() + growth.stages)?;
         self.tets.extend_from_slice(start.tets);
         let mut new = Vec::new();
-        let growth = match std::env::var("DBGG") { Ok(s) => { let v: Vec<usize> = s.split(',').map(|x| x.parse().unwrap()).collect(); Growth { budget: v[0] as u32, singles: v[1], stages: v[2] } } _ => growth };
+        let growth = match std::env::var("DBGG") {
+            Ok(s) => {
+                let v: Vec<usize> = s.split(',').map(|x| x.parse().unwrap()).collect();
+                Growth { budget: v[0] as u32, singles: v[1], stages: v[2] }
+            }
+            _ => growth,
+        };
         for _ in 0..growth.stages {
             self.bound(solid, start, isolated)?;
             let ranked = self.ranked(solid, points, start)?;

@@ -6,9 +6,10 @@
 pub mod cavity;
 pub mod center;
 pub mod check;
-pub mod hollow;
 pub mod corridor;
+pub mod hollow;
 pub mod inside;
+pub mod order;
 pub mod place;
 pub mod polygon;
 pub mod recover;
@@ -61,14 +62,18 @@ pub fn from_constrained(
     let isolated = unsplit_all(solid, points, segments, target, &mut inside, statistics, tick)?;
     let sp = inside.list.len();
     let flips = Retarget::new(solid, points, &mut inside, &isolated, BUDGETS[0]).run(target)?;
-    if std::env::var("DBG").is_ok() { eprintln!("inside {sp} {flips:?} {:?}", T0.elapsed()); }
+    if std::env::var("DBG").is_ok() {
+        eprintln!("inside {sp} {flips:?} {:?}", T0.elapsed());
+    }
     if flips.missing > 0 {
         return Err(Error::internal(format!("{} triangles of the surface were not reached", flips.missing)));
     }
     let mut thin = Thin::default();
     for growth in GROWTHS {
         thin.run(solid, points, &mut inside, &isolated, growth)?;
-        if std::env::var("DBG").is_ok() { eprintln!("thin {growth:?} {} {:?}", inside.list.len(), T0.elapsed()); }
+        if std::env::var("DBG").is_ok() {
+            eprintln!("thin {growth:?} {} {:?}", inside.list.len(), T0.elapsed());
+        }
     }
     statistics.interior = inside.list.len() as u64;
     Ok(inside)
@@ -162,7 +167,14 @@ fn unsplit_all(
                 along.remove(v);
             }
             left = kept;
-            if std::env::var("DBG").is_ok() { eprintln!("round {effort:?}: {before} -> {} fills {:?}  {:?}", left.len(), unsplit.reconnect_stats(), T0.elapsed()); }
+            if std::env::var("DBG").is_ok() {
+                eprintln!(
+                    "round {effort:?}: {before} -> {} fills {:?}  {:?}",
+                    left.len(),
+                    unsplit.reconnect_stats(),
+                    T0.elapsed()
+                );
+            }
             if left.is_empty() || left.len() == before {
                 break;
             }

@@ -70,7 +70,13 @@ struct Side {
 
 impl<'a> Retarget<'a> {
     /// Nothing is done yet.
-    pub fn new(solid: &'a mut Solid, points: &'a mut Points, inside: &'a mut Inside, isolated: &'a FxHashSet<[u32; 2]>, budget: u32) -> Self {
+    pub fn new(
+        solid: &'a mut Solid,
+        points: &'a mut Points,
+        inside: &'a mut Inside,
+        isolated: &'a FxHashSet<[u32; 2]>,
+        budget: u32,
+    ) -> Self {
         Retarget {
             solid,
             points,

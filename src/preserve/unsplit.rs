@@ -95,7 +95,9 @@ impl<'a> Unsplit<'a> {
     }
 
     /// dbg
-    pub fn reconnect_stats(&self) -> (u64, u64) { (self.stat_fills, self.stat_ok) }
+    pub fn reconnect_stats(&self) -> (u64, u64) {
+        (self.stat_fills, self.stat_ok)
+    }
 
     /// Tries to take `v` away; `ends` are its neighbours on its segment.
     pub fn remove(&mut self, v: u32, ends: [u32; 2], effort: Effort) -> Result<Outcome, Error> {
@@ -243,7 +245,9 @@ impl<'a> Unsplit<'a> {
             let polyhedron = Polyhedron { faces: &self.faces, edges, ..Polyhedron::default() };
             self.reconnect.fill(self.points, &polyhedron, budget, &mut new)?
         };
-        if found { self.stat_ok += 1; }
+        if found {
+            self.stat_ok += 1;
+        }
         self.filled.insert(key, found.then_some(new));
         Ok(found)
     }

@@ -15,6 +15,7 @@ use crate::plc::patch::Patches;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
 use crate::preserve::from_constrained;
+use crate::preserve::order::first_points;
 use crate::preserve::recover::Recovery;
 use crate::preserve::retarget::Target;
 use crate::preserve::solid::Solid;
@@ -38,16 +39,18 @@ impl Run<'_> {
         options: &Options,
         prepared: Prepared,
     ) -> Result<TetMesh, Error> {
+        let mut first = Vec::new();
         if !options.keep_hull && options.merge_facets.is_none() {
             let surface = prepared.clone().connect(plc, options, None, self.observer)?;
+            first = first_points(&surface)?;
             self.lap(Phase::Validate);
-            if let Some(embedded) = self.reconnect(&surface, options)? {
+            if let Some(embedded) = self.reconnect(&surface, options, &first)? {
                 return self.free_surface(plc, &surface, options, embedded);
             }
             self.statistics.preserve = Default::default();
         }
-        let mut engine = Engine::new(prepared.surface(), options)?;
-        self.delaunay(&mut engine)?;
+        let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
+        self.delaunay_in(&mut engine, &mut order)?;
         let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
         let subfaces = self.recover_facets(&surface, &segments, &mut engine)?;
         let counts = &mut self.statistics.preserve;
@@ -90,21 +93,20 @@ impl Run<'_> {
 
     /// Recovers edges and faces by reconnection, inside a box, so that nothing of the surface lies on the hull. None if it was
     /// given up.
-    fn reconnect(&mut self, surface: &Surface, options: &Options) -> Result<Option<Embedded>, Error> {
-        let mut engine = Engine::new(surface, options)?;
+    fn reconnect(
+        &mut self,
+        surface: &Surface,
+        options: &Options,
+        first: &[u32],
+    ) -> Result<Option<Embedded>, Error> {
+        let (mut engine, inner) = Engine::numbered(surface, options, first)?;
         let count = engine.points.len() as u32;
         for corner in surrounding_box(engine.points.coordinates()) {
             engine.points.push(corner)?;
         }
-        let mut order: Vec<u32> = (count..count + 8).chain(0..count).collect();
-        let total = order.len() as f64;
-        let observer = &mut *self.observer;
-        engine.delaunay.build(&engine.points, &mut order, &mut |done| {
-            report(observer, Phase::Delaunay, done as f64 / total)
-        })?;
+        let mut order: Vec<u32> = (count..count + 8).chain(inner).collect();
+        self.delaunay_in(&mut engine, &mut order)?;
         engine.delaunay.index_vertices(engine.points.len())?;
-        self.note_peak(&engine);
-        self.lap(Phase::Delaunay);
 
         report(self.observer, Phase::Segments, 0.0)?;
         let all_edges = edges_of(surface)?;
