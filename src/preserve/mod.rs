@@ -37,9 +37,9 @@ static T0: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(st
 const BUDGETS: [u32; 3] = [200, 2_000, 20_000];
 /// How far stars of points inside grow.
 const GROWTHS: [Growth; 3] = [
-    Growth { budget: 200, singles: 0, stages: 0 },
-    Growth { budget: 100, singles: 8, stages: 2 },
-    Growth { budget: 200, singles: 16, stages: 8 },
+    Growth { budget: 200, branches: 0, tries: 0 },
+    Growth { budget: 100, branches: 8, tries: 24 },
+    Growth { budget: 200, branches: 8, tries: 200 },
 ];
 /// Triangulations per wall tried with these.
 const WALLS: [usize; 3] = [3, 8, 24];

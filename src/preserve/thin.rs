@@ -67,7 +67,7 @@ impl Thin {
         let polyhedron = Polyhedron { faces: &self.faces, inner: &[], ..Polyhedron::default() };
         let mut old = self.search.tets.clone();
         if !self.reconnect.fill(points, &polyhedron, growth.budget, &mut new)? {
-            if growth.stages == 0 {
+            if growth.tries == 0 {
                 return Ok(false);
             }
             let start = Start {
