@@ -13,6 +13,7 @@ pub mod place;
 pub mod polygon;
 pub mod recover;
 pub mod retarget;
+pub mod smooth;
 pub mod solid;
 pub mod star;
 pub mod thin;
@@ -26,6 +27,7 @@ use crate::output::PreserveStatistics;
 use crate::predicates::Points;
 use hollow::Growth;
 use inside::Inside;
+use smooth::smooth;
 use retarget::{Retarget, Target};
 use rustc_hash::FxHashSet;
 use solid::Solid;
@@ -33,17 +35,19 @@ use thin::Thin;
 use unsplit::{Effort, Outcome, Unsplit};
 
 static T0: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);
-/// Steps per search, from the first attempt to the last.
-const BUDGETS: [u32; 3] = [200, 2_000, 20_000];
+/// What is tried on points of the surface, in this order.
+const EFFORTS: [Effort; 4] = [
+    Effort { budget: 200, walls: 3, growth: None, relocate: false },
+    Effort { budget: 500, walls: 8, growth: None, relocate: false },
+    Effort { budget: 100, walls: 3, growth: Some(GROWTHS[1]), relocate: false },
+    Effort { budget: 200, walls: 3, growth: Some(GROWTHS[1]), relocate: true },
+];
 /// How far stars of points inside grow.
 const GROWTHS: [Growth; 3] = [
     Growth { budget: 200, branches: 0, tries: 0 },
     Growth { budget: 100, branches: 8, tries: 24 },
     Growth { budget: 200, branches: 8, tries: 200 },
 ];
-/// Triangulations per wall tried with these.
-const WALLS: [usize; 3] = [3, 8, 24];
-
 /// Takes all points off the surface; the mesh then has the target's triangles as faces. Returns the points inside.
 ///
 /// # Errors
@@ -60,16 +64,18 @@ pub fn from_constrained(
     T0.elapsed();
     let isolated = unsplit_all(solid, points, segments, target, &mut inside, statistics, tick)?;
     let sp = inside.list.len();
-    let flips = Retarget::new(solid, points, &mut inside, &isolated, BUDGETS[0]).run(target)?;
+    let flips = Retarget::new(solid, points, &mut inside, &isolated, GROWTHS[0].budget).run(target)?;
     if std::env::var("DBG").is_ok() { eprintln!("inside {sp} {flips:?} {:?}", T0.elapsed()); }
     if flips.missing > 0 {
         return Err(Error::internal(format!("{} triangles of the surface were not reached", flips.missing)));
     }
     let mut thin = Thin::default();
-    for growth in GROWTHS {
+    let growths = match std::env::var("DBGT") { Ok(s) => { let v: Vec<usize> = s.split(',').map(|x| x.parse().unwrap()).collect(); v.chunks(3).map(|v| Growth { budget: v[0] as u32, branches: v[1], tries: v[2] }).collect() } _ => GROWTHS.to_vec() };
+    for growth in growths {
         thin.run(solid, points, &mut inside, &isolated, growth)?;
         if std::env::var("DBG").is_ok() { eprintln!("thin {growth:?} {} {:?}", inside.list.len(), T0.elapsed()); }
     }
+    smooth(solid, points, &inside)?;
     statistics.interior = inside.list.len() as u64;
     Ok(inside)
 }
@@ -134,12 +140,7 @@ fn unsplit_all(
     left.extend((0..along.ends.len() as u32).rev().map(|i| along.first + i));
     let total = left.len().max(1) as f64;
     let mut unsplit = Unsplit::new(solid, points, &wanted, &mut isolated, inside);
-    let mut rounds: Vec<Effort> = Vec::new();
-    for i in 0..BUDGETS.len() {
-        rounds.push(Effort { budget: BUDGETS[i], walls: WALLS[i], relocate: false });
-    }
-    rounds.push(Effort { budget: BUDGETS[1], walls: WALLS[1], relocate: true });
-    for effort in rounds {
+    for effort in EFFORTS {
         loop {
             let before = left.len();
             let mut kept = Vec::new();
