@@ -1,7 +1,7 @@
 //! A polyhedron hollowed out of the mesh on one side of new walls, and its growth.
 //!
-//! What cannot be filled as it is often can when a tetrahedron behind one of its faces is added: the face that blocks it is gone then.
-//! Tetrahedra behind faces that few vertices see from inside are added first.
+//! What cannot be filled as it is often can when one of its edges is opened: all tetrahedra round it are added, so that the edge need
+//! not be there any more. Reflex edges and flat ones are what blocks (the twisted diagonals of a prism, for one).
 use super::solid::{Sector, Solid};
 use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
@@ -16,11 +16,14 @@ use rustc_hash::FxHashSet;
 pub struct Growth {
     /// Steps per search.
     pub budget: u32,
-    /// Single tetrahedra tried at each stage.
-    pub singles: usize,
-    /// Most tetrahedra added one after the other.
-    pub stages: usize,
+    /// Edges opened at each hollow.
+    pub branches: usize,
+    /// Hollows tried in all.
+    pub tries: usize,
 }
+
+/// Most tetrahedra added to open one edge.
+const MOST_RING: usize = 12;
 
 /// A polyhedron to fill; keeps its scratch space.
 #[derive(Default)]
@@ -35,6 +38,7 @@ pub struct Hollow {
     corners: FxHashSet<u32>,
     /// Faces of tetrahedra behind which others could be added: corner codes of these.
     doors: Vec<(u32, u32)>,
+    at_edge: Vec<([u32; 2], u32, u32)>,
 }
 
 /// What a hollow starts from.
@@ -122,12 +126,11 @@ impl Hollow {
         if self.corners.len() > MOST_VERTICES {
             return Ok(false);
         }
-        let polyhedron =
-            Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges, without: None };
+        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges, without: None };
         reconnect.fill(points, &polyhedron, budget, new)
     }
 
-    /// Fills the hollow with more and more tetrahedra added. Returns the new tetrahedra, or nothing; the old ones are in `self.tets`.
+    /// Fills the hollow with more and more opened, breadth first. Returns the new tetrahedra, or nothing; the old ones are in `self.tets`.
     pub fn grow(
         &mut self,
         solid: &Solid,
@@ -137,57 +140,101 @@ impl Hollow {
         isolated: &FxHashSet<[u32; 2]>,
         growth: Growth,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
-        self.tets.clear();
-        self.tets.try_reserve(start.tets.len() + growth.stages)?;
-        self.tets.extend_from_slice(start.tets);
         let mut new = Vec::new();
-        let growth = match std::env::var("DBGG") {
-            Ok(s) => {
-                let v: Vec<usize> = s.split(',').map(|x| x.parse().unwrap()).collect();
-                Growth { budget: v[0] as u32, singles: v[1], stages: v[2] }
-            }
-            _ => growth,
-        };
-        for _ in 0..growth.stages {
+        let mut known: FxHashSet<Vec<u32>> = FxHashSet::default();
+        let mut queue: Vec<Vec<u32>> = Vec::new();
+        let mut first = Vec::new();
+        first.try_reserve(start.tets.len())?;
+        first.extend_from_slice(start.tets);
+        queue.try_reserve(growth.tries + 1)?;
+        queue.push(first);
+        let mut next = 0;
+        while next < queue.len() {
+            self.tets.clear();
+            self.tets.try_reserve(queue[next].len())?;
+            self.tets.extend_from_slice(&queue[next]);
             self.bound(solid, start, isolated)?;
-            let ranked = self.ranked(solid, points, start)?;
-            for &(_, t) in ranked.iter().take(growth.singles) {
-                self.tets.push(t);
-                self.bound(solid, start, isolated)?;
-                if self.fill(reconnect, points, growth.budget, &mut new)? {
-                    return Ok(Some(new));
-                }
-                self.tets.pop();
+            // The start itself was tried by whoever asks to grow.
+            if next > 0 && self.fill(reconnect, points, growth.budget, &mut new)? {
+                return Ok(Some(new));
             }
-            let Some(&(_, t)) = ranked.first() else { break };
-            self.tets.push(t);
+            next += 1;
+            if queue.len() > growth.tries {
+                continue;
+            }
+            for ring in self.rings(solid, points, start)?.into_iter().take(growth.branches) {
+                let mut larger = self.tets.clone();
+                larger.try_reserve(ring.len())?;
+                larger.extend(ring);
+                let mut key = larger.clone();
+                key.sort_unstable();
+                if known.insert(key) && queue.len() <= growth.tries {
+                    queue.push(larger);
+                }
+            }
         }
         Ok(None)
     }
 
-    /// Tetrahedra that could be added, those behind the faces that the fewest vertices see first.
-    fn ranked(&self, solid: &Solid, points: &Points, start: &Start) -> Result<Vec<(u32, u32)>, Error> {
-        let mut vertices: Vec<u32> = self.corners.iter().copied().collect();
-        vertices.sort_unstable();
-        let mut ranked: Vec<(u32, u32)> = Vec::new();
-        ranked.try_reserve(self.doors.len())?;
+    /// The tetrahedra outside round each edge of the boundary that could be opened: reflex edges first, then flat ones, then those
+    /// with few tetrahedra.
+    fn rings(&mut self, solid: &Solid, points: &Points, start: &Start) -> Result<Vec<Vec<u32>>, Error> {
+        self.at_edge.clear();
         for &(face, code) in &self.doors {
             let [x, y, z] = self.faces[face as usize];
-            let seen = vertices
-                .iter()
-                .filter(|&&v| v != x && v != y && v != z && points.orient3d(v, x, y, z) == Sign::Positive)
-                .count();
-            let t = code >> 2;
-            let verts = &solid.mesh.verts[t as usize];
-            let taken = start.taken.iter().any(|s| s.old.contains(&t));
-            if solid.region[t as usize] == NONE || taken || start.avoid.iter().all(|v| verts.contains(v)) {
-                continue;
+            for (p, q) in [(x, y), (y, z), (z, x)] {
+                self.at_edge.try_reserve(1)?;
+                self.at_edge.push((edge_key(p, q), face, code));
             }
-            ranked.push((seen as u32, t));
+        }
+        self.at_edge.sort_unstable();
+        let mut ranked: Vec<(Sign, usize, [u32; 2], Vec<u32>)> = Vec::new();
+        for pair in self.at_edge.chunk_by(|a, b| a.0 == b.0) {
+            let [(edge, face, code), (_, other, _)] = *pair else { continue };
+            let Some(ring) = self.ring(solid, edge, code, start)? else { continue };
+            let [x, y, z] = self.faces[face as usize];
+            let apex = self.faces[other as usize].into_iter().find(|v| !edge.contains(v));
+            let Some(apex) = apex else { continue };
+            let sign =
+                if [x, y, z].contains(&apex) { Sign::Negative } else { points.orient3d(apex, x, y, z) };
+            ranked.try_reserve(1)?;
+            ranked.push((sign, ring.len(), edge, ring));
         }
         ranked.sort_unstable();
-        let mut known = FxHashSet::default();
-        ranked.retain(|x| known.insert(x.1));
-        Ok(ranked)
+        Ok(ranked.into_iter().map(|r| r.3).collect())
+    }
+
+    /// The tetrahedra outside round an edge, from the one behind a boundary face to the next boundary face; none if a wall or what
+    /// must not be taken is among them.
+    fn ring(
+        &self,
+        solid: &Solid,
+        edge: [u32; 2],
+        code: u32,
+        start: &Start,
+    ) -> Result<Option<Vec<u32>>, Error> {
+        let mesh = &solid.mesh;
+        let mut ring = Vec::new();
+        let mut entered = code;
+        let mut left = mesh.face(code).into_iter().find(|v| !edge.contains(v)).unwrap_or(NONE);
+        loop {
+            let t = entered >> 2;
+            if self.inside.contains(&t) {
+                return Ok(Some(ring));
+            }
+            let verts = &mesh.verts[t as usize];
+            let taken = start.taken.iter().any(|s| s.old.contains(&t));
+            if taken || ring.len() >= MOST_RING || start.avoid.iter().all(|v| verts.contains(v)) {
+                return Ok(None);
+            }
+            ring.try_reserve(1)?;
+            ring.push(t);
+            let Some(slot) = mesh.slot_of(t, left) else { return Ok(None) };
+            if solid.is_wall(4 * t + slot) {
+                return Ok(None);
+            }
+            left = mesh.apex(entered);
+            entered = mesh.across(4 * t + slot);
+        }
     }
 }

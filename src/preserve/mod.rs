@@ -6,14 +6,15 @@
 pub mod cavity;
 pub mod center;
 pub mod check;
-pub mod corridor;
 pub mod hollow;
+pub mod corridor;
 pub mod inside;
 pub mod order;
 pub mod place;
 pub mod polygon;
 pub mod recover;
 pub mod retarget;
+pub mod smooth;
 pub mod solid;
 pub mod star;
 pub mod thin;
@@ -27,6 +28,7 @@ use crate::output::PreserveStatistics;
 use crate::predicates::Points;
 use hollow::Growth;
 use inside::Inside;
+use smooth::smooth;
 use retarget::{Retarget, Target};
 use rustc_hash::FxHashSet;
 use solid::Solid;
@@ -34,17 +36,19 @@ use thin::Thin;
 use unsplit::{Effort, Outcome, Unsplit};
 
 static T0: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);
-/// Steps per search, from the first attempt to the last.
-const BUDGETS: [u32; 3] = [200, 2_000, 20_000];
+/// What is tried on points of the surface, in this order.
+const EFFORTS: [Effort; 4] = [
+    Effort { budget: 200, walls: 3, growth: None, relocate: false },
+    Effort { budget: 500, walls: 8, growth: None, relocate: false },
+    Effort { budget: 100, walls: 3, growth: Some(GROWTHS[1]), relocate: false },
+    Effort { budget: 200, walls: 3, growth: Some(GROWTHS[1]), relocate: true },
+];
 /// How far stars of points inside grow.
 const GROWTHS: [Growth; 3] = [
-    Growth { budget: 200, singles: 0, stages: 0 },
-    Growth { budget: 100, singles: 8, stages: 2 },
-    Growth { budget: 200, singles: 16, stages: 8 },
+    Growth { budget: 200, branches: 0, tries: 0 },
+    Growth { budget: 100, branches: 8, tries: 24 },
+    Growth { budget: 200, branches: 8, tries: 200 },
 ];
-/// Triangulations per wall tried with these.
-const WALLS: [usize; 3] = [3, 8, 24];
-
 /// Takes all points off the surface; the mesh then has the target's triangles as faces. Returns the points inside.
 ///
 /// # Errors
@@ -61,20 +65,18 @@ pub fn from_constrained(
     T0.elapsed();
     let isolated = unsplit_all(solid, points, segments, target, &mut inside, statistics, tick)?;
     let sp = inside.list.len();
-    let flips = Retarget::new(solid, points, &mut inside, &isolated, BUDGETS[0]).run(target)?;
-    if std::env::var("DBG").is_ok() {
-        eprintln!("inside {sp} {flips:?} {:?}", T0.elapsed());
-    }
+    let flips = Retarget::new(solid, points, &mut inside, &isolated, GROWTHS[0].budget).run(target)?;
+    if std::env::var("DBG").is_ok() { eprintln!("inside {sp} {flips:?} {:?}", T0.elapsed()); }
     if flips.missing > 0 {
         return Err(Error::internal(format!("{} triangles of the surface were not reached", flips.missing)));
     }
     let mut thin = Thin::default();
-    for growth in GROWTHS {
+    let growths = match std::env::var("DBGT") { Ok(s) => { let v: Vec<usize> = s.split(',').map(|x| x.parse().unwrap()).collect(); v.chunks(3).map(|v| Growth { budget: v[0] as u32, branches: v[1], tries: v[2] }).collect() } _ => GROWTHS.to_vec() };
+    for growth in growths {
         thin.run(solid, points, &mut inside, &isolated, growth)?;
-        if std::env::var("DBG").is_ok() {
-            eprintln!("thin {growth:?} {} {:?}", inside.list.len(), T0.elapsed());
-        }
+        if std::env::var("DBG").is_ok() { eprintln!("thin {growth:?} {} {:?}", inside.list.len(), T0.elapsed()); }
     }
+    smooth(solid, points, &inside)?;
     statistics.interior = inside.list.len() as u64;
     Ok(inside)
 }
@@ -139,12 +141,7 @@ fn unsplit_all(
     left.extend((0..along.ends.len() as u32).rev().map(|i| along.first + i));
     let total = left.len().max(1) as f64;
     let mut unsplit = Unsplit::new(solid, points, &wanted, &mut isolated, inside);
-    let mut rounds: Vec<Effort> = Vec::new();
-    for i in 0..BUDGETS.len() {
-        rounds.push(Effort { budget: BUDGETS[i], walls: WALLS[i], relocate: false });
-    }
-    rounds.push(Effort { budget: BUDGETS[1], walls: WALLS[1], relocate: true });
-    for effort in rounds {
+    for effort in EFFORTS {
         loop {
             let before = left.len();
             let mut kept = Vec::new();
@@ -167,14 +164,7 @@ fn unsplit_all(
                 along.remove(v);
             }
             left = kept;
-            if std::env::var("DBG").is_ok() {
-                eprintln!(
-                    "round {effort:?}: {before} -> {} fills {:?}  {:?}",
-                    left.len(),
-                    unsplit.reconnect_stats(),
-                    T0.elapsed()
-                );
-            }
+            if std::env::var("DBG").is_ok() { eprintln!("round {effort:?}: {before} -> {} fills {:?}  {:?}", left.len(), unsplit.reconnect_stats(), T0.elapsed()); }
             if left.is_empty() || left.len() == before {
                 break;
             }

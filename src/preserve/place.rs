@@ -90,6 +90,18 @@ pub fn place(
     Ok(false)
 }
 
+/// Moves point `p` to the point that is farthest from the planes of all faces, if it sees them; false (and `p` somewhere) if not.
+pub fn place_at_center(points: &mut Points, p: u32, faces: &[[u32; 3]]) -> Result<bool, Error> {
+    let from = *points.xyz(p);
+    let mut list = Vec::new();
+    let size = planes(points, faces, &from, &mut list)?;
+    let (best, distance) = center(&list, 4.0 * size.max(f64::MIN_POSITIVE));
+    if distance <= 0.0 {
+        return Ok(false);
+    }
+    accept(points, p, [0, 1, 2].map(|k| from[k] + best[k]), faces)
+}
+
 fn accept(points: &mut Points, p: u32, q: [f64; 3], faces: &[[u32; 3]]) -> Result<bool, Error> {
     if !q.iter().all(|&x| in_range(x)) {
         return Ok(false);

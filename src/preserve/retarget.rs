@@ -366,7 +366,7 @@ impl<'a> Retarget<'a> {
             avoid: [a, b],
             taken,
         };
-        let growth = Growth { budget: self.budget, singles: 12, stages: 4 };
+        let growth = Growth { budget: self.budget, branches: 8, tries: 60 };
         let Retarget { solid, points, reconnect, isolated, hollow, .. } = self;
         if let Some(new) = hollow.grow(solid, points, reconnect, &start, isolated, growth)? {
             self.count.grown += 1;

@@ -5,11 +5,12 @@
 //! faces; the point is *relocated*. Such a position exists by the half-ball argument (section 8.1): the faces opposite the point
 //! are seen from all positions near it, and the walls from those between their planes.
 use super::center::dot;
+use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::place::place;
 use super::polygon::Polygons;
 use super::solid::{ghost_at, Sector, Solid};
-use super::star::Star;
+use super::star::{Star, Wall};
 use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
 use crate::mesh::NONE;
@@ -28,6 +29,8 @@ pub struct Effort {
     pub budget: u32,
     /// Triangulations per wall.
     pub walls: usize,
+    /// Let sectors that cannot be filled grow.
+    pub growth: Option<Growth>,
     /// Use points inside where sectors cannot be filled.
     pub relocate: bool,
 }
@@ -56,6 +59,7 @@ pub struct Unsplit<'a> {
     /// Points inside made so far.
     pub inside: &'a mut Inside,
     reconnect: Reconnect,
+    hollow: Hollow,
     polygons: Polygons,
     star: Star,
     /// Triangulations of each wall, and the chosen ones.
@@ -83,6 +87,7 @@ impl<'a> Unsplit<'a> {
             isolated,
             inside,
             reconnect: Reconnect::default(),
+            hollow: Hollow::default(),
             polygons: Polygons::default(),
             star: Star::default(),
             options: Vec::new(),
@@ -111,19 +116,18 @@ impl<'a> Unsplit<'a> {
         self.filled.clear();
         self.fills = 0;
         let Some((choice, failed)) = self.choose(ends, effort)? else { return Ok(Outcome::Kept) };
-        if failed > 0 && !effort.relocate {
+        if failed > 0 && !effort.relocate && effort.growth.is_none() {
             return Ok(Outcome::Kept);
         }
         let before = self.inside.list.len();
         let mut sectors = Vec::new();
         sectors.try_reserve(self.star.sectors.len())?;
         for s in 0..self.star.sectors.len() {
-            let Some(new) = self.fill_or_place(v, s, &choice, ends, effort)? else {
+            let Some(sector) = self.fill_or_place(v, s, &choice, ends, (effort, &sectors))? else {
                 self.discard(before);
                 return Ok(Outcome::Kept);
             };
-            let sector = &self.star.sectors[s];
-            sectors.push(Sector { old: sector.tets.clone(), new, region: sector.region });
+            sectors.push(sector);
         }
         for (wall, (options, &c)) in self.star.walls.iter().zip(self.options.iter().zip(&choice)) {
             if wall.patch == NONE {
@@ -142,7 +146,7 @@ impl<'a> Unsplit<'a> {
             self.isolated.remove(&edge_key(v, ends[1]));
             self.isolated.insert(edge_key(ends[0], ends[1]));
         }
-        Ok(if failed == 0 { Outcome::Deleted } else { Outcome::Relocated })
+        Ok(if self.inside.list.len() == before { Outcome::Deleted } else { Outcome::Relocated })
     }
 
     /// Finds triangulations of all walls; false if one has none.
@@ -252,19 +256,67 @@ impl<'a> Unsplit<'a> {
         Ok(found)
     }
 
-    /// The tetrahedra of a sector: as filled, or with points inside.
+    /// A sector without the point: as filled, or grown and filled, or with points inside; `taken` are those done before.
     fn fill_or_place(
         &mut self,
         v: u32,
         s: usize,
         choice: &[usize],
         ends: [u32; 2],
-        effort: Effort,
-    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        (effort, taken): (Effort, &[Sector]),
+    ) -> Result<Option<Sector>, Error> {
+        let region = self.star.sectors[s].region;
+        let old = self.star.sectors[s].tets.clone();
         if self.try_fill(s, choice, ends, effort.budget)? {
-            return Ok(self.filled.remove(&self.key_of(s, choice)).flatten());
+            let new = self.filled.remove(&self.key_of(s, choice)).flatten();
+            return Ok(new.map(|new| Sector { old, new, region }));
         }
         self.collect_faces(s, choice)?;
+        if let Some(growth) = effort.growth {
+            if let Some(new) = self.grow(v, s, ends, taken, growth)? {
+                return Ok(Some(Sector { old: std::mem::take(&mut self.hollow.tets), new, region }));
+            }
+        }
+        if !effort.relocate {
+            return Ok(None);
+        }
+        let new = self.place_inside(v, s, ends, effort)?;
+        Ok(new.map(|new| Sector { old, new, region }))
+    }
+
+    /// Fills a sector that has grown.
+    fn grow(
+        &mut self,
+        v: u32,
+        s: usize,
+        ends: [u32; 2],
+        taken: &[Sector],
+        growth: Growth,
+    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        let touches = |wall: &&Wall| wall.sides.iter().any(|side| side.0 == s);
+        let gone: Vec<[u32; 3]> =
+            self.star.walls.iter().filter(touches).flat_map(|w| w.faces.iter().copied()).collect();
+        let walls = self.faces[self.star.sectors[s].link.len()..].to_vec();
+        let start = Start {
+            tets: &self.star.sectors[s].tets,
+            gone: &gone,
+            walls: &walls,
+            without: v,
+            edge: gone.is_empty().then_some(ends),
+            avoid: [v; 2],
+            taken,
+        };
+        self.hollow.grow(self.solid, self.points, &mut self.reconnect, &start, self.isolated, growth)
+    }
+
+    /// The tetrahedra of a sector with points inside.
+    fn place_inside(
+        &mut self,
+        v: u32,
+        s: usize,
+        ends: [u32; 2],
+        effort: Effort,
+    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
         let from = *self.points.xyz(v);
         let normals = self.wall_normals(s, from, ends);
         if self.convex(s) {
