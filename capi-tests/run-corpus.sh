@@ -41,7 +41,8 @@ for set in uniform:1000 uniform:10000 uniform:100000 uniform:1000000 clustered:1
 done
 step "comparison" python3 capi-tests/compare_peers.py --bin "$bin" --tsv "$out/compare.tsv"
 step "comparison, surface preserved" python3 capi-tests/compare_peers.py --mode preserve --bin "$bin" --tsv "$out/compare-preserve.tsv"
+step "surface preserved, counts and the exact check" python3 capi-tests/preserve_figures.py corpus --bin "$bin" --tsv "$out/preserve-counts.tsv"
 for figure in classics chazelle growth; do
-  step "surface preserved, $figure" python3 capi-tests/preserve_figures.py $figure --bin "$bin" --tetgen --tsv "$out/$figure.tsv"
+  step "surface preserved, $figure" python3 capi-tests/preserve_figures.py $figure --bin "$bin" --tetgen --tsv "$out/preserve-$figure.tsv"
 done
 closing

@@ -24,7 +24,7 @@ pub enum Phase {
     Audit = 7,
     /// Writing files.
     Write = 8,
-    /// Keeping the surface as it is ([`Mode::Preserve`](crate::Mode::Preserve)); comes before regions.
+    /// Keeping the surface as it is ([`Mode::Preserve`](crate::Mode::Preserve)); comes before the audit.
     Preserve = 9,
 }
 
@@ -39,8 +39,8 @@ impl Phase {
         Phase::Delaunay,
         Phase::Segments,
         Phase::Facets,
-        Phase::Preserve,
         Phase::Regions,
+        Phase::Preserve,
         Phase::Round,
         Phase::Audit,
         Phase::Write,

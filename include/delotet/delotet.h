@@ -289,7 +289,7 @@ typedef enum DelotetElement {
 } DelotetElement;
 
 /**
- * Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_REGIONS.
+ * Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
  */
 typedef enum DelotetPhase {
     /**

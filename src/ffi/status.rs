@@ -131,7 +131,7 @@ pub enum DelotetDefectKind {
     HullOffFacets = 24,
 }
 
-/// Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_REGIONS.
+/// Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DelotetPhase {
