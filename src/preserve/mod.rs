@@ -58,10 +58,11 @@ pub fn from_constrained(
     points: &mut Points,
     segments: &Segments,
     target: &Target,
+    mut inside: Inside,
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<Inside, Error> {
-    let mut inside = Inside::default();
+    inside.sweep(solid);
     T0.elapsed();
     let isolated = unsplit_all(solid, points, segments, target, &mut inside, statistics, tick)?;
     let sp = inside.list.len();

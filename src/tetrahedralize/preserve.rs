@@ -15,6 +15,7 @@ use crate::plc::patch::Patches;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
 use crate::preserve::from_constrained;
+use crate::preserve::inside::Inside;
 use crate::preserve::order::first_points;
 use crate::preserve::recover::Recovery;
 use crate::preserve::retarget::Target;
@@ -29,6 +30,8 @@ struct Embedded {
     subfaces: Subfaces,
     /// Patch of each triangle of the surface.
     patch: Vec<u32>,
+    /// Points inside.
+    inside: Vec<u32>,
 }
 
 impl Run<'_> {
@@ -57,7 +60,7 @@ impl Run<'_> {
         counts.missing_edges = segments.missing;
         counts.by_splits = segments.missing;
         let patch = surface.triangle_patch.clone();
-        self.free_surface(plc, &surface, options, Embedded { engine, segments, subfaces, patch })
+        self.free_surface(plc, &surface, options, Embedded { engine, segments, subfaces, patch, inside: Vec::new() })
     }
 
     /// Carves the domain and takes all points off the surface.
@@ -68,7 +71,7 @@ impl Run<'_> {
         options: &Options,
         embedded: Embedded,
     ) -> Result<TetMesh, Error> {
-        let Embedded { mut engine, segments, subfaces, patch } = embedded;
+        let Embedded { mut engine, segments, subfaces, patch, inside } = embedded;
         let (components, regions) = self.find_regions(plc, options, &mut engine)?;
         report(self.observer, Phase::Preserve, 0.0)?;
         let carved = std::mem::take(&mut engine.delaunay.mesh);
@@ -81,6 +84,7 @@ impl Run<'_> {
             &mut engine.points,
             &segments,
             &target,
+            Inside::of(inside),
             &mut self.statistics.preserve,
             &mut |fraction| report(observer, Phase::Preserve, fraction),
         )?;
@@ -143,9 +147,13 @@ impl Run<'_> {
         counts.missing_faces = recovery.missing_faces;
         counts.by_reconnection = recovery.recovered;
         counts.by_splits = recovery.split;
+        counts.by_interior_points = recovery.by_points;
+        let inside = std::mem::take(&mut recovery.inside);
+        drop(recovery);
         self.lap(Phase::Facets);
         self.note_peak(&engine);
-        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch }))
+        if !found && std::env::var("DBG").is_ok() { eprintln!("GIVEN UP"); }
+        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch, inside }))
     }
 }
 
