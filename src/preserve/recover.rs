@@ -189,7 +189,6 @@ impl<'a> Recovery<'a> {
         self.conform(subfaces)?;
         self.inner_edges(subfaces)?;
         self.conform(subfaces)?;
-        let subfaces = &*subfaces;
         let count = subfaces.verts.len();
         let mut present = Vec::new();
         present.try_reserve(count)?;
@@ -209,6 +208,16 @@ impl<'a> Recovery<'a> {
                     continue;
                 }
                 self.collect_region(subfaces, s as u32, &present, &mut in_region, &mut region)?;
+                if region.len() > 1 && self.conform_region(subfaces, &region)? {
+                    for &r in &region {
+                        in_region[r as usize] = false;
+                        present[r as usize] = self.mark_if_present(subfaces.verts[r as usize]);
+                    }
+                    if present[s] {
+                        continue;
+                    }
+                    self.collect_region(subfaces, s as u32, &present, &mut in_region, &mut region)?;
+                }
                 let corners: Vec<[u32; 3]> = region.iter().map(|&r| subfaces.verts[r as usize]).collect();
                 let done = self.recover_region(&corners, budget, round > 0, round + 1 == BUDGETS.len())?;
                 for &r in &region {
@@ -268,6 +277,34 @@ impl<'a> Recovery<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Turns edges between the subfaces of a region until it has all edges of the mesh between its vertices; true if any was turned.
+    /// (Sloan 1993; edges of the mesh do not cross each other.)
+    fn conform_region(&mut self, subfaces: &mut Subfaces, region: &[u32]) -> Result<bool, Error> {
+        let mut vertices: Vec<u32> = Vec::new();
+        vertices.try_reserve(3 * region.len())?;
+        vertices.extend(region.iter().flat_map(|&r| subfaces.verts[r as usize]));
+        vertices.sort_unstable();
+        vertices.dedup();
+        let mut any = false;
+        for (i, &p) in vertices.iter().enumerate() {
+            for &q in &vertices[i + 1..] {
+                if !self.has_edge(p, q) {
+                    continue;
+                }
+                for _ in 0..region.len() * region.len() {
+                    let crossing = region.iter().flat_map(|&r| 3 * r..3 * r + 3).find(|&code| {
+                        subfaces.crosses(self.points, code, [p, q])
+                            && subfaces.other_diagonal(self.points, code).is_some()
+                    });
+                    let Some(code) = crossing else { break };
+                    subfaces.turn(code);
+                    any = true;
+                }
+            }
+        }
+        Ok(any)
     }
 
     /// The missing subfaces connected to `s` through edges that the mesh lacks.

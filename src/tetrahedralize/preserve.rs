@@ -152,7 +152,6 @@ impl Run<'_> {
         drop(recovery);
         self.lap(Phase::Facets);
         self.note_peak(&engine);
-        if !found && std::env::var("DBG").is_ok() { eprintln!("GIVEN UP"); }
         Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch, inside }))
     }
 }
