@@ -20,9 +20,27 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("constrain", &["delaunay", "mesh", "predicates", "plc", "error", "progress", "options"]),
     ("region", &["constrain", "mesh", "predicates", "plc", "output", "error", "progress", "options"]),
     ("rounding", &["region", "constrain", "delaunay", "mesh", "predicates", "error", "progress", "options"]),
+    ("reconnect", &["predicates", "error"]),
+    (
+        "preserve",
+        &[
+            "reconnect",
+            "region",
+            "constrain",
+            "delaunay",
+            "mesh",
+            "predicates",
+            "plc",
+            "output",
+            "error",
+            "progress",
+            "options",
+        ],
+    ),
     (
         "tetrahedralize",
         &[
+            "preserve",
             "region",
             "rounding",
             "constrain",

@@ -284,3 +284,48 @@ fn merged_facets_are_counted_and_reported() {
     assert_eq!(count("--merge-facets"), 1);
     assert_eq!(count("--merge-facets=179.99999"), 0);
 }
+
+/// Schönhardt's polyhedron: no tetrahedralization without Steiner points.
+const TWISTED_PRISM: &str = "OFF\n6 8 0\n0 0 0\n4 0 0\n2 3 0\n1 -1 4\n4 1.5 4\n0.5 2.5 4\n3 0 2 1\n3 3 4 5\n\
+                             3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n";
+
+#[test]
+fn the_surface_is_preserved() {
+    let dir = folder("preserve");
+    std::fs::write(dir.join("prism.off"), TWISTED_PRISM).unwrap();
+    std::fs::write(dir.join("two.poly"), two_rooms()).unwrap();
+    let preserve = ["mesh", "prism.off", "-o", "p.ele", "--mode", "preserve", "--stats", "s.json"];
+    let output = delotet(&preserve, &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(said.contains("1 inside; the boundary is the input's as it is"), "{said}");
+    let stats = text(dir.join("s.json"));
+    assert!(stats.contains("\"interior\": 1") && stats.contains("\"subfaces\": 8"), "{stats}");
+    assert!(stats.contains("\"preserve\": {") && stats.contains("\"missing_edges\": "), "{stats}");
+    assert_eq!(text(dir.join("p.node")).lines().next(), Some("7  3  0  0"));
+    let check = delotet(&["check", "p.ele", "--input", "prism.off", "--preserved"], &dir);
+    assert_eq!(check.status.code(), Some(0), "{}", error_line(&check));
+    let output =
+        delotet(&["mesh", "two.poly", "-o", "t.ele", "--mode", "preserve", "--stats", "s.json"], &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+    assert!(text(dir.join("s.json")).contains("\"regions\": 2"));
+    let check = delotet(&["check", "t.ele", "--input", "two.poly", "--preserved"], &dir);
+    assert_eq!(check.status.code(), Some(0), "{}", error_line(&check));
+}
+
+#[test]
+fn check_says_that_the_surface_was_not_preserved() {
+    let dir = folder("not-preserved");
+    std::fs::write(dir.join("prism.off"), TWISTED_PRISM).unwrap();
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    assert!(delotet(&["mesh", "prism.off", "-o", "p.ele"], &dir).status.success());
+    let arguments = ["check", "p.ele", "--input", "prism.off", "--preserved", "--report", "r.json"];
+    let output = delotet(&arguments, &dir);
+    assert_eq!(output.status.code(), Some(1), "{}", error_line(&output));
+    assert!(error_line(&output).contains("corner of a face on the surface"), "{}", error_line(&output));
+    assert!(text(dir.join("r.json")).contains("\"kind\": \"facet missing\""), "{}", text(dir.join("r.json")));
+    // The cube needs no points, however it is meshed; its square sides may be cut either way.
+    assert!(delotet(&["mesh", "cube.off", "-o", "c.ele"], &dir).status.success());
+    let output = delotet(&["check", "c.ele", "--input", "cube.off", "--preserved"], &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+}

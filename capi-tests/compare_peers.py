@@ -2,12 +2,15 @@
 """Compares delotet with the recorded figures of other programs, translated to this machine.
 
   compare_peers.py --bin target/release/delotet [--peers ../shared/docs/peers.tsv] [--corpus ../shared/corpus/models]
-                   [--repeat 1] [--only SUBSTRING] [--limit 60] [--merge-facets] [--tsv FILE]
+                   [--repeat 1] [--only SUBSTRING] [--limit 60] [--merge-facets | --mode preserve]
+                   [--tsv FILE]
 
 Runs Debian's `tetgen -p` and `delotet mesh` alternately on every model of the table, in time without reading and writing (TetGen's
 "Total running seconds"; ours: total less read and write). The factor between this machine and the recorded one is
 TetGen's time here over its recorded time, summed over the models that it survives in both places; the exact peer's recorded seconds are multiplied by it.
-The least of --repeat runs counts. With --merge-facets ours merges facets, as TetGen's -p does. Exit 0 if delotet meshed every model.
+The least of --repeat runs counts. With --merge-facets ours merges facets, as TetGen's -p does. With --mode preserve ours
+keeps the surface, and the table is the one beside `tetgen -pY`: seconds, points inside, points on the surface taken away outright.
+Exit 0 if delotet meshed every model.
 """
 import argparse
 import json
@@ -31,12 +34,13 @@ def number(text):
         return None
 
 
-def tetgen_seconds(model, folder, limit):
+def tetgen_seconds(model, folder, limit, switches="-p"):
     """TetGen's own seconds, or None if it does not survive. It writes beside its input: so that is a copy."""
     copy = os.path.join(folder, os.path.basename(model))
-    shutil.copyfile(model, copy)
+    if os.path.abspath(model) != os.path.abspath(copy):
+        shutil.copyfile(model, copy)
     try:
-        result = subprocess.run(["tetgen", "-p", copy], capture_output=True, text=True, errors="replace", timeout=limit)
+        result = subprocess.run(["tetgen", switches, copy], capture_output=True, text=True, errors="replace", timeout=limit)
     except subprocess.TimeoutExpired:
         return None
     found = re.search(r"Total running seconds:\s*(\S+)", result.stdout)
@@ -113,6 +117,74 @@ def summarize(rows, failures):
     print(f"of these {len(counted)} recorded: Steiner points {points} : {added:.0f} (recorded), ratio {ratio(points, added)}")
 
 
+def tetgen_added(model, folder):
+    """How many points TetGen's last mesh of an .off or .smesh model has that are not the model's, by their coordinates to 15 digits: TetGen
+    drops points that it takes for equal, so a difference of numbers will not do."""
+    stem = os.path.join(folder, os.path.basename(model).rsplit(".", 1)[0])
+    key = lambda words: tuple(format(float(w) + 0.0, ".15g") for w in words)
+    words = [w for line in open(model, errors="replace") for w in line.split("#")[0].split()]
+    try:
+        off = model.endswith(".off")
+        count, width, skip = (int(words[1]), 3, 0) if off else (int(words[0]), 4, 1)
+        given = {key(words[i + skip:i + skip + 3]) for i in range(4, 4 + width * count, width)}
+        rows = [line.split() for line in open(stem + ".1.node") if line.split("#")[0].strip()]
+        return sum(key(row[1:4]) not in given for row in rows[1:])
+    except (OSError, ValueError, IndexError):
+        return None
+
+
+def measure_preserved(options, rows):
+    """One line a model: surfaces preserved, beside TetGen's -pY."""
+    failures = 0
+    print(f"{'model':34s} {'triangles':>9s} {'ours s':>9s} {'tetgen s':>9s} {'recorded':>9s} {'inside':>7s} {'tetgen':>7s} {'recorded':>8s} "
+          f"{'deleted':>8s} {'relocated':>9s}")
+    with tempfile.TemporaryDirectory() as folder:
+        for row in rows:
+            model = os.path.join(options.corpus, row["file"])
+            tetgen, ours = [], []
+            for _ in range(options.repeat):
+                tetgen.append(tetgen_seconds(model, folder, options.limit, "-pY"))
+                ours.append(our_figures(options.bin, model, folder, options.limit, ["--mode", "preserve"]))
+            row["tetgen_here"] = None if None in tetgen else min(tetgen)
+            row["tetgen_inside"] = tetgen_added(model, folder) if row["tetgen_here"] is not None else None
+            bad = next((o for o in ours if isinstance(o, str)), None)
+            failures += bad is not None
+            if not bad:
+                row["ours_s"], row["preserve"] = min(o[0] for o in ours), ours[0][2]["preserve"]
+            show = lambda x, form: format(x, form) if x is not None else "-"
+            kept = row.get("preserve", {})
+            print(f"{row['file']:34s} {row['triangles']:>9s} {bad or show(row['ours_s'], '.3f'):>9s} {show(row['tetgen_here'], '.3f'):>9s} "
+                  f"{show(number(row['tetgen_y_s']), '.3f'):>9s} {show(kept.get('interior'), 'd'):>7s} {show(row['tetgen_inside'], 'd'):>7s} "
+                  f"{show(number(row['tetgen_y_added']), '.0f'):>8s} {show(kept.get('deleted'), 'd'):>8s} {show(kept.get('relocated'), 'd'):>9s}",
+                  flush=True)
+    return failures
+
+
+def summarize_preserved(rows, failures):
+    """Sums over the models that both do."""
+    ratio = lambda a, b: f"{a / b:.3f}" if b else "-"
+    done = [r for r in rows if "ours_s" in r]
+    both = [r for r in done if r["tetgen_here"] is not None]
+    print(f"\ndelotet failed on {failures} of {len(rows)} models; TetGen -pY fails on {sum(r['tetgen_here'] is None for r in rows)} here, "
+          f"recorded on {sum(number(r['tetgen_y_s']) is None for r in rows)}")
+    ours, theirs = sum(r["ours_s"] for r in both), sum(r["tetgen_here"] for r in both)
+    inside, added = sum(r["preserve"]["interior"] for r in both), sum(r["tetgen_inside"] or 0 for r in both)
+    print(f"on {len(both)} models that both do: seconds {ours:.2f} : {theirs:.2f}, ratio {ratio(ours, theirs)}; points inside {inside} : {added}, "
+          f"ratio {ratio(inside, added)}")
+    # A negative record: TetGen dropped more points than it added.
+    recorded = [r for r in both if (number(r["tetgen_y_added"]) or 0) >= 0 and number(r["tetgen_y_added"]) is not None]
+    inside, added = sum(r["preserve"]["interior"] for r in recorded), sum(number(r["tetgen_y_added"]) for r in recorded)
+    print(f"of these {len(recorded)} recorded: points inside {inside} : {added:.0f} (recorded), ratio {ratio(inside, added)}")
+    if done:
+        total = lambda key: sum(r["preserve"][key] for r in done)
+        gone = total("deleted") + total("relocated")
+        print(f"on {len(done)} models: {total('interior')} points inside; {total('missing_edges')} edges and {total('missing_faces')} faces missing at "
+              f"first; {total('by_reconnection')} came by reconnection, {total('by_interior_points')} by points inside, {total('by_splits')} by splits; of "
+              f"{gone} points on the surface {total('deleted')} deleted outright ({ratio(total('deleted'), gone)})")
+        slowest = max(done, key=lambda r: r["ours_s"])
+        print(f"slowest: {slowest['file']} {slowest['ours_s']:.2f} s")
+
+
 def main():
     parser = argparse.ArgumentParser()
     root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "shared")
@@ -123,17 +195,19 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--limit", type=float, default=60)
     parser.add_argument("--merge-facets", action="store_true")
+    parser.add_argument("--mode", default="cdt", choices=["cdt", "preserve"])
     parser.add_argument("--tsv")
     options = parser.parse_args()
     options.bin = os.path.abspath(options.bin)
     rows = [dict(zip(FIELDS, line.rstrip("\n").split("\t"))) for line in open(options.peers) if line.strip()]
     rows = [r for r in rows if options.only in r["file"]]
-    failures = measure(options, rows)
-    summarize(rows, failures)
+    preserve = options.mode == "preserve"
+    failures = measure_preserved(options, rows) if preserve else measure(options, rows)
+    (summarize_preserved if preserve else summarize)(rows, failures)
     if options.tsv:
         with open(options.tsv, "w") as out:
             for r in rows:
-                out.write("\t".join(str(r.get(k, "")) for k in FIELDS + ["tetgen_here", "ours_s", "ours_steiner"]) + "\n")
+                out.write("\t".join(str(r.get(k, "")) for k in FIELDS + ["tetgen_here", "ours_s", "ours_steiner", "tetgen_inside", "preserve"]) + "\n")
     return 1 if failures else 0
 
 

@@ -3,9 +3,11 @@
 
   mesh_models.py --bin target/release/delotet [--only SUBSTRING]
 
-Every model: exit 0, the statistics file complete, the number of regions right, the input points first and bit for bit, every
-tetrahedron positive in exact arithmetic, the volume that of the model, the program's own check content, the same bytes with two
-threads. Broken models: exit 1, a report, nothing written. Then formats, conversions and exit codes. Exit 0 if all is well.
+Every model, constrained, with facets merged, and with its surface preserved: exit 0, the statistics file complete, the number of
+regions right, the input points first and bit for bit, every tetrahedron positive in exact arithmetic, the volume that of the model,
+the program's own check content, the same bytes with two threads. Preserved: every triangle a face of the mesh, the edges
+of general facets edges, the faces on them between input points. Broken models: exit 1, a report, nothing written. Then formats,
+conversions and exit codes. Exit 0 if all is well.
 """
 import argparse
 import json
@@ -13,6 +15,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from fractions import Fraction
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -25,8 +28,11 @@ REGIONS = {"two_material.poly": 2, "combs.smesh": 3, "nested.off": 4, "text.obj"
 VOLUME = {"internal.smesh": 240, "fins.poly": 240, "fan.poly": 512, "layers.poly": 64000}
 SIMPLE = {"bracket.off", "gear.stl", "plate.poly", "text.obj", "blob.ply", "sliver_cylinder.off", "schoenhardt.off", "chazelle.off"}
 # Merging may change the surface within its rounding noise, hence the volume: not compared there.
-KEYS = {"version", "points_in", "points", "tets", "steiner", "steiner_exact", "regions", "status", "peak_bytes", "seconds"}
-PHASES = {"read", "validate", "delaunay", "segments", "facets", "regions", "round", "audit", "write", "total"}
+MODES = {"constrained": [], "merged": ["--merge-facets"], "preserved": ["--mode", "preserve"]}
+CHECKS = {"constrained": [], "preserved": ["--preserved"]}
+PRESERVE = {"missing_edges", "missing_faces", "by_reconnection", "by_interior_points", "by_splits", "deleted", "relocated", "interior"}
+KEYS = {"preserve", "version", "points_in", "points", "tets", "steiner", "steiner_exact", "regions", "status", "peak_bytes", "seconds"}
+PHASES = {"read", "validate", "delaunay", "segments", "facets", "regions", "round", "audit", "write", "preserve", "total"}
 
 
 def scaled(points):
@@ -69,6 +75,37 @@ def mesh_faults(stem, source, name, exact):
     return faults
 
 
+def surface_faults(stem, source, stats):
+    """What is wrong with a mesh that was to keep the surface. Positive tetrahedra in conformity have no point on a face of theirs:
+    so where facets are faces between input points, or tiled by such faces (the program's own check sees to that), no added point
+    lies on them."""
+    faults = []
+    points, tets = read_mesh(stem)
+    given, facets, _, _ = check_models.READ[source.rsplit(".", 1)[1]](source)
+    faces = Counter(tuple(sorted(f)) for a, b, c, d in tets for f in ((a, b, c), (a, b, d), (a, c, d), (b, c, d)))
+    edges = {e for f in faces for e in ((f[0], f[1]), (f[0], f[2]), (f[1], f[2]))}
+    if max(faces.values()) > 2:
+        faults.append("a face of more than two tetrahedra")
+    rows = [[int(x) for x in line.split()] for line in open(stem + ".face") if line.split("#")[0].strip()][1:]
+    first = {}
+    same = [first.setdefault(p, i) for i, p in enumerate(given)]
+    triangles = [tuple(sorted(same[i] for i in rings[0])) for rings in facets if [len(r) for r in rings] == [3]]
+    missing = sum(t not in faces for t in triangles)
+    if missing:
+        faults.append(f"{missing} of {len(triangles)} triangles are no faces")
+    lost = sum(tuple(sorted((same[r[i - 1]], same[r[i]]))) not in edges for rings in facets for r in rings for i in range(len(r)) if len(r) > 1)
+    if lost:
+        faults.append(f"{lost} edges of facets are no edges")
+    on = sum(max(r[1:4]) >= len(given) for r in rows)
+    if on:
+        faults.append(f"{on} faces of the surface have an added point")
+    if sum(tuple(sorted(r[1:4])) not in faces for r in rows):
+        faults.append("faces of the surface are no faces of the mesh")
+    if stats["preserve"]["interior"] != len(points) - len(given):
+        faults.append(f"{len(points) - len(given)} points were added, {stats['preserve']['interior']} are counted")
+    return faults
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--bin", required=True)
@@ -107,24 +144,30 @@ def main():
             if options.only not in name:
                 continue
             source = os.path.join(HERE, "data", name)
-            for mode in ([], ["--merge-facets"]):
-                result = run("mesh", source, "-o", stem + ".ele", "--stats", stem + ".json", "--quiet", *mode)
+            for mode, flags in MODES.items():
+                result = run("mesh", source, "-o", stem + ".ele", "--stats", stem + ".json", "--quiet", *flags)
                 faults, stats = expect(result, 0), {}
                 if not faults:
                     stats = json.load(open(stem + ".json"))
-                    if not KEYS <= set(stats) or not PHASES <= set(stats["seconds"]):
-                        faults.append("statistics lack " + ", ".join(sorted(KEYS - set(stats) | PHASES - set(stats.get("seconds", {})))))
+                    if not KEYS <= set(stats) or not PHASES <= set(stats["seconds"]) or not PRESERVE <= set(stats["preserve"]):
+                        faults.append("statistics lack " + ", ".join(sorted(KEYS - set(stats) | PHASES - set(stats.get("seconds", {}))
+                                                                            | PRESERVE - set(stats.get("preserve", {})))))
                     if stats.get("regions") != REGIONS.get(name, 1):
                         faults.append(f"{stats.get('regions')} regions instead of {REGIONS.get(name, 1)}")
-                    faults += mesh_faults(stem, source, name, not mode)
-                if not faults and not mode:
-                    faults += expect(run("check", stem + ".ele", "--input", source), 0)
+                    faults += mesh_faults(stem, source, name, mode != "merged")
+                if not faults and mode == "preserved":
+                    faults += surface_faults(stem, source, stats)
+                    if name == "schoenhardt.off" and stats["preserve"]["interior"] != 1:
+                        faults.append(f"{stats['preserve']['interior']} points inside, one is enough")
+                if not faults and mode != "merged":
+                    faults += expect(run("check", stem + ".ele", "--input", source, *CHECKS[mode]), 0)
                     once = [open(stem + e, "rb").read() for e in (".node", ".ele")]
-                    faults += expect(run("mesh", source, "-o", stem + "2.ele", "--threads", "2", "--quiet"), 0)
+                    faults += expect(run("mesh", source, "-o", stem + "2.ele", "--threads", "2", "--quiet", *flags), 0)
                     if not faults and once != [open(stem + "2" + e, "rb").read() for e in (".node", ".ele")]:
                         faults.append("two threads give other bytes")
-                note = f"{stats.get('tets')} tetrahedra, {stats.get('steiner')} Steiner points" if stats else ""
-                verdict(name + (" merged" if mode else ""), faults, note)
+                inside = stats.get("preserve", {}).get("interior")
+                added = f"{inside} points inside" if mode == "preserved" else f"{stats.get('steiner')} Steiner points"
+                verdict(name + (f" {mode}" if flags else ""), faults, f"{stats.get('tets')} tetrahedra, {added}" if stats else "")
 
         invalid = os.path.join(HERE, "data", "invalid")
         for name in [*generate.INVALID, *generate.BROKEN]:

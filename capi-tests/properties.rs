@@ -1,6 +1,9 @@
 //! Random piecewise linear complexes on small integer grids, where degenerate cases are the norm: each valid one is meshed, and
 //! the mesh passes the exact checker. Reduced failures belong into a table of named regression cases, not here.
-use delotet::{check_mesh, tetrahedralize, Error, Facet, Options, Plc, Segment, Silent, Status, TetMesh};
+use delotet::{
+    check_mesh, check_preserved, tetrahedralize, Error, Facet, Mode, Options, Plc, Segment, Silent, Status,
+    TetMesh,
+};
 use proptest::prelude::*;
 
 /// What an input may legitimately end in: not every random complex is valid or encloses something.
@@ -28,7 +31,26 @@ fn mesh(plc: &Plc, keep_hull: bool) -> Result<Option<TetMesh>, TestCaseError> {
     if let Err(error) = check_mesh(plc, &mesh, true, 10) {
         return Err(TestCaseError::fail(format!("{error}: {:?}\n{plc:?}", error.defects)));
     }
+    preserve(plc, &options, &mesh)?;
     Ok(Some(mesh))
+}
+
+/// What has a constrained mesh has one that keeps the surface; it passes its own check and has the same regions.
+fn preserve(plc: &Plc, options: &Options, constrained: &TetMesh) -> Result<(), TestCaseError> {
+    let options = Options { mode: Mode::Preserve, ..options.clone() };
+    let kept = match tetrahedralize(plc, &options, &mut Silent) {
+        Ok(kept) => kept,
+        // Points inside may be too crowded for doubles.
+        Err(error) if error.status == Status::Rounding => return Ok(()),
+        Err(error) => {
+            return Err(TestCaseError::fail(format!("preserve: {error}: {:?}\n{plc:?}", error.defects)))
+        }
+    };
+    if let Err(error) = check_preserved(plc, &kept, 10) {
+        return Err(TestCaseError::fail(format!("preserve: {error}: {:?}\n{plc:?}", error.defects)));
+    }
+    prop_assert_eq!(kept.regions.len(), constrained.regions.len());
+    Ok(())
 }
 
 /// As [`mesh`] for inputs that are valid by construction: a refusal is a failure.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Meshes and judges the whole corpus at ../shared: public models in two modes, open and broken ones, point sets; then the comparison
+# Meshes and judges the whole corpus at ../shared: public models in three modes, open and broken ones, point sets; then the comparison
 # with the recorded figures of other programs. It takes a while.
 #   bash capi-tests/run-corpus.sh [OUT]      line-per-model tables go to the folder OUT (default: target/corpus)
 set -uo pipefail
@@ -34,6 +34,7 @@ step "public models, cdt" run --mode cdt --tsv "$out/cdt.tsv"
 step "public models, merge" run --mode merge --tsv "$out/merge.tsv"
 step "public models, facets merged, against the surface that was meshed" python3 capi-tests/judge_merged.py --bin "$bin" \
   --judge "$judge" --list "$shared/corpus/public.txt"
+step "public models, preserve" run --mode preserve --tsv "$out/preserve.tsv"
 step "open models, hull kept" open_models
 step "broken models" run --invalid --limit 120 --tsv "$out/invalid.tsv"
 for set in uniform:1000 uniform:10000 uniform:100000 uniform:1000000 clustered:100000 grid:216000 sphere:100000 \
@@ -41,4 +42,9 @@ for set in uniform:1000 uniform:10000 uniform:100000 uniform:1000000 clustered:1
   step "Delaunay of ${set#*:} points, ${set%:*}" delaunay "${set%:*}" "${set#*:}"
 done
 step "comparison" python3 capi-tests/compare_peers.py --bin "$bin" --tsv "$out/compare.tsv"
+step "comparison, surface preserved" python3 capi-tests/compare_peers.py --mode preserve --bin "$bin" --tsv "$out/compare-preserve.tsv"
+step "surface preserved, counts and the exact check" python3 capi-tests/preserve_figures.py corpus --bin "$bin" --tsv "$out/preserve-counts.tsv"
+for figure in classics chazelle growth; do
+  step "surface preserved, $figure" python3 capi-tests/preserve_figures.py $figure --bin "$bin" --tetgen --tsv "$out/preserve-$figure.tsv"
+done
 closing

@@ -46,8 +46,10 @@ if make_judge; then
   grep '/bad_' "$work/sample" > "$work/sample-invalid.txt"
   run() { python3 "$shared/tools/run-corpus" --bin "$bin" --judge "$judge" "$@"; }
   merged() { python3 capi-tests/judge_merged.py --bin "$bin" --judge "$judge" "$@"; }
-  step "our models, judged" run --list "$work/own-valid.txt" --mode cdt
-  step "sample of the corpus, judged" run --list "$work/sample-valid.txt" --mode cdt
+  for mode in cdt preserve; do
+    step "our models, $mode, judged" run --list "$work/own-valid.txt" --mode $mode
+    step "sample of the corpus, $mode, judged" run --list "$work/sample-valid.txt" --mode $mode
+  done
   step "our models, facets merged, judged" merged --list "$work/own-valid.txt"
   step "sample of the corpus, facets merged, judged" merged --list "$work/sample-valid.txt"
   step "our broken models" run --invalid --list "$work/own-invalid.txt"

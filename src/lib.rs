@@ -39,15 +39,20 @@ pub mod options;
 pub mod output;
 pub mod plc;
 pub mod predicates;
+pub mod preserve;
 pub mod progress;
+pub mod reconnect;
 pub mod region;
 pub mod rounding;
 pub mod tetrahedralize;
 
-pub use check::check_mesh;
+pub use check::{check_mesh, check_preserved};
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, Options};
-pub use output::{FacetFlip, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+pub use output::{
+    FacetFlip, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment,
+    TetMesh,
+};
 pub use plc::{Facet, Interior, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
 pub use tetrahedralize::tetrahedralize;

@@ -9,6 +9,9 @@ pub enum Mode {
     /// on segments only.
     #[default]
     Constrained,
+    /// A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation)
+    /// is a face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+    Preserve,
 }
 
 /// Settings of one run. `Options::default()` gives what the field docs call default.

@@ -1,18 +1,32 @@
 //! The result: flat arrays in doubles, input points first, with the origin of everything.
 use crate::progress::Phase;
 
-/// A Steiner point and where it lies.
+/// A Steiner point and where it lies: on an edge of the input, or inside ([`SteinerPoint::INSIDE`]; on no segment then).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct SteinerPoint {
-    /// Ends of the input edge (input point indices) that the point was put on: exactly `a + t (b − a)`.
+    /// Ends of the input edge (input point indices) that the point was put on: exactly `a + t (b − a)`. Both are
+    /// [`INVALID`](crate::INVALID) for a point inside, which lies on no edge ([`TetMesh::preserved`]).
     pub ends: [u32; 2],
-    /// The parameter, up to the point's [`SteinerTerm`]s, which hardly any point has.
+    /// The parameter, up to the point's [`SteinerTerm`]s, which hardly any point has; 0 for a point inside.
     pub t: f64,
     /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only.
     pub segment: u32,
     /// The double coordinates in `points` are exactly `a + t (b − a)`; false: they are rounded (or moved by the rounding step).
+    /// A point inside lies where its doubles are: true.
     pub exact: bool,
+}
+
+impl SteinerPoint {
+    /// A point on no edge, facet or segment of the input ([`Mode::Preserve`](crate::Mode::Preserve)): it lies exactly where
+    /// its doubles are.
+    pub const INSIDE: SteinerPoint =
+        SteinerPoint { ends: [crate::INVALID; 2], t: 0.0, segment: crate::INVALID, exact: true };
+
+    /// Whether the point lies on no edge of the input.
+    pub fn is_inside(&self) -> bool {
+        self.ends == [crate::INVALID; 2]
+    }
 }
 
 /// A term of a Steiner point's parameter beyond [`SteinerPoint::t`]: the exact parameter is the sum. Segments that run
@@ -76,6 +90,27 @@ pub struct FacetFlip {
     pub facets: [u32; 2],
 }
 
+/// What keeping the boundary took ([`Mode::Preserve`](crate::Mode::Preserve)).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PreserveStatistics {
+    /// Edges of the surface missing from the Delaunay tetrahedralization of the points.
+    pub missing_edges: u64,
+    /// Triangles of the surface missing from it.
+    pub missing_faces: u64,
+    /// Edges and faces recovered by reconnecting tetrahedra alone.
+    pub by_reconnection: u64,
+    /// Edges and faces recovered with the help of points inside.
+    pub by_interior_points: u64,
+    /// Edges and faces recovered by points on them, which were taken away again.
+    pub by_splits: u64,
+    /// Points on the surface taken away without a replacement.
+    pub deleted: u64,
+    /// Points on the surface taken away with points inside in their place.
+    pub relocated: u64,
+    /// Points added inside that are left.
+    pub interior: u64,
+}
+
 /// Counts and costs of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
@@ -93,6 +128,8 @@ pub struct Statistics {
     pub missing_regions: u64,
     /// Largest number of bytes that the kernel's arrays held.
     pub peak_bytes: u64,
+    /// What keeping the boundary took; all zero in other modes.
+    pub preserve: PreserveStatistics,
     /// Seconds per phase, indexed by [`Phase`].
     pub seconds: [f64; Phase::COUNT],
 }
@@ -129,6 +166,9 @@ pub struct TetMesh {
     pub facet_flips: Vec<FacetFlip>,
     /// The mesh is the convex hull's (nothing outside was carved).
     pub hull_kept: bool,
+    /// The surface's triangles and segments are faces and edges as they are: Steiner points lie inside, and faces are not
+    /// necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)).
+    pub preserved: bool,
     /// Counts and costs.
     pub statistics: Statistics,
 }

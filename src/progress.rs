@@ -2,7 +2,7 @@
 use crate::error::{Error, Status};
 use std::ops::ControlFlow;
 
-/// The stages of a run, in order.
+/// The stages of a run. The numbers are fixed; [`Phase::ALL`] has them in the order in which they come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum Phase {
@@ -24,16 +24,35 @@ pub enum Phase {
     Audit = 7,
     /// Writing files.
     Write = 8,
+    /// Keeping the surface as it is ([`Mode::Preserve`](crate::Mode::Preserve)); comes before the audit.
+    Preserve = 9,
 }
 
 impl Phase {
     /// How many phases there are.
-    pub const COUNT: usize = 9;
+    pub const COUNT: usize = 10;
+
+    /// All phases in the order of a run.
+    pub const ALL: [Phase; Phase::COUNT] = [
+        Phase::Read,
+        Phase::Validate,
+        Phase::Delaunay,
+        Phase::Segments,
+        Phase::Facets,
+        Phase::Regions,
+        Phase::Preserve,
+        Phase::Round,
+        Phase::Audit,
+        Phase::Write,
+    ];
 
     /// The name as statistics print it.
     pub fn name(self) -> &'static str {
-        ["read", "validate", "delaunay", "segments", "facets", "regions", "round", "audit", "write"]
-            [self as usize]
+        const NAMES: [&str; Phase::COUNT] = [
+            "read", "validate", "delaunay", "segments", "facets", "regions", "round", "audit", "write",
+            "preserve",
+        ];
+        NAMES[self as usize]
     }
 }
 

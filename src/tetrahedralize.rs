@@ -23,6 +23,7 @@ use rustc_hash::FxHashMap;
 use std::time::Instant;
 
 mod assemble;
+mod preserve;
 
 /// Makes a tetrahedral mesh of a PLC.
 ///
@@ -35,16 +36,21 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     }
     let mut run = Run { clock: Instant::now(), statistics: Statistics::default(), observer };
     let prepared = run.prepare(plc, options)?;
-    let mut engine = Engine::new(prepared.surface(), options)?;
-    run.delaunay(&mut engine)?;
     let mut mesh = match options.mode {
-        Mode::Delaunay => assemble::delaunay(engine, plc, prepared.surface())?,
+        Mode::Delaunay => {
+            let mut engine = Engine::new(prepared.surface(), options)?;
+            run.delaunay(&mut engine)?;
+            assemble::delaunay(engine, plc, prepared.surface())?
+        }
         Mode::Constrained => {
+            let mut engine = Engine::new(prepared.surface(), options)?;
+            run.delaunay(&mut engine)?;
             let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
             let mesh = run.constrain(plc, &surface, options, segments, &mut engine)?;
             drop(engine);
             mesh
         }
+        Mode::Preserve => run.preserve(plc, options, prepared)?,
     };
     run.audit(plc, options, &mut mesh)?;
     Ok(mesh)
@@ -99,6 +105,11 @@ pub(crate) struct Engine {
 impl Engine {
     /// Orders the distinct points and sets up the exact arithmetic.
     fn new(surface: &Surface, options: &Options) -> Result<Self, Error> {
+        Ok(Self::numbered(surface, options, &[])?.0)
+    }
+
+    /// The same, where the given points get the lowest ids; and the order in which to insert the vertices.
+    fn numbered(surface: &Surface, options: &Options, first: &[u32]) -> Result<(Self, Vec<u32>), Error> {
         let distinct: Vec<u32> = surface
             .alias
             .iter()
@@ -106,9 +117,16 @@ impl Engine {
             .filter(|&(i, &a)| i as u32 == a)
             .map(|(i, _)| i as u32)
             .collect();
-        let input_of =
+        let sorted =
             if options.points_sorted { distinct } else { insertion_order(&surface.points, &distinct) };
         let mut engine_of = vec![INVALID; surface.points.len()];
+        for (engine, &input) in first.iter().enumerate() {
+            engine_of[input as usize] = engine as u32;
+        }
+        let mut input_of = Vec::new();
+        input_of.try_reserve(sorted.len())?;
+        input_of.extend_from_slice(first);
+        input_of.extend(sorted.iter().filter(|&&i| engine_of[i as usize] == INVALID));
         for (engine, &input) in input_of.iter().enumerate() {
             engine_of[input as usize] = engine as u32;
         }
@@ -118,13 +136,13 @@ impl Engine {
         let mut xyz = Vec::new();
         xyz.try_reserve(input_of.len())?;
         xyz.extend(input_of.iter().map(|&i| surface.points[i as usize]));
-        Ok(Engine {
-            points: Points::new(xyz),
-            delaunay: Delaunay::new(),
-            input_of,
-            engine_of,
-            scale: surface.scale,
-        })
+        let mut order = sorted;
+        for v in &mut order {
+            *v = engine_of[*v as usize];
+        }
+        let points = Points::new(xyz);
+        let engine = Engine { points, delaunay: Delaunay::new(), input_of, engine_of, scale: surface.scale };
+        Ok((engine, order))
     }
 
     fn map<const N: usize>(&self, list: &[[u32; N]]) -> Result<Vec<[u32; N]>, Error> {
@@ -145,7 +163,7 @@ impl Run<'_> {
     fn prepare(&mut self, plc: &Plc, options: &Options) -> Result<Prepared, Error> {
         report(self.observer, Phase::Validate, 0.0)?;
         let prepared = match options.mode {
-            Mode::Constrained => crate::plc::check_and_split(plc, options, self.observer)?,
+            Mode::Constrained | Mode::Preserve => crate::plc::check_and_split(plc, options, self.observer)?,
             Mode::Delaunay => {
                 let points_only = Plc { points: plc.points.clone(), ..Plc::default() };
                 crate::plc::check_and_split(&points_only, options, self.observer)?
@@ -281,9 +299,14 @@ impl Run<'_> {
 
     fn delaunay(&mut self, engine: &mut Engine) -> Result<(), Error> {
         let mut order: Vec<u32> = (0..engine.points.len() as u32).collect();
+        self.delaunay_in(engine, &mut order)
+    }
+
+    /// Inserts the vertices in this order.
+    fn delaunay_in(&mut self, engine: &mut Engine, order: &mut [u32]) -> Result<(), Error> {
         let total = order.len().max(1) as f64;
         let observer = &mut *self.observer;
-        engine.delaunay.build(&engine.points, &mut order, &mut |done| {
+        engine.delaunay.build(&engine.points, order, &mut |done| {
             report(observer, Phase::Delaunay, done as f64 / total)
         })?;
         self.note_peak(engine);

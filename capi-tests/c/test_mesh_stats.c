@@ -1,6 +1,25 @@
 /* delotet_mesh_stats: writes no more than the caller has room for. */
 #include "test.h"
 
+/* What keeping the surface took: zero in other modes, and the points inside are those that the mesh has. */
+static void preserve(void)
+{
+    DelotetOptions *options = delotet_options_new();
+    DelotetPlc *plc = twisted_prism();
+    DelotetMesh *mesh;
+    DelotetStats stats;
+    CHECK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE) == DELOTET_STATUS_OK);
+    mesh = mesh_with(plc, options);
+    stats.struct_size = sizeof stats;
+    CHECK(delotet_mesh_stats(mesh, &stats) == DELOTET_STATUS_OK);
+    CHECK(stats.preserve_interior == delotet_mesh_steiner_points(mesh).count && stats.preserve_interior == 1);
+    CHECK(stats.preserve_missing_edges >= 1 && stats.preserve_missing_edges <= 3); /* Of the three reflex ones. */
+    CHECK(stats.seconds[DELOTET_PHASE_PRESERVE] > 0);
+    delotet_mesh_free(mesh);
+    delotet_plc_free(plc);
+    delotet_options_free(options);
+}
+
 int main(void)
 {
     DelotetMesh *mesh = mesh_of(twisted_prism());
@@ -16,6 +35,8 @@ int main(void)
     CHECK(room.guard[0] == 0xAB && room.guard[63] == 0xAB);
     CHECK(room.stats.steiner == delotet_mesh_steiner_points(mesh).count);
     CHECK(room.stats.seconds[DELOTET_PHASE_DELAUNAY] >= 0 && room.stats.seconds[15] == 0);
+    CHECK(room.stats.preserve_missing_edges == 0 && room.stats.preserve_interior == 0);
+    CHECK(room.stats.seconds[DELOTET_PHASE_PRESERVE] == 0);
     memset(&old, 0xAB, sizeof old);
     old.struct_size = offsetof(DelotetStats, steiner_exact); /* An older program. */
     CHECK(delotet_mesh_stats(mesh, &old) == DELOTET_STATUS_OK);
@@ -26,5 +47,6 @@ int main(void)
     CHECK(delotet_mesh_stats(mesh, NULL) == INVALID);
     CHECK(delotet_mesh_stats(NULL, &old) == INVALID);
     delotet_mesh_free(mesh);
+    preserve();
     return 0;
 }

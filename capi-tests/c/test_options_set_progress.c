@@ -35,6 +35,10 @@ int main(void)
     mesh = mesh_with(plc, options);
     CHECK(seen.calls > 0 && !seen.wrong);
     delotet_mesh_free(mesh);
+    CHECK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE) == DELOTET_STATUS_OK);
+    mesh = mesh_with(plc, options);
+    CHECK(!seen.wrong && seen.fraction >= 1);
+    delotet_mesh_free(mesh);
     CHECK(delotet_options_set_progress(options, refuse, &seen) == DELOTET_STATUS_OK);
     FAILS(DELOTET_STATUS_CANCELLED, delotet_tetrahedralize(plc, options, &mesh, &error));
     CHECK(mesh == NULL);

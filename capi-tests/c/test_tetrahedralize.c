@@ -1,5 +1,45 @@
-/* delotet_tetrahedralize: a cube, the same twice; what cannot be meshed; misuse. */
+/* delotet_tetrahedralize: a cube, the same twice; what cannot be meshed; misuse. All that in the mode that keeps the surface too. */
 #include "test.h"
+
+/* Markers, regions, holes and the hull with the surface kept. */
+static void preserve(void)
+{
+    static const double hole[3] = {1.5, 1.5, 1.5}, room[3] = {0.5, 0.5, 0.5};
+    DelotetOptions *options = delotet_options_new();
+    DelotetPlc *plc = nested_boxes(), *bad = pierced();
+    DelotetMesh *mesh, *none = NULL;
+    size_t i;
+    CHECK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE) == DELOTET_STATUS_OK);
+    OK(delotet_plc_add_hole(plc, hole, &error));
+    OK(delotet_plc_add_region(plc, room, 10, 0.5, &error));
+    mesh = mesh_with(plc, options);
+    OK(delotet_mesh_check_preserved(mesh, plc, 10, &error));
+    CHECK(near(volume(mesh), 26) && delotet_mesh_regions(mesh).count == 1);
+    CHECK(near(delotet_mesh_regions(mesh).data[0].attribute, 10) && delotet_mesh_regions(mesh).data[0].seed == 0);
+    CHECK(delotet_mesh_subfaces(mesh).count == 24);
+    for (i = 0; i < 24; i++) {
+        DelotetSubface face = delotet_mesh_subfaces(mesh).data[i];
+        CHECK(face.facet < 24 && face.marker == delotet_plc_facet_marker(plc, face.facet));
+        CHECK(face.tets[0] != DELOTET_INVALID_INDEX && face.tets[1] == DELOTET_INVALID_INDEX);
+    }
+    delotet_mesh_free(mesh);
+    FAILS(DELOTET_STATUS_SELF_INTERSECTION, delotet_tetrahedralize(bad, options, &none, &error));
+    CHECK(none == NULL);
+    delotet_plc_free(plc);
+    delotet_plc_free(bad);
+    /* The twisted prism in its convex hull. */
+    plc = twisted_prism();
+    CHECK(delotet_options_set_keep_hull(options, true) == DELOTET_STATUS_OK);
+    mesh = mesh_with(plc, options);
+    OK(delotet_mesh_check_preserved(mesh, plc, 10, &error));
+    CHECK(delotet_options_set_mode(options, DELOTET_MODE_DELAUNAY) == DELOTET_STATUS_OK);
+    none = mesh_with(plc, options);
+    CHECK(near(volume(mesh), volume(none)));
+    delotet_mesh_free(mesh);
+    delotet_mesh_free(none);
+    delotet_plc_free(plc);
+    delotet_options_free(options);
+}
 
 int main(void)
 {
@@ -20,5 +60,6 @@ int main(void)
     delotet_plc_free(bad);
     delotet_mesh_free(a);
     delotet_mesh_free(b);
+    preserve();
     return 0;
 }

@@ -87,6 +87,16 @@ inline delotet::Plc nested_boxes()
     return plc;
 }
 
+/// Schoenhardt's polyhedron: no tetrahedralization without Steiner points.
+inline delotet::Plc twisted_prism()
+{
+    const double xyz[] = {0, 0, 0, 4, 0, 0, 2, 3, 0, 1, -1, 4, 4, 1.5, 4, 0.5, 2.5, 4};
+    const Index corners[] = {0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5};
+    delotet::Plc plc(xyz);
+    plc.add_triangles(corners);
+    return plc;
+}
+
 /// A tetrahedron and a triangle that pierces its side z = 0.
 inline delotet::Plc pierced()
 {

@@ -106,6 +106,28 @@ static void options()
     CHECK(delotet::tetrahedralize(delotet::Plc(random_points(500)), moved).tets().size() == mesh.tets().size());
 }
 
+static void preserve()
+{
+    delotet::Options options;
+    options.mode(delotet::Mode::preserve);
+    bool seen = false;
+    options.on_progress([&](delotet::Phase phase, double) {
+        seen = seen || phase == DELOTET_PHASE_PRESERVE;
+        return true;
+    });
+    const delotet::Plc plc = twisted_prism();
+    const delotet::Mesh mesh = delotet::tetrahedralize(plc, options);
+    mesh.check_preserved(plc);
+    CHECK(seen && mesh.points().size() == 7 && mesh.subfaces().size() == 8);
+    CHECK(mesh.steiner_points().size() == 1 && mesh.steiner_points()[0].ends[0] == delotet::invalid_index);
+    CHECK(mesh.stats().preserve_interior == 1);
+    delotet::Error error;
+    const delotet::Mesh split = delotet::tetrahedralize(plc);
+    CHECK(split.check_preserved(plc, 2, error) == DELOTET_STATUS_CHECK_FAILED);
+    CHECK(!error.defects().empty() && error.defects().size() <= 2);
+    CHECK(std::abs(volume(mesh) - volume(split)) < 1e-12);
+}
+
 int main()
 {
     CHECK(delotet::compatible());
@@ -114,5 +136,6 @@ int main()
     outputs();
     files();
     options();
+    preserve();
     return 0;
 }

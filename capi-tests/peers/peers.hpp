@@ -21,6 +21,21 @@ struct Result {
     bool ok() const { return outcome == "ok"; }
 };
 
+/// A triangulated surface.
+struct Model {
+    std::vector<Point> points;
+    std::vector<Triangle> triangles;
+};
+
+/// An OFF file of triangles; empty if it is something else.
+Model read(const char *path);
+
+/// The triangles are one closed oriented surface that bounds its inside once: their signed volume is the enclosed volume.
+bool is_one_surface(const Model &model);
+
+/// The same looking the other way.
+std::vector<Triangle> reversed(std::vector<Triangle> triangles);
+
 class Stopwatch {
   public:
     double seconds() const
@@ -32,8 +47,10 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// TetGen in a child process: it may abort, crash or hang there. Without triangles the Delaunay tetrahedralization.
-Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &triangles, unsigned limit_seconds);
+/// TetGen in a child process: it may abort, crash or hang there. Without triangles the Delaunay tetrahedralization; `preserved`: no
+/// points on the boundary (-pY).
+Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &triangles, unsigned limit_seconds,
+              bool preserved = false);
 
 /// CGAL's Delaunay tetrahedralization.
 Result cgal_delaunay(const std::vector<Point> &points);

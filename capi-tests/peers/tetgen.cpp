@@ -25,7 +25,7 @@ template <class T> static bool get(std::FILE *file, std::vector<T> &list)
 }
 
 /// The child: runs TetGen and writes its result.
-static void child(const std::vector<Point> &points, const std::vector<Triangle> &triangles, std::FILE *file)
+static void child(const std::vector<Point> &points, const std::vector<Triangle> &triangles, bool preserved, std::FILE *file)
 {
     tetgenio in, out;
     in.firstnumber = 0;
@@ -48,8 +48,8 @@ static void child(const std::vector<Point> &points, const std::vector<Triangle> 
         }
     }
     tetgenbehavior behavior;
-    char switches[] = "pQ", none[] = "Q";
-    behavior.parse_commandline(triangles.empty() ? none : switches);
+    char switches[] = "pQ", keep[] = "pYQ", none[] = "Q";
+    behavior.parse_commandline(triangles.empty() ? none : preserved ? keep : switches);
     const Stopwatch watch;
     tetrahedralize(&behavior, &in, &out);
     std::vector<double> seconds(1, watch.seconds());
@@ -69,7 +69,8 @@ static void child(const std::vector<Point> &points, const std::vector<Triangle> 
     put(file, faces);
 }
 
-Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &triangles, unsigned limit_seconds)
+Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &triangles, unsigned limit_seconds,
+              bool preserved)
 {
     Result result;
     std::FILE *file = std::tmpfile();
@@ -85,7 +86,7 @@ Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &tri
         dup2(nowhere, 1);
         dup2(nowhere, 2);
         try {
-            child(points, triangles, file);
+            child(points, triangles, preserved, file);
         } catch (...) { // It throws ints.
             _exit(3);
         }

@@ -289,7 +289,7 @@ typedef enum DelotetElement {
 } DelotetElement;
 
 /**
- * Stages of a run, in order.
+ * Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
  */
 typedef enum DelotetPhase {
     /**
@@ -328,6 +328,10 @@ typedef enum DelotetPhase {
      * Writing files.
      */
     DELOTET_PHASE_WRITE = 8,
+    /**
+     * Keeping the surface as it is (DELOTET_MODE_PRESERVE).
+     */
+    DELOTET_PHASE_PRESERVE = 9,
 } DelotetPhase;
 
 /**
@@ -598,23 +602,25 @@ typedef struct DelotetSubsegmentsView {
 } DelotetSubsegmentsView;
 
 /**
- * A Steiner point and where it lies.
+ * A Steiner point and where it lies: on an edge of the input, or inside (DELOTET_MODE_PRESERVE), exactly where its doubles are.
  */
 typedef struct DelotetSteinerPoint {
     /**
-     * Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a).
+     * Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a); both
+     * DELOTET_INVALID_INDEX for a point inside.
      */
     uint32_t ends[2];
     /**
-     * The parameter t; terms beyond a double, which hardly any point has, are in delotet_mesh_steiner_terms.
+     * The parameter t; 0 for a point inside. Terms beyond a double, which hardly any point has, are in delotet_mesh_steiner_terms.
      */
     double t;
     /**
-     * The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only.
+     * The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only or the point lies inside.
      */
     uint32_t segment;
     /**
      * Its coordinates are exactly a + t (b - a); false: they are rounded, or were moved to keep every tetrahedron positive.
+     * True for a point inside.
      */
     bool exact;
 } DelotetSteinerPoint;
@@ -733,6 +739,38 @@ typedef struct DelotetStats {
      * Seconds per phase, indexed by DelotetPhase; unused entries are 0.
      */
     double seconds[16];
+    /**
+     * DELOTET_MODE_PRESERVE, else 0: edges of the surface missing from the Delaunay tetrahedralization of the points.
+     */
+    uint64_t preserve_missing_edges;
+    /**
+     * Triangles of the surface missing from it.
+     */
+    uint64_t preserve_missing_faces;
+    /**
+     * Edges and faces recovered by reconnecting tetrahedra alone.
+     */
+    uint64_t preserve_by_reconnection;
+    /**
+     * Edges and faces recovered with the help of points inside.
+     */
+    uint64_t preserve_by_interior_points;
+    /**
+     * Edges and faces recovered by points on them, which were taken away again.
+     */
+    uint64_t preserve_by_splits;
+    /**
+     * Points on the surface taken away without a replacement.
+     */
+    uint64_t preserve_deleted;
+    /**
+     * Points on the surface taken away with points inside in their place.
+     */
+    uint64_t preserve_relocated;
+    /**
+     * Points added inside that are left.
+     */
+    uint64_t preserve_interior;
 } DelotetStats;
 
 /**
@@ -863,6 +901,12 @@ typedef struct DelotetSecondOrderView {
  * segments only. The default.
  */
 #define DELOTET_MODE_CONSTRAINED 1
+
+/**
+ * A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation) is a
+ * face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+ */
+#define DELOTET_MODE_PRESERVE 2
 
 /**
  * VTK, Abaqus and CalculiX (C3D10), Nastran: nodes on the edges 01 12 02 03 13 23.
@@ -1273,14 +1317,15 @@ DELOTET_API
 struct DelotetIndicesView delotet_mesh_crowded_points(const struct DelotetMesh *mesh);
 
 /**
- * Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge.
+ * Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge, inside
+ * in a tetrahedron of points around.
  * Borrowed from `mesh`. Empty for NULL and if the input had none.
  */
 DELOTET_API
 struct DelotetDoublesView delotet_mesh_point_attributes(const struct DelotetMesh *mesh);
 
 /**
- * Markers of all points: the input's, at Steiner points their segment's, 0 on an edge of facets only. Borrowed from `mesh`.
+ * Markers of all points: the input's, at Steiner points their segment's, 0 on an edge of facets only and inside. Borrowed from `mesh`.
  * Empty for NULL and if the input had none.
  */
 DELOTET_API
@@ -1322,7 +1367,7 @@ DELOTET_API
 struct DelotetSubsegmentsView delotet_mesh_subsegments(const struct DelotetMesh *mesh);
 
 /**
- * The Steiner points in the order of the points, with the input edge and the segment they lie on. Borrowed from `mesh`. Empty
+ * The Steiner points in the order of the points, with the input edge and the segment they lie on, if any. Borrowed from `mesh`. Empty
  * for NULL.
  */
 DELOTET_API
@@ -1362,6 +1407,18 @@ enum DelotetStatus delotet_mesh_check(const struct DelotetMesh *mesh,
                                       bool constrained_delaunay,
                                       size_t max_defects,
                                       struct DelotetError **out_error);
+
+/**
+ * Checks a mesh like delotet_mesh_check(), without the Delaunay property, and that it keeps the surface as DELOTET_MODE_PRESERVE
+ * promises: every input triangle is a face (or, if input points lie on it, a union of faces between these) and no added point
+ * lies on a facet or segment. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_check_preserved(const struct DelotetMesh *mesh,
+                                                const struct DelotetPlc *plc,
+                                                size_t max_defects,
+                                                struct DelotetError **out_error);
 
 /**
  * Frees a mesh and all that was borrowed from it. NULL is ignored.

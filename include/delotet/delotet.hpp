@@ -54,7 +54,11 @@ using Tet10 = std::array<Index, 10>;
 /// "None": no neighbour, no parent, not found.
 constexpr Index invalid_index = DELOTET_INVALID_INDEX;
 
-enum class Mode : std::uint32_t { delaunay = DELOTET_MODE_DELAUNAY, constrained = DELOTET_MODE_CONSTRAINED };
+enum class Mode : std::uint32_t {
+    delaunay = DELOTET_MODE_DELAUNAY,
+    constrained = DELOTET_MODE_CONSTRAINED,
+    preserve = DELOTET_MODE_PRESERVE
+};
 
 enum class NodeOrder : std::uint32_t {
     vtk = DELOTET_NODE_ORDER_VTK,
@@ -653,6 +657,12 @@ class Mesh {
             return delotet_mesh_check(get(), plc.get(), constrained_delaunay, max_defects, e);
         });
     }
+    Status check_preserved(const Plc &plc, std::size_t max_defects, Error &error) const noexcept
+    {
+        return detail::run(error, [&](DelotetError **e) {
+            return delotet_mesh_check_preserved(get(), plc.get(), max_defects, e);
+        });
+    }
     Status write(const Plc &plc, const char *path, Error &error) const noexcept
     {
         return detail::run(error,
@@ -699,6 +709,10 @@ class Mesh {
     void check(const Plc &plc, bool constrained_delaunay = true, std::size_t max_defects = 1000) const
     {
         detail::require([&](Error &e) { return check(plc, constrained_delaunay, max_defects, e); });
+    }
+    void check_preserved(const Plc &plc, std::size_t max_defects = 1000) const
+    {
+        detail::require([&](Error &e) { return check_preserved(plc, max_defects, e); });
     }
     void write(const Plc &plc, const char *path) const
     {

@@ -71,6 +71,10 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     }
     for (i, (steiner, t)) in mesh.steiner.iter().zip(parameters(mesh)).enumerate() {
         let ends_ok = steiner.ends.iter().all(|&v| (v as usize) < plc.points.len());
+        // A point inside lies where its doubles are: it has no parents and no parameter.
+        if steiner.is_inside() && steiner.segment == INVALID && steiner.exact {
+            continue;
+        }
         if !ends_ok || !segment_or_none(steiner.segment) || !is_parameter(&t) {
             bad_index(report, point(i));
         }

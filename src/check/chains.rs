@@ -18,7 +18,7 @@ impl<'a, 'b> Chains<'a, 'b> {
         let inputs = context.plc.points.len();
         let mut steiner = Vec::new();
         steiner.try_reserve_exact(context.mesh.steiner.len())?;
-        for (i, s) in context.mesh.steiner.iter().enumerate() {
+        for (i, s) in context.mesh.steiner.iter().enumerate().filter(|(_, s)| !s.is_inside()) {
             let [a, b] = s.ends.map(|v| context.alias(v));
             let (ends, t) = if a < b { ([a, b], s.t) } else { ([b, a], 1.0 - s.t) };
             steiner.push((ends, t, (inputs + i) as u32));

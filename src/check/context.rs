@@ -70,10 +70,10 @@ impl<'a> Context<'a> {
             && self.mesh.subfaces.iter().all(|face| face.facet != INVALID)
     }
 
-    /// Ends of the input edge that a Steiner point lies on.
+    /// Ends of the input edge that a Steiner point lies on; none for a point inside.
     pub(super) fn ends(&self, v: u32) -> Option<[u32; 2]> {
         let steiner = self.mesh.steiner.get((v as usize).checked_sub(self.plc.points.len())?)?;
-        Some(steiner.ends.map(|end| self.alias(end)))
+        (!steiner.is_inside()).then(|| steiner.ends.map(|end| self.alias(end)))
     }
 
     pub(super) fn position(&self, v: u32) -> Option<[f64; 3]> {

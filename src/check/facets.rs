@@ -86,7 +86,7 @@ fn facet(context: &Context, all: Vec<Vec<u32>>, enclosed: bool, seeded: bool, ma
 
 /// The input triangles after the flips of facet merging: each takes two triangles with a common edge and makes the two others of
 /// the same quadrilateral. The triangle with the first end of the old edge keeps the first facet's number.
-fn flipped_triangles(context: &Context, report: &mut Report) -> Result<Vec<[u32; 3]>, Error> {
+pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Result<Vec<[u32; 3]>, Error> {
     let mut triangles: Vec<[u32; 3]> = Vec::new();
     triangles.try_reserve_exact(context.plc.triangles.len())?;
     triangles.extend(context.plc.triangles.iter().map(|t| t.map(|v| context.alias(v))));

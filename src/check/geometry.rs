@@ -28,8 +28,11 @@ impl Geometry {
         xyz.try_reserve_exact(mesh.points.len())?;
         xyz.extend_from_slice(&rounded[..explicit]);
         let mut exact = Points::new(xyz);
-        for (s, t) in mesh.steiner.iter().zip(parameters(mesh)) {
-            exact.push_on_segment(s.ends[0], s.ends[1], &t)?;
+        for ((s, t), at) in mesh.steiner.iter().zip(parameters(mesh)).zip(&rounded[explicit..]) {
+            match s.is_inside() {
+                true => exact.push(*at)?,
+                false => exact.push_on_segment(s.ends[0], s.ends[1], &t)?,
+            };
         }
         Ok(Geometry { exact, rounded, inputs: plc.points.len() })
     }

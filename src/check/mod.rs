@@ -7,7 +7,8 @@
 //! 3. orientation: every tetrahedron strictly positive;
 //! 4. topology: faces shared by two tetrahedra at most, on opposite sides; neighbours; regions;
 //! 5. conformity: segments are chains of edges, facets are tiled exactly by their subfaces, the boundary lies on facets;
-//! 6. on request: every face that is no subface is locally Delaunay.
+//! 6. on request: every face that is no subface is locally Delaunay;
+//! 7. on request: the surface is the input's triangle by triangle, without any added point on it.
 //!
 //! What follows from these: the mesh's boundary is the input's. What does not: that no two layers of tetrahedra without a
 //! common vertex cover the same space.
@@ -29,6 +30,7 @@ mod geometry;
 mod orientation;
 mod overlaps;
 mod points;
+mod preserved;
 mod report;
 mod segments;
 mod subfaces;
@@ -56,6 +58,26 @@ pub fn check_mesh(
     constrained_delaunay: bool,
     max_defects: usize,
 ) -> Result<(), Error> {
+    check(plc, mesh, Wish { constrained_delaunay, preserved: false }, max_defects)
+}
+
+/// Checks `mesh` like [`check_mesh`], without the Delaunay property, and that it keeps the surface as
+/// [`Mode::Preserve`](crate::Mode::Preserve) promises: every input triangle is a face (or, if input points lie on it, a union of
+/// faces between these) and no added point lies on a facet or segment.
+///
+/// # Errors
+/// As [`check_mesh`].
+pub fn check_preserved(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<(), Error> {
+    check(plc, mesh, Wish { constrained_delaunay: false, preserved: true }, max_defects)
+}
+
+/// What is asked beyond validity.
+struct Wish {
+    constrained_delaunay: bool,
+    preserved: bool,
+}
+
+fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<(), Error> {
     let mut report = Report::new(max_defects);
     arrays::check_arrays(plc, mesh, &mut report);
     if report.count() > 0 {
@@ -69,7 +91,10 @@ pub fn check_mesh(
     topology::check_regions(&context, &adjacency, &subfaces, &mut report);
     check_conformity(&context, &mut report)?;
     boundary::check_boundary(&context, &adjacency, &subfaces, &mut report);
-    if constrained_delaunay {
+    if wish.preserved {
+        preserved::check_preserved(&context, &mut report)?;
+    }
+    if wish.constrained_delaunay {
         delaunay::check_delaunay(&context, &adjacency, &subfaces, &mut report);
     }
     report.finish()

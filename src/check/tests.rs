@@ -575,3 +575,65 @@ fn grids_pass() {
     mesh.subfaces.truncate(mesh.subfaces.len() - 1);
     assert_eq!(check(&plc, &mesh), vec![DefectKind::FacetMissing, DefectKind::HullOffFacets]);
 }
+
+fn check_kept(plc: &Plc, mesh: &TetMesh) -> Vec<DefectKind> {
+    kinds(super::check_preserved(plc, mesh, 100))
+}
+
+/// The cube's surface and a point inside, joined with all of it.
+fn cone() -> (Plc, TetMesh) {
+    let plc = cube_plc(boundary(&kuhn()));
+    let mut points = plc.points.clone();
+    points.push([0.5, 0.25, 0.625]);
+    let tets = plc.triangles.iter().map(|&[a, b, c]| {
+        let p = [a, b, c, 8].map(|v| &points[v as usize]);
+        match orient3d(p[0], p[1], p[2], p[3]) {
+            Sign::Negative => [a, c, b, 8],
+            _ => [a, b, c, 8],
+        }
+    });
+    let tets = tets.collect();
+    let mut mesh = mesh(&plc, points, tets);
+    mesh.steiner = vec![SteinerPoint::INSIDE];
+    (plc, mesh)
+}
+
+#[test]
+fn a_kept_surface_passes() {
+    for (plc, mesh) in [cone(), cube(kuhn()), cube(five()), two()] {
+        assert_eq!(check_kept(&plc, &mesh), vec![]);
+    }
+    // An input point on a side: its triangle cannot be a face, but pieces between input points are as good.
+    let (mut plc, mesh) = split_edge(1.0, 0.5);
+    let mut points: Vec<[f64; 3]> = [0u32, 1, 2, 4].map(corner).to_vec();
+    points.push([0.0, 0.5, 0.5]);
+    let kept =
+        TetMesh { input_point_count: 5, point_alias: (0..5).collect(), steiner: vec![], points, ..mesh };
+    plc.points = kept.points.clone();
+    assert_eq!(check_kept(&plc, &kept), vec![]);
+}
+
+#[test]
+fn a_surface_that_is_not_kept() {
+    let (plc, mesh) = split_edge(1.0, 0.3);
+    assert_eq!(check_kept(&plc, &mesh), vec![DefectKind::SegmentMissing, DefectKind::FacetMissing]);
+    // The other diagonals: valid, but not what was given.
+    let (plc, _) = cube(five());
+    let (_, other) = cube(kuhn());
+    assert!(check_kept(&plc, &other).contains(&DefectKind::FacetMissing));
+    // A point on the surface that says it lies inside.
+    let (plc, mut mesh) = split_edge(1.0, 0.5);
+    mesh.steiner = vec![SteinerPoint::INSIDE];
+    assert!(check_kept(&plc, &mesh).contains(&DefectKind::FacetMissing));
+    // A point inside has no parents, no parameter, and lies where its doubles are.
+    let (plc, mesh) = cone();
+    for change in [
+        |s: &mut SteinerPoint| s.exact = false,
+        |s: &mut SteinerPoint| s.segment = 0,
+        |s: &mut SteinerPoint| s.ends[0] = 0,
+    ] {
+        let mut wrong = mesh.clone();
+        change(&mut wrong.steiner[0]);
+        assert_eq!(check_kept(&plc, &wrong), vec![DefectKind::IndexOutOfRange]);
+    }
+}

@@ -29,6 +29,8 @@ pub enum ModeArg {
     Delaunay,
     /// The constrained Delaunay tetrahedralization of the surface.
     Cdt,
+    /// The surface kept as it is: points are added inside only.
+    Preserve,
 }
 
 #[derive(Debug, ClapArgs)]
@@ -83,6 +85,9 @@ pub struct CheckArgs {
     /// Do not require the mesh to be constrained Delaunay
     #[arg(long)]
     pub no_delaunay: bool,
+    /// Require the surface as it was: every triangle a face, no added point on it (implies --no-delaunay)
+    #[arg(long)]
+    pub preserved: bool,
     /// Write every defect as JSON
     #[arg(long, value_name = "FILE.json")]
     pub report: Option<PathBuf>,

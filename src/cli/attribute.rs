@@ -1,13 +1,14 @@
 //! The facets of a mesh's faces, where a file does not tell them: TetGen's `.face` holds markers only.
 //!
 //! Where there is a `.parents` file, it names them, and only the sides are to be found. Else they are found for meshes without
-//! Steiner points alone (the checker does not judge facets of others, for it cannot know where such points lie): there the
-//! corners of a face are corners of its facet.
+//! Steiner points on the surface alone (the checker does not judge facets of others, for it cannot know where such points lie):
+//! there the corners of a face are corners of its facet.
 use delotet::predicates::{orient3d, Sign};
 use delotet::{Error, Plc, Status, Subface, TetMesh, INVALID};
 use std::collections::HashMap;
 
-/// Sets facet and sides of every subface of a mesh that has the input's points and no others; else drops the subfaces.
+/// Sets facet and sides of every subface of a mesh whose added points are all said to lie inside; else, or where that is not
+/// so, drops the subfaces.
 ///
 /// # Errors
 /// [`Status::Unsupported`] if a face cannot be attributed to one facet.
@@ -19,7 +20,12 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
         mesh.subfaces.iter_mut().for_each(|face| face.tets = sides_of(face, &sides));
         return Ok(());
     }
-    if points != plc.points.len() || mesh.tets.iter().flatten().any(|&v| v as usize >= points) {
+    let known = mesh.steiner.len() == points.saturating_sub(plc.points.len());
+    let on_input = |face: &Subface| face.corners.iter().all(|&v| (v as usize) < plc.points.len());
+    if !known
+        || !mesh.subfaces.iter().all(on_input)
+        || mesh.tets.iter().flatten().any(|&v| v as usize >= points)
+    {
         mesh.subfaces.clear();
         return Ok(());
     }

@@ -2,7 +2,7 @@
 use super::args::CheckArgs;
 use super::{report, Failure};
 use delotet::io;
-use delotet::{Error, Plc, TetMesh};
+use delotet::{Defect, DefectKind, Element, Error, Status, SteinerPoint, TetMesh};
 use std::io::Write;
 
 /// Reads a mesh and its input and checks the one against the other.
@@ -25,9 +25,25 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         mesh.steiner.clear();
         mesh.steiner_terms.clear();
     }
+    if args.preserved {
+        // Where added points lie is not in the files; here none may lie on the surface.
+        let added = |v: &u32| *v as usize >= plc.points.len();
+        if let Some(&v) = mesh.subfaces.iter().flat_map(|face| &face.corners).find(|v| added(v)) {
+            let point = mesh.points.get(v as usize).copied();
+            let first = Element::Point(v);
+            let defect = Defect { kind: DefectKind::FacetMissing, first, second: None, point };
+            let message = format!("the added point {v} is a corner of a face on the surface");
+            return Err(Failure::from(Error::with_defect(Status::CheckFailed, message, defect)).with_code(1));
+        }
+        mesh.steiner = vec![SteinerPoint::INSIDE; mesh.points.len().saturating_sub(plc.points.len())];
+    }
     super::attribute::attribute_subfaces(&plc, &mut mesh)?;
     let limit = if args.report.is_some() { 10_000_000 } else { 1000 };
-    verdict(&plc, &mesh, !args.no_delaunay, limit).map_err(|e| Failure::from(e).with_code(1))?;
+    let verdict = match args.preserved {
+        true => delotet::check_preserved(&plc, &mesh, limit),
+        false => delotet::check_mesh(&plc, &mesh, !args.no_delaunay, limit),
+    };
+    verdict.map_err(|e| Failure::from(e).with_code(1))?;
     let mut out = std::io::stdout().lock();
     let judged = mesh.steiner.len() + plc.points.len() == mesh.points.len();
     let _ = writeln!(
@@ -39,8 +55,4 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         if judged { "" } else { "; no .parents file of this input: conformity was not judged" }
     );
     Ok(())
-}
-
-fn verdict(plc: &Plc, mesh: &TetMesh, delaunay: bool, limit: usize) -> Result<(), Error> {
-    delotet::check::check_mesh(plc, mesh, delaunay, limit)
 }

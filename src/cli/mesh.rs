@@ -54,6 +54,7 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
     let mode = match args.mode {
         Some(ModeArg::Delaunay) => Mode::Delaunay,
         Some(ModeArg::Cdt) => Mode::Constrained,
+        Some(ModeArg::Preserve) => Mode::Preserve,
         None if points_only => Mode::Delaunay,
         None => Mode::Constrained,
     };
@@ -102,19 +103,8 @@ fn add_seeds(plc: &mut Plc, args: &MeshArgs) {
 
 fn statistics(mesh: &TetMesh, total: f64) -> Value {
     let s = &mesh.statistics;
-    let phases = [
-        Phase::Read,
-        Phase::Validate,
-        Phase::Delaunay,
-        Phase::Segments,
-        Phase::Facets,
-        Phase::Regions,
-        Phase::Round,
-        Phase::Audit,
-        Phase::Write,
-    ];
     let mut seconds: Map<String, Value> =
-        phases.iter().map(|&p| (p.name().to_string(), json!(s.seconds[p as usize]))).collect();
+        Phase::ALL.iter().map(|&p| (p.name().to_string(), json!(s.seconds[p as usize]))).collect();
     seconds.insert("total".to_string(), json!(total));
     json!({
         "version": env!("CARGO_PKG_VERSION"),
@@ -134,6 +124,16 @@ fn statistics(mesh: &TetMesh, total: f64) -> Value {
         "regions": mesh.regions.len(),
         "hull_kept": mesh.hull_kept,
         "peak_bytes": s.peak_bytes,
+        "preserve": {
+            "missing_edges": s.preserve.missing_edges,
+            "missing_faces": s.preserve.missing_faces,
+            "by_reconnection": s.preserve.by_reconnection,
+            "by_interior_points": s.preserve.by_interior_points,
+            "by_splits": s.preserve.by_splits,
+            "deleted": s.preserve.deleted,
+            "relocated": s.preserve.relocated,
+            "interior": s.preserve.interior,
+        },
         "seconds": seconds,
     })
 }

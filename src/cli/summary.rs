@@ -24,15 +24,7 @@ pub fn print_mesh(output: &Path, mesh: &TetMesh, total: f64) {
             grouped(mesh.points.len() as u64)
         ),
     );
-    let steiner = match s.steiner {
-        0 => "none: the boundary is the input's as it is".to_string(),
-        n => format!(
-            "{} on edges of the input, {} of them exact in doubles",
-            grouped(n),
-            grouped(s.steiner_exact)
-        ),
-    };
-    print_line("Steiner points", steiner);
+    print_line("Steiner points", steiner(mesh));
     if !mesh.facet_flips.is_empty() {
         print_line("facet flips", grouped(mesh.facet_flips.len() as u64));
     }
@@ -60,6 +52,23 @@ pub fn print_mesh(output: &Path, mesh: &TetMesh, total: f64) {
     print_line("written", output.display());
 }
 
+/// How many points were added, and where.
+fn steiner(mesh: &TetMesh) -> String {
+    let inside = mesh.steiner.iter().filter(|point| point.is_inside()).count();
+    match (mesh.steiner.len() - inside, inside) {
+        (0, 0) => "none: the boundary is the input's as it is".to_string(),
+        (0, n) => format!("{} inside; the boundary is the input's as it is", grouped(n as u64)),
+        (n, inside) => {
+            let exact = grouped(mesh.statistics.steiner_exact);
+            let more = match inside {
+                0 => String::new(),
+                n => format!("; {} inside", grouped(n as u64)),
+            };
+            format!("{} on edges of the input, {exact} of them exact in doubles{more}", grouped(n as u64))
+        }
+    }
+}
+
 /// Tetrahedra and volume per region.
 fn volumes(mesh: &TetMesh) -> Vec<(u64, f64)> {
     let mut sums = vec![(0u64, 0.0f64); mesh.regions.len()];
@@ -78,18 +87,7 @@ fn volume(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> f64 {
 }
 
 fn times(seconds: &[f64; Phase::COUNT], total: f64) -> String {
-    let phases = [
-        Phase::Read,
-        Phase::Validate,
-        Phase::Delaunay,
-        Phase::Segments,
-        Phase::Facets,
-        Phase::Regions,
-        Phase::Round,
-        Phase::Audit,
-        Phase::Write,
-    ];
-    let parts: Vec<String> = phases
+    let parts: Vec<String> = Phase::ALL
         .iter()
         .filter(|&&p| seconds[p as usize] >= 0.0005)
         .map(|&p| format!("{} {:.3}", p.name(), seconds[p as usize]))

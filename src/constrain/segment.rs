@@ -193,6 +193,23 @@ impl Segments {
         Ok(())
     }
 
+    /// Puts a Steiner point on a piece: the piece becomes its first half, the second is appended.
+    pub fn add_steiner(&mut self, piece: u32, v: u32, t: f64) -> Result<(), Error> {
+        let sub = self.pieces[piece as usize];
+        let second = self.pieces.len() as u32;
+        self.pieces.try_reserve(1)?;
+        self.steiner_segment.try_reserve(1)?;
+        self.steiner_t.try_reserve(1)?;
+        self.steiner_segment.push(sub.segment);
+        self.steiner_t.push(t);
+        self.piece_of.remove(&edge_key(sub.ends[0], sub.ends[1]));
+        self.pieces[piece as usize] = Subsegment { ends: [sub.ends[0], v], t: [sub.t[0], t], ..sub };
+        self.pieces.push(Subsegment { ends: [v, sub.ends[1]], t: [t, sub.t[1]], ..sub });
+        self.piece_of.insert(edge_key(sub.ends[0], v), piece);
+        self.piece_of.insert(edge_key(v, sub.ends[1]), second);
+        Ok(())
+    }
+
     fn bits(&mut self, points: &Points, segment: u32) -> u32 {
         if self.exact_bits.is_empty() {
             self.exact_bits.resize(self.ends.len(), u8::MAX);

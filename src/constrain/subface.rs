@@ -262,22 +262,70 @@ impl Subfaces {
             if points.incircle_in_plane(axis, a, b, c, d) != Sign::Positive {
                 continue;
             }
-            // (a b c) + (d c b) → (a b d) + (d c a)
-            let (beyond_ca, beyond_bd) = (self.adj[t][(i + 1) % 3], self.adj[n][(j + 1) % 3]);
-            self.verts[t][(i + 2) % 3] = d;
-            self.verts[n][(j + 2) % 3] = a;
-            let (ti, nj) = (3 * t as u32 + i as u32, 3 * n as u32 + j as u32);
-            let (t1, n1) = (3 * t as u32 + ((i + 1) % 3) as u32, 3 * n as u32 + ((j + 1) % 3) as u32);
-            self.adj[t][i] = NONE;
-            self.adj[n][j] = NONE;
-            self.link(ti, beyond_bd);
-            self.link(nj, beyond_ca);
-            self.link(t1, n1);
+            self.turn(code);
+            let [ti, t2, nj, n2] = self.quadrilateral(code);
             stack.try_reserve(4)?;
-            let (t2, n2) = (3 * t as u32 + ((i + 2) % 3) as u32, 3 * n as u32 + ((j + 2) % 3) as u32);
             stack.extend([ti, t2, nj, n2]);
         }
         Ok(())
+    }
+
+    /// The triangles at an edge form a strictly convex quadrilateral: the edge can be turned into the other diagonal, which is
+    /// returned.
+    pub fn other_diagonal(&self, points: &Points, code: u32) -> Option<[u32; 2]> {
+        let (t, i) = ((code / 3) as usize, (code % 3) as usize);
+        let other = self.adj[t][i];
+        if other == NONE {
+            return None;
+        }
+        let (n, j) = ((other / 3) as usize, (other % 3) as usize);
+        let [a, b, c] = [0, 1, 2].map(|k| self.verts[t][(i + k) % 3]);
+        let d = self.verts[n][j];
+        let axis = self.axis[self.patch[t] as usize] as usize;
+        let convex = points.orient_in_plane(axis, a, b, d) == Sign::Positive
+            && points.orient_in_plane(axis, d, c, a) == Sign::Positive;
+        convex.then_some([a, d])
+    }
+
+    /// The edge between two triangles crosses the open segment between two vertices of the patch.
+    pub fn crosses(&self, points: &Points, code: u32, [p, q]: [u32; 2]) -> bool {
+        let (t, i) = ((code / 3) as usize, (code % 3) as usize);
+        let (x, y) = (self.verts[t][(i + 1) % 3], self.verts[t][(i + 2) % 3]);
+        if self.adj[t][i] == NONE || [p, q].contains(&x) || [p, q].contains(&y) {
+            return false;
+        }
+        let axis = self.axis[self.patch[t] as usize] as usize;
+        let apart = |a, b, c, d| {
+            let side = points.orient_in_plane(axis, a, b, c);
+            side != Sign::Zero && points.orient_in_plane(axis, a, b, d) == -side
+        };
+        apart(p, q, x, y) && apart(x, y, p, q)
+    }
+
+    /// Turns an edge between two triangles into the other diagonal of their quadrilateral, which must be convex.
+    pub fn turn(&mut self, code: u32) {
+        let (t, i) = ((code / 3) as usize, (code % 3) as usize);
+        let other = self.adj[t][i];
+        let (n, j) = ((other / 3) as usize, (other % 3) as usize);
+        let (a, d) = (self.verts[t][i], self.verts[n][j]);
+        // (a b c) + (d c b) → (a b d) + (d c a)
+        let (beyond_ca, beyond_bd) = (self.adj[t][(i + 1) % 3], self.adj[n][(j + 1) % 3]);
+        self.verts[t][(i + 2) % 3] = d;
+        self.verts[n][(j + 2) % 3] = a;
+        self.adj[t][i] = NONE;
+        self.adj[n][j] = NONE;
+        self.link(code, beyond_bd);
+        self.link(other, beyond_ca);
+        let (t1, n1) = (3 * t as u32 + ((i + 1) % 3) as u32, 3 * n as u32 + ((j + 1) % 3) as u32);
+        self.link(t1, n1);
+    }
+
+    /// The outer edges of the two triangles whose common edge was turned by this code.
+    fn quadrilateral(&self, code: u32) -> [u32; 4] {
+        let (t, i) = (code / 3, code % 3);
+        let inner = self.adj[t as usize][((i + 1) % 3) as usize];
+        let (n, j) = (inner / 3, inner % 3);
+        [code, 3 * t + (i + 2) % 3, 3 * n + (j + 2) % 3, 3 * n + (j + 1) % 3]
     }
 }
 

@@ -87,7 +87,8 @@ pub unsafe extern "C" fn delotet_mesh_crowded_points(mesh: *const DelotetMesh) -
     unsafe { read(mesh, DelotetIndicesView::new(&[]), |mesh| DelotetIndicesView::new(&mesh.mesh.crowded)) }
 }
 
-/// Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge.
+/// Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge, inside
+/// in a tetrahedron of points around.
 /// Borrowed from `mesh`. Empty for NULL and if the input had none.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_point_attributes(mesh: *const DelotetMesh) -> DelotetDoublesView {
@@ -96,7 +97,7 @@ pub unsafe extern "C" fn delotet_mesh_point_attributes(mesh: *const DelotetMesh)
     unsafe { read(mesh, DelotetDoublesView::new(&[], 0), |mesh| view(&mesh.data)) }
 }
 
-/// Markers of all points: the input's, at Steiner points their segment's, 0 on an edge of facets only. Borrowed from `mesh`.
+/// Markers of all points: the input's, at Steiner points their segment's, 0 on an edge of facets only and inside. Borrowed from `mesh`.
 /// Empty for NULL and if the input had none.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_point_markers(mesh: *const DelotetMesh) -> DelotetMarkersView {
@@ -149,7 +150,7 @@ pub unsafe extern "C" fn delotet_mesh_subsegments(mesh: *const DelotetMesh) -> D
     unsafe { read(mesh, none, |mesh| DelotetSubsegmentsView::new(&mesh.mesh.subsegments)) }
 }
 
-/// The Steiner points in the order of the points, with the input edge and the segment they lie on. Borrowed from `mesh`. Empty
+/// The Steiner points in the order of the points, with the input edge and the segment they lie on, if any. Borrowed from `mesh`. Empty
 /// for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_steiner_points(mesh: *const DelotetMesh) -> DelotetSteinerView {
@@ -196,6 +197,22 @@ pub struct DelotetStats {
     pub peak_bytes: u64,
     /// Seconds per phase, indexed by DelotetPhase; unused entries are 0.
     pub seconds: [f64; 16],
+    /// DELOTET_MODE_PRESERVE, else 0: edges of the surface missing from the Delaunay tetrahedralization of the points.
+    pub preserve_missing_edges: u64,
+    /// Triangles of the surface missing from it.
+    pub preserve_missing_faces: u64,
+    /// Edges and faces recovered by reconnecting tetrahedra alone.
+    pub preserve_by_reconnection: u64,
+    /// Edges and faces recovered with the help of points inside.
+    pub preserve_by_interior_points: u64,
+    /// Edges and faces recovered by points on them, which were taken away again.
+    pub preserve_by_splits: u64,
+    /// Points on the surface taken away without a replacement.
+    pub preserve_deleted: u64,
+    /// Points on the surface taken away with points inside in their place.
+    pub preserve_relocated: u64,
+    /// Points added inside that are left.
+    pub preserve_interior: u64,
 }
 const _: () = assert!(Phase::COUNT <= 16);
 
@@ -214,6 +231,14 @@ impl DelotetStats {
             missing_regions: statistics.missing_regions,
             peak_bytes: statistics.peak_bytes,
             seconds,
+            preserve_missing_edges: statistics.preserve.missing_edges,
+            preserve_missing_faces: statistics.preserve.missing_faces,
+            preserve_by_reconnection: statistics.preserve.by_reconnection,
+            preserve_by_interior_points: statistics.preserve.by_interior_points,
+            preserve_by_splits: statistics.preserve.by_splits,
+            preserve_deleted: statistics.preserve.deleted,
+            preserve_relocated: statistics.preserve.relocated,
+            preserve_interior: statistics.preserve.interior,
         }
     }
 }
@@ -259,6 +284,26 @@ pub unsafe extern "C" fn delotet_mesh_check(
         guard(out_error, || {
             let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
             crate::check::check_mesh(plc, mesh, constrained_delaunay, max_defects)
+        })
+    }
+}
+
+/// Checks a mesh like delotet_mesh_check(), without the Delaunay property, and that it keeps the surface as DELOTET_MODE_PRESERVE
+/// promises: every input triangle is a face (or, if input points lie on it, a union of faces between these) and no added point
+/// lies on a facet or segment. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_mesh_check_preserved(
+    mesh: *const DelotetMesh,
+    plc: *const DelotetPlc,
+    max_defects: usize,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes handles that nothing changes meanwhile.
+    unsafe {
+        guard(out_error, || {
+            let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
+            crate::check::check_preserved(plc, mesh, max_defects)
         })
     }
 }

@@ -14,6 +14,9 @@ pub const DELOTET_MODE_DELAUNAY: DelotetMode = 0;
 /// The constrained Delaunay tetrahedralization: segments and facets are unions of edges and faces, with Steiner points on
 /// segments only. The default.
 pub const DELOTET_MODE_CONSTRAINED: DelotetMode = 1;
+/// A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation) is a
+/// face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+pub const DELOTET_MODE_PRESERVE: DelotetMode = 2;
 
 /// Receives progress: `fraction` of `phase` is done, from 0 to 1, never falling within a phase. Return 0 to go on, anything
 /// else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the thread that made the call. Must not throw,
@@ -119,6 +122,7 @@ pub unsafe extern "C" fn delotet_options_set_mode(
             options.options.mode = match mode {
                 DELOTET_MODE_DELAUNAY => Mode::Delaunay,
                 DELOTET_MODE_CONSTRAINED => Mode::Constrained,
+                DELOTET_MODE_PRESERVE => Mode::Preserve,
                 _ => return Err(invalid("unknown mode")),
             };
             Ok(())

@@ -131,7 +131,7 @@ pub enum DelotetDefectKind {
     HullOffFacets = 24,
 }
 
-/// Stages of a run, in order.
+/// Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DelotetPhase {
@@ -153,6 +153,8 @@ pub enum DelotetPhase {
     Audit = 7,
     /// Writing files.
     Write = 8,
+    /// Keeping the surface as it is (DELOTET_MODE_PRESERVE).
+    Preserve = 9,
 }
 
 impl From<Status> for DelotetStatus {
@@ -227,6 +229,7 @@ impl From<Phase> for DelotetPhase {
             Phase::Round => DelotetPhase::Round,
             Phase::Audit => DelotetPhase::Audit,
             Phase::Write => DelotetPhase::Write,
+            Phase::Preserve => DelotetPhase::Preserve,
         }
     }
 }
@@ -320,6 +323,7 @@ static PHASE_NAMES: &[(u32, &str)] = &[
     (6, "DELOTET_PHASE_ROUND\0"),
     (7, "DELOTET_PHASE_AUDIT\0"),
     (8, "DELOTET_PHASE_WRITE\0"),
+    (9, "DELOTET_PHASE_PRESERVE\0"),
 ];
 
 fn name_in(table: &'static [(u32, &'static str)], number: u32) -> *const c_char {

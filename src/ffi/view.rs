@@ -164,17 +164,19 @@ pub struct DelotetSubsegmentsView {
 }
 view!(DelotetSubsegmentsView, DelotetSubsegment, Subsegment);
 
-/// A Steiner point and where it lies.
+/// A Steiner point and where it lies: on an edge of the input, or inside (DELOTET_MODE_PRESERVE), exactly where its doubles are.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSteinerPoint {
-    /// Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a).
+    /// Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a); both
+    /// DELOTET_INVALID_INDEX for a point inside.
     pub ends: [u32; 2],
-    /// The parameter t; terms beyond a double, which hardly any point has, are in delotet_mesh_steiner_terms.
+    /// The parameter t; 0 for a point inside. Terms beyond a double, which hardly any point has, are in delotet_mesh_steiner_terms.
     pub t: f64,
-    /// The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only.
+    /// The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only or the point lies inside.
     pub segment: u32,
     /// Its coordinates are exactly a + t (b - a); false: they are rounded, or were moved to keep every tetrahedron positive.
+    /// True for a point inside.
     pub exact: bool,
 }
 

@@ -169,7 +169,8 @@ pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> 
     match Format::of(path)? {
         Format::Ele => write_tetgen::write(&mut files, path, mesh, plc)?,
         Format::Vtu => {
-            files.write(path, |out| vtu::write(out, mesh, plc, options.compress))?;
+            let added = crate::plc::attributes::continue_attributes(plc, mesh)?;
+            files.write(path, |out| vtu::write(out, mesh, plc, &added, options.compress))?;
             if options.subfaces {
                 let beside = subfaces_path(path);
                 files.write(&beside, |out| vtu::write_subfaces(out, mesh, options.compress))?;

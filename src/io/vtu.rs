@@ -33,12 +33,18 @@ struct Grid<'a> {
     cells: Vec<Array<'a>>,
 }
 
-/// Writes the tetrahedra of a mesh.
-pub(super) fn write(out: &mut Out, mesh: &TetMesh, plc: &Plc, compress: bool) -> io::Result<()> {
+/// Writes the tetrahedra of a mesh; `added` are the attributes of the points after the input's.
+pub(super) fn write(
+    out: &mut Out,
+    mesh: &TetMesh,
+    plc: &Plc,
+    added: &[f64],
+    compress: bool,
+) -> io::Result<()> {
     let grid = Grid {
         point_count: mesh.points.len(),
         cell_count: mesh.tets.len(),
-        point_data: point_data(mesh, plc),
+        point_data: point_data(mesh, plc, added),
         cell_data: vec![
             array("region", "Float64", 1, 8, mesh.tets.len(), |i, sink| {
                 sink(&attribute_of(mesh, i).to_le_bytes())
@@ -104,12 +110,12 @@ fn flat(words: [[u8; 8]; 3]) -> [u8; 24] {
     bytes
 }
 
-fn point_data<'a>(mesh: &'a TetMesh, plc: &'a Plc) -> Vec<Array<'a>> {
+fn point_data<'a>(mesh: &'a TetMesh, plc: &'a Plc, added: &'a [f64]) -> Vec<Array<'a>> {
     let count = mesh.points.len();
     let mut arrays = Vec::new();
     for k in 0..plc.point_attribute_count {
         arrays.push(array(format!("attribute_{k}"), "Float64", 1, 8, count, move |i, sink| {
-            sink(&super::write_tetgen::attribute(mesh, plc, i, k).to_le_bytes())
+            sink(&super::write_tetgen::attribute(plc, added, i, k).to_le_bytes())
         }));
     }
     if !plc.point_markers.is_empty() {

@@ -4,6 +4,7 @@ use super::output_files::{Out, OutputFiles};
 use super::parents;
 use crate::error::Error;
 use crate::output::TetMesh;
+use crate::plc::attributes::continue_attributes;
 use crate::plc::Plc;
 use crate::INVALID;
 use std::io;
@@ -11,7 +12,8 @@ use std::path::Path;
 
 /// Writes the files of a mesh: `stem` with each suffix, and our own `.parents`.
 pub(super) fn write(files: &mut OutputFiles, stem: &Path, mesh: &TetMesh, plc: &Plc) -> Result<(), Error> {
-    files.write(&stem.with_extension("node"), |out| nodes(out, mesh, plc))?;
+    let added = continue_attributes(plc, mesh)?;
+    files.write(&stem.with_extension("node"), |out| nodes(out, mesh, plc, &added))?;
     files.write(&stem.with_extension("ele"), |out| tets(out, mesh, plc))?;
     files.write(&stem.with_extension("face"), |out| faces(out, mesh))?;
     files.write(&stem.with_extension("edge"), |out| edges(out, mesh))?;
@@ -19,7 +21,7 @@ pub(super) fn write(files: &mut OutputFiles, stem: &Path, mesh: &TetMesh, plc: &
     files.write(&stem.with_extension("parents"), |out| parents::write(out, mesh))
 }
 
-fn nodes(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> {
+fn nodes(out: &mut Out, mesh: &TetMesh, plc: &Plc, added: &[f64]) -> io::Result<()> {
     let attributes = plc.point_attribute_count;
     let marked = !plc.point_markers.is_empty();
     out.int(mesh.points.len())?;
@@ -29,7 +31,7 @@ fn nodes(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> {
         out.put(b" ")?;
         out.point(point)?;
         for k in 0..attributes {
-            out.blank_float(attribute(mesh, plc, i, k))?;
+            out.blank_float(attribute(plc, added, i, k))?;
         }
         if marked {
             out.blank_int(plc.point_markers.get(i).copied().unwrap_or(0))?;
@@ -39,14 +41,14 @@ fn nodes(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> {
     Ok(())
 }
 
-/// Attribute `k` of a point: a Steiner point's is interpolated between the ends of its edge.
-pub(super) fn attribute(mesh: &TetMesh, plc: &Plc, point: usize, k: usize) -> f64 {
-    let given =
-        |p: usize| plc.point_attributes.get(p * plc.point_attribute_count + k).copied().unwrap_or(0.0);
-    let Some(steiner) = point.checked_sub(mesh.input_point_count as usize) else { return given(point) };
-    let Some(steiner) = mesh.steiner.get(steiner) else { return 0.0 };
-    let [a, b] = steiner.ends.map(|p| given(p as usize));
-    (1.0 - steiner.t) * a + steiner.t * b
+/// Attribute `k` of a point; `added` are those of the points after the input's.
+pub(super) fn attribute(plc: &Plc, added: &[f64], point: usize, k: usize) -> f64 {
+    let width = plc.point_attribute_count;
+    let found = match point.checked_sub(plc.points.len()) {
+        None => plc.point_attributes.get(point * width + k),
+        Some(steiner) => added.get(steiner * width + k),
+    };
+    found.copied().unwrap_or(0.0)
 }
 
 fn tets(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> {

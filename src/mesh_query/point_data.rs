@@ -1,5 +1,6 @@
 //! Attributes and markers of the mesh's points: the input's, continued to the Steiner points.
 use crate::error::Error;
+use crate::plc::attributes::continue_attributes;
 use crate::{Plc, TetMesh, INVALID};
 
 /// Attributes and markers of all points of a mesh.
@@ -7,9 +8,11 @@ use crate::{Plc, TetMesh, INVALID};
 pub struct PointData {
     /// Attributes per point.
     pub attribute_count: usize,
-    /// `attribute_count` numbers per point: for a Steiner point linear between the ends of its input edge.
+    /// `attribute_count` numbers per point: for a Steiner point linear between the ends of its input edge, or inside a tetrahedron
+    /// of points around it.
     pub attributes: Vec<f64>,
-    /// One per point, or empty if the input had none: for a Steiner point its segment's marker, 0 on an edge of facets only.
+    /// One per point, or empty if the input had none: for a Steiner point its segment's marker, 0 on an edge of facets only and
+    /// inside.
     pub markers: Vec<i32>,
 }
 
@@ -21,13 +24,7 @@ impl PointData {
         if width > 0 && !plc.point_attributes.is_empty() {
             data.attributes.try_reserve_exact(width * mesh.points.len())?;
             data.attributes.extend_from_slice(&plc.point_attributes);
-            for steiner in &mesh.steiner {
-                let [a, b] = steiner.ends.map(|end| end as usize * width);
-                for column in 0..width {
-                    let (a, b) = (plc.point_attributes[a + column], plc.point_attributes[b + column]);
-                    data.attributes.push((1.0 - steiner.t) * a + steiner.t * b);
-                }
-            }
+            data.attributes.extend(continue_attributes(plc, mesh)?);
         }
         if !plc.point_markers.is_empty() {
             data.markers.try_reserve_exact(mesh.points.len())?;

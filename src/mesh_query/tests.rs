@@ -241,3 +241,62 @@ fn point_data_continues_to_steiner_points() {
     assert_eq!(data.attributes, [1.0, 10.0, 3.0, 30.0, 1.5, 15.0, 2.0, 20.0]);
     assert_eq!(data.markers, [5, 6, 42, 0]);
 }
+
+/// An octahedron around two points inside, of which one needs the other's value.
+#[test]
+fn linear_attributes_are_met_inside() {
+    let mut points = vec![
+        [2.0, 0.0, 0.0],
+        [-2.0, 0.0, 0.0],
+        [0.0, 2.0, 0.0],
+        [0.0, -2.0, 0.0],
+        [0.0, 0.0, 2.0],
+        [0.0, 0.0, -2.0],
+    ];
+    let field = |p: &[f64; 3]| [3.0 + p[0] - 2.0 * p[1] + 5.0 * p[2], 7.0];
+    let plc = Plc {
+        point_attribute_count: 2,
+        point_attributes: points.iter().flat_map(field).collect(),
+        point_markers: vec![9; 6],
+        points: points.clone(),
+        ..Plc::default()
+    };
+    points.extend([[0.5, 0.25, 0.125], [0.75, 0.5, 0.625]]);
+    // The first point with all sides but one, where the second one sits between them.
+    let mut tets = Vec::new();
+    for (x, y, z) in (0..8).map(|i| (i & 1, 2 + (i >> 1 & 1), 4 + (i >> 2))) {
+        match (x, y, z) {
+            (0, 2, 4) => tets.extend([[7, x, y, z], [7, 6, x, y], [7, 6, y, z], [7, 6, x, z]]),
+            _ => tets.push([6, x, y, z]),
+        }
+    }
+    let mesh = TetMesh {
+        points,
+        input_point_count: 6,
+        tets,
+        steiner: vec![SteinerPoint::INSIDE; 2],
+        ..TetMesh::default()
+    };
+    let data = PointData::new(&plc, &mesh).unwrap();
+    assert_eq!(data.markers[6..], [0, 0]);
+    for (point, found) in mesh.points.iter().zip(data.attributes.chunks(2)) {
+        for (wanted, found) in field(point).iter().zip(found) {
+            assert!((wanted - found).abs() < 1e-14, "{point:?}: {found} instead of {wanted}");
+        }
+    }
+}
+
+#[test]
+fn attributes_inside_without_enough_neighbours_still_come_from_them() {
+    let plc = Plc {
+        points: vec![[0.0; 3]],
+        point_attribute_count: 1,
+        point_attributes: vec![4.0],
+        ..Plc::default()
+    };
+    let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [9.0, 9.0, 9.0]];
+    let steiner = vec![SteinerPoint::INSIDE; 4];
+    let mesh =
+        TetMesh { points, input_point_count: 1, tets: vec![[0, 1, 2, 3]], steiner, ..TetMesh::default() };
+    assert_eq!(PointData::new(&plc, &mesh).unwrap().attributes, [4.0, 4.0, 4.0, 4.0, 0.0]);
+}

@@ -3,6 +3,7 @@
 //! Si & Gärtner 2011, section 2: a PLC is a set of vertices, segments and facets such that the intersection of any two is a
 //! union of others of the set. We are more lenient on input: a vertex exactly on a segment or facet splits it.
 
+pub mod attributes;
 pub mod duplicates;
 pub mod intersect;
 pub mod merge;

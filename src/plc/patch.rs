@@ -148,7 +148,7 @@ impl Patches {
     }
 
     /// Numbers the sets by their first members; returns how many there are.
-    fn number(mut self, patch: &mut Vec<u32>) -> Result<u32, Error> {
+    pub fn number(mut self, patch: &mut Vec<u32>) -> Result<u32, Error> {
         patch.clear();
         patch.try_reserve_exact(self.parent.len())?;
         let mut count = 0;

@@ -37,6 +37,13 @@ impl Points {
         }
     }
 
+    /// Whether four exactly coplanar points, no three of them on a line, lie on a circle.
+    pub fn cocircular(&self, a: u32, b: u32, c: u32, d: u32) -> bool {
+        (0..3)
+            .find(|&axis| self.orient_in_plane(axis, a, b, c) != Sign::Zero)
+            .is_some_and(|axis| self.incircle_unperturbed(axis, [a, b, c, d]) == Sign::Zero)
+    }
+
     fn incircle_unperturbed(&self, axis: usize, ids: [u32; 4]) -> Sign {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let [a, b, c, d] = ids.map(|i| self.xyz(i));

@@ -161,15 +161,7 @@ impl Points {
             return Err(Error::internal("a Steiner point is outside the exact range of coordinates"));
         }
         let id = self.append(p, None)?;
-        let lowest = p.iter().filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(1000);
-        self.grid = self.grid.min(range::scale(1.0, lowest));
-        if (0..3).any(|i| p[i] < self.min[i] || p[i] > self.max[i]) {
-            for (i, &x) in p.iter().enumerate() {
-                self.min[i] = self.min[i].min(x);
-                self.max[i] = self.max[i].max(x);
-            }
-            self.update_bounds();
-        }
+        self.take_explicit(p);
         Ok(id)
     }
 
@@ -273,6 +265,32 @@ impl Points {
         }
         self.xyz[i as usize] = p;
         Ok(())
+    }
+
+    /// Moves an explicit point.
+    ///
+    /// # Errors
+    /// `Internal` if the point is implicit, or a coordinate is not finite or outside the exact range.
+    pub fn move_to(&mut self, i: u32, p: [f64; 3]) -> Result<(), Error> {
+        if !self.is_explicit(i) || !p.iter().all(|&x| in_range(x)) {
+            return Err(Error::internal("a point cannot be moved there"));
+        }
+        self.xyz[i as usize] = p;
+        self.take_explicit(p);
+        Ok(())
+    }
+
+    /// Keeps grid, box and bounds true for a new explicit point.
+    fn take_explicit(&mut self, p: [f64; 3]) {
+        let lowest = p.iter().filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(1000);
+        self.grid = self.grid.min(range::scale(1.0, lowest));
+        if (0..3).any(|i| p[i] < self.min[i] || p[i] > self.max[i]) {
+            for (i, &x) in p.iter().enumerate() {
+                self.min[i] = self.min[i].min(x);
+                self.max[i] = self.max[i].max(x);
+            }
+            self.update_bounds();
+        }
     }
 
     /// The largest `n <= 52` such that `a + t (b − a)` is exactly a double for every `t = k / 2^n`; 0 if there is none.

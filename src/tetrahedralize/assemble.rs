@@ -4,11 +4,12 @@ use crate::constrain::face_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
-use crate::mesh::flag;
+use crate::mesh::{flag, Tetrahedra};
 use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
 use crate::predicates::scale;
+use crate::preserve::solid::Solid;
 use crate::region::{Components, Regions};
 use crate::rounding::Rounded;
 use crate::INVALID;
@@ -46,8 +47,66 @@ pub(super) fn mesh(
     if let Some((segments, subfaces)) = constraints {
         steiner(engine, segments, surface, rounded, &mut out, point_of)?;
         subsegments(plc, surface, segments, &mut out, point_of)?;
-        faces(engine, plc, subfaces, &number, &mut out, point_of)?;
+        let list = subfaces.verts.iter().copied().zip(subfaces.facet.iter().copied());
+        faces(&engine.delaunay.mesh, plc, list, &number, &mut out, point_of)?;
     }
+    Ok(out)
+}
+
+/// The output mesh of a domain without points on its surface.
+pub(super) fn preserved(
+    engine: &Engine,
+    plc: &Plc,
+    surface: &Surface,
+    solid: &Solid,
+    inside: &[u32],
+    regions: &Regions,
+) -> Result<TetMesh, Error> {
+    let mut out = TetMesh {
+        input_point_count: plc.points.len() as u32,
+        point_alias: surface.alias.clone(),
+        regions: regions.regions.clone(),
+        facet_flips: surface.facet_flips.clone(),
+        preserved: true,
+        ..TetMesh::default()
+    };
+    let mut number_of: Vec<u32> = Vec::new();
+    number_of.try_reserve(engine.points.len())?;
+    number_of.extend_from_slice(&engine.input_of);
+    number_of.resize(engine.points.len(), INVALID);
+    out.points.try_reserve(plc.points.len() + inside.len())?;
+    out.points.extend_from_slice(&plc.points);
+    out.steiner.try_reserve(inside.len())?;
+    for &v in inside {
+        number_of[v as usize] = out.points.len() as u32;
+        out.points.push(engine.points.xyz(v).map(|x| scale(x, -engine.scale)));
+        out.steiner.push(SteinerPoint { ends: [INVALID; 2], t: 0.0, segment: INVALID, exact: true });
+    }
+    let mesh = &solid.mesh;
+    let mut number = Vec::new();
+    number.try_reserve(mesh.slot_count())?;
+    let mut count = 0;
+    for t in 0..mesh.slot_count() as u32 {
+        let stays = mesh.is_live(t) && !mesh.is_ghost(t);
+        number.push(if stays { count } else { INVALID });
+        count += u32::from(stays);
+    }
+    out.tets.try_reserve(count as usize)?;
+    out.neighbors.try_reserve(count as usize)?;
+    out.tet_region.try_reserve(count as usize)?;
+    for (t, _) in number.iter().enumerate().filter(|&(_, &n)| n != INVALID) {
+        out.tets.push(mesh.verts[t].map(|v| number_of[v as usize]));
+        out.neighbors.push(mesh.adj[t].map(|code| number[(code >> 2) as usize]));
+        out.tet_region.push(solid.region[t]);
+    }
+    for (&ends, &segment) in surface.segments.iter().zip(&surface.segment_parent) {
+        let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);
+        out.subsegments.try_reserve(1)?;
+        out.subsegments.push(Subsegment { ends, segment, marker });
+    }
+    let triangles = engine.map(&surface.triangles)?;
+    let list = triangles.iter().copied().zip(surface.triangle_facet.iter().copied());
+    faces(mesh, plc, list, &number, &mut out, |v| number_of[v as usize])?;
     Ok(out)
 }
 
@@ -205,18 +264,15 @@ fn subsegments(
 
 /// Subfaces with the tetrahedra on both sides.
 fn faces(
-    engine: &Engine,
+    mesh: &Tetrahedra,
     plc: &Plc,
-    subfaces: &Subfaces,
+    subfaces: impl ExactSizeIterator<Item = ([u32; 3], u32)>,
     number: &[u32],
     out: &mut TetMesh,
     point_of: impl Fn(u32) -> u32,
 ) -> Result<(), Error> {
-    let mesh = &engine.delaunay.mesh;
     let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-    code_of
-        .try_reserve(subfaces.verts.len())
-        .map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+    code_of.try_reserve(subfaces.len()).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
     for t in 0..mesh.slot_count() as u32 {
         for f in 0..4 {
             if mesh.is_live(t) && mesh.flags[t as usize] & (flag::FACE << f) != 0 {
@@ -224,16 +280,21 @@ fn faces(
             }
         }
     }
-    out.subfaces.try_reserve(subfaces.verts.len())?;
-    for (s, &corners) in subfaces.verts.iter().enumerate() {
+    out.subfaces.try_reserve(subfaces.len())?;
+    for (corners, facet) in subfaces {
+        let marker = plc.facet_marker(facet as usize);
         let Some(&code) = code_of.get(&face_key(corners)) else {
-            return Err(Error::internal("a subface is no face of the mesh"));
+            // All around was carved, and is not even in the mesh any more.
+            if !out.preserved {
+                return Err(Error::internal("a subface is no face of the mesh"));
+            }
+            out.subfaces.push(Subface { corners: corners.map(&point_of), facet, marker, tets: [INVALID; 2] });
+            continue;
         };
         // (apex, x, y, z) is positive, so (x, y, z, apex) is not: the normal of (x, y, z) points away from the apex.
         let found = mesh.face(code);
         let same = (0..3).any(|k| found[0] == corners[k] && found[1] == corners[(k + 1) % 3]);
         let (behind, ahead) = if same { (code, mesh.across(code)) } else { (mesh.across(code), code) };
-        let facet = subfaces.facet[s];
         let mut corners = corners.map(&point_of);
         let mut tets = [number[(behind >> 2) as usize], number[(ahead >> 2) as usize]];
         if tets[0] > tets[1] {
@@ -241,7 +302,7 @@ fn faces(
             tets.swap(0, 1);
             corners.swap(1, 2);
         }
-        out.subfaces.push(Subface { corners, facet, marker: plc.facet_marker(facet as usize), tets });
+        out.subfaces.push(Subface { corners, facet, marker, tets });
     }
     Ok(())
 }

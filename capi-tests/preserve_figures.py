@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Figures of the mode that preserves the surface, as tables.
+
+  preserve_figures.py classics --bin target/release/delotet              Schönhardt, combs, Chazelle with a few notches
+  preserve_figures.py chazelle --bin ... [--sizes 4,8,16,32]             Chazelle's polyhedron: points left against its size
+  preserve_figures.py growth   --bin ... [--sizes 100000,1000000]        a scan-like surface: seconds per triangle
+  preserve_figures.py corpus   --bin ... [--list ../shared/corpus/public.txt] [--only SUBSTRING] [--limit 60] [--tsv FILE]
+
+With `--tetgen` also what `tetgen -pY` does with the same file. Seconds are without reading and writing. Every mesh is checked by
+the program itself (`check --preserved`, exact), but not those of `growth`. Exit 0 if every model was meshed and passed.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "data"))
+import compare_peers
+import generate
+import shapes
+
+COUNTS = ["missing_edges", "missing_faces", "by_reconnection", "by_interior_points", "by_splits", "deleted", "relocated", "interior"]
+HEADS = ["edges", "faces", "flips", "inside", "splits", "deleted", "relocated", "left"]
+
+
+class Table:
+    """Runs models and prints a line each."""
+
+    def __init__(self, options, folder):
+        self.options, self.folder, self.rows, self.failures = options, folder, [], 0
+        beside = options.tetgen
+        print(f"{'':34s} {'':9s} {'':8s} {'':7s} {'missing at first':>19s} {'recovered by':>29s} {'of those on it':>19s} {'inside':>9s}"
+              + (f" {'tetgen -pY':>19s}" if beside else ""))
+        print(f"{'model':34s} {'triangles':>9s} {'seconds':>8s} {'us/tri':>7s} " + " ".join(f"{h:>9s}" for h in HEADS)
+              + (f" {'seconds':>9s} {'added':>9s}" if beside else ""), flush=True)
+
+    def add(self, source, name, check=True):
+        options, folder = self.options, self.folder
+        found = compare_peers.our_figures(options.bin, source, folder, options.limit, ["--mode", "preserve"])
+        if isinstance(found, str):
+            self.failures += 1
+            print(f"{name:34s} FAILED {found}", flush=True)
+            return None
+        seconds, _, stats = found
+        counts = [stats["preserve"][key] for key in COUNTS]
+        line = f"{name:34s} {stats['subfaces']:9d} {seconds:8.3f} {1e6 * seconds / max(1, stats['subfaces']):7.2f} " + " ".join(f"{c:9d}" for c in counts)
+        if options.tetgen:
+            theirs = compare_peers.tetgen_seconds(source, folder, options.limit, "-pY")
+            line += f" {theirs:9.3f} {compare_peers.tetgen_added(source, folder)!s:>9s}" if theirs is not None else f" {'fails':>9s}"
+        if check:
+            result = subprocess.run([options.bin, "check", os.path.join(folder, "out.ele"), "--input", source, "--preserved"], capture_output=True, text=True)
+            if result.returncode != 0:
+                self.failures += 1
+                line += "  FAILED check: " + result.stderr.strip()[:100]
+        print(line, flush=True)
+        self.rows.append((name, stats["subfaces"], seconds, counts))
+        return seconds / max(1, stats["subfaces"])
+
+    def close(self):
+        sums = [sum(r[3][i] for r in self.rows) for i in range(len(COUNTS))]
+        gone = sums[5] + sums[6]
+        print(f"\n{len(self.rows)} models meshed, {self.failures} failures; {sum(r[2] for r in self.rows):.2f} s; {sums[7]} points inside"
+              + (f"; of {gone} points on the surface {100 * sums[5] / gone:.2f} % deleted outright" if gone else ""))
+        if self.options.tsv:
+            with open(self.options.tsv, "w") as out:
+                out.write("\t".join(["model", "triangles", "seconds"] + COUNTS) + "\n")
+                for name, triangles, seconds, counts in self.rows:
+                    out.write("\t".join(str(x) for x in [name, triangles, f"{seconds:.4f}", *counts]) + "\n")
+        return 1 if self.failures else 0
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("what", choices=["classics", "chazelle", "growth", "corpus"])
+    parser.add_argument("--bin", required=True)
+    parser.add_argument("--sizes", type=lambda text: [int(n) for n in text.split(",")])
+    parser.add_argument("--list", default=os.path.join(HERE, "..", "..", "shared", "corpus", "public.txt"))
+    parser.add_argument("--only", default="")
+    parser.add_argument("--limit", type=float, default=60)
+    parser.add_argument("--tetgen", action="store_true")
+    parser.add_argument("--tsv")
+    options = parser.parse_args()
+    options.bin = os.path.abspath(options.bin)
+    with tempfile.TemporaryDirectory() as folder:
+        table = Table(options, folder)
+
+        def made(model, name):
+            source = os.path.join(folder, name)
+            shapes.write(model, source)
+            return source
+
+        if options.what == "classics":
+            table.add(made(generate.schoenhardt(), "schoenhardt.off"), "Schönhardt")
+            table.add(made(generate.combs(), "combs.smesh"), "two combs in a box")
+            table.add(made(generate.chazelle(), "chazelle.off"), "Chazelle, 4 notches a side")
+        elif options.what == "chazelle":
+            for n in options.sizes or [2, 4, 8, 16, 32]:
+                table.add(made(generate.chazelle(n), f"chazelle-{n}.off"), f"Chazelle, {n} notches a side")
+        elif options.what == "growth":
+            rates = [table.add(made(generate.blob(n), f"surface-{n}.off"), f"surface of {n}", False) for n in options.sizes or [100000, 1000000]]
+            if None not in rates:
+                print(f"seconds per triangle, last to first: {rates[-1] / rates[0]:.2f}")
+        else:
+            base = os.path.dirname(os.path.abspath(options.list))
+            for line in open(options.list):
+                name = line.split("\t")[0].strip()
+                if name and options.only in name:
+                    table.add(os.path.join(base, name), os.path.basename(name))
+        return table.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

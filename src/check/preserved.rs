@@ -1,0 +1,91 @@
+//! On request: the surface is the input's triangle by triangle, and no added point lies on it.
+//!
+//! With the other checks, which see to it that the subfaces tile the facets, that the complex is valid and that segments are
+//! chains of edges, three questions are left: whether all corners of subfaces and ends of subsegments are input points (then no
+//! added point lies on the surface, as it could only be a vertex of these), whether no added point claims an input edge, and
+//! whether every input triangle is a face. A triangle that has input points on it besides its corners cannot be one: there the
+//! tiling by input points is all that is asked, and the same holds for general facets.
+use super::carved::is_carved;
+use super::context::Context;
+use super::facets::flipped_triangles;
+use super::report::Report;
+use crate::error::{DefectKind, Element, Error};
+use crate::predicates::Sign;
+
+/// Reports added points on the surface, and triangles of the input that are no faces.
+pub(super) fn check_preserved(context: &Context, report: &mut Report) -> Result<(), Error> {
+    check_added_points(context, report);
+    let triangles = flipped_triangles(context, report)?;
+    let by_facet = subfaces_by_facet(context)?;
+    for (f, &corners) in triangles.iter().enumerate() {
+        let [a, b, c] = corners;
+        if a == b || b == c || c == a || !context.faces.find(corners).is_empty() {
+            continue;
+        }
+        let from = by_facet.partition_point(|x| x.0 < f as u32);
+        let mut own = by_facet[from..].iter().take_while(|x| x.0 == f as u32);
+        let excused = own.any(|x| {
+            let face = &context.mesh.subfaces[x.1 as usize];
+            let mut others = face.corners.iter().filter(|v| !corners.contains(v));
+            let is_it = face.corners.iter().all(|v| corners.contains(v));
+            is_it && is_carved(context, face)
+                || others.any(|&v| context.is_input(v) && on_triangle(context, corners, v))
+        });
+        if !excused {
+            report.add(DefectKind::FacetMissing, Element::Facet(f as u32), None, context.position(a));
+        }
+    }
+    Ok(())
+}
+
+/// Added points that say they lie on an edge of the input, or that pieces of the surface have as corners.
+fn check_added_points(context: &Context, report: &mut Report) {
+    let inputs = context.plc.points.len();
+    for (i, _) in context.mesh.steiner.iter().enumerate().filter(|(_, s)| !s.is_inside()) {
+        let v = (inputs + i) as u32;
+        report.add(DefectKind::SegmentMissing, Element::Point(v), None, context.position(v));
+    }
+    for face in &context.mesh.subfaces {
+        for &v in face.corners.iter().filter(|&&v| !context.is_input(v)) {
+            let point = Some(Element::Point(v));
+            report.add(DefectKind::FacetMissing, Element::Facet(face.facet), point, context.position(v));
+        }
+    }
+    for edge in &context.mesh.subsegments {
+        for &v in edge.ends.iter().filter(|&&v| !context.is_input(v)) {
+            let point = Some(Element::Point(v));
+            report.add(
+                DefectKind::SegmentMissing,
+                Element::Segment(edge.segment),
+                point,
+                context.position(v),
+            );
+        }
+    }
+}
+
+/// (facet, subface), sorted.
+fn subfaces_by_facet(context: &Context) -> Result<Vec<(u32, u32)>, Error> {
+    let subfaces = &context.mesh.subfaces;
+    let mut by_facet = Vec::new();
+    by_facet.try_reserve_exact(subfaces.len())?;
+    by_facet.extend(subfaces.iter().enumerate().map(|(i, face)| (face.facet, i as u32)));
+    by_facet.sort_unstable();
+    Ok(by_facet)
+}
+
+/// Whether `v` lies on the closed triangle.
+fn on_triangle(context: &Context, [a, b, c]: [u32; 3], v: u32) -> bool {
+    let geometry = &context.geometry;
+    if geometry.orient3d([a, b, c, v]) != Sign::Zero {
+        return false;
+    }
+    let Some(axis) = (0..3).find(|&axis| geometry.orient_in_plane(axis, [a, b, c]) != Sign::Zero) else {
+        return false;
+    };
+    let all = geometry.orient_in_plane(axis, [a, b, c]);
+    [[a, b, v], [b, c, v], [c, a, v]].iter().all(|&t| {
+        let sign = geometry.orient_in_plane(axis, t);
+        sign == Sign::Zero || sign == all
+    })
+}

@@ -1,0 +1,140 @@
+//! Attributes of points that a mesher added, continued from those of the input's points.
+//!
+//! On an input edge: linear between its ends. Inside: the point is a convex combination of four points around it, a vertex of
+//! its star and the triangle of the star's boundary that the line from there through the point leaves by; so linear attributes are
+//! met up to rounding, and none leaves the range of its neighbours. This is no topological decision: doubles will do.
+use crate::error::Error;
+use crate::output::TetMesh;
+use crate::plc::Plc;
+
+/// `plc.point_attribute_count` numbers per Steiner point of `mesh`, in their order.
+///
+/// # Errors
+/// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+pub fn continue_attributes(plc: &Plc, mesh: &TetMesh) -> Result<Vec<f64>, Error> {
+    let width = plc.point_attribute_count;
+    let mut added: Vec<f64> = Vec::new();
+    if width == 0 {
+        return Ok(added);
+    }
+    added.try_reserve_exact(width * mesh.steiner.len())?;
+    added.resize(width * mesh.steiner.len(), 0.0);
+    let given = |p: u32, k: usize| plc.point_attributes.get(p as usize * width + k).copied().unwrap_or(0.0);
+    let inputs = mesh.points.len().saturating_sub(mesh.steiner.len());
+    let mut known: Vec<bool> = Vec::new();
+    known.try_reserve_exact(mesh.points.len())?;
+    known.resize(mesh.points.len(), true);
+    let mut inside: Vec<u32> = Vec::new();
+    for (i, steiner) in mesh.steiner.iter().enumerate() {
+        if steiner.is_inside() {
+            if let Some(known) = known.get_mut(inputs + i) {
+                *known = false;
+                inside.try_reserve(1)?;
+                inside.push((inputs + i) as u32);
+            }
+            continue;
+        }
+        let [a, b] = steiner.ends;
+        for k in 0..width {
+            added[i * width + k] = (1.0 - steiner.t) * given(a, k) + steiner.t * given(b, k);
+        }
+    }
+    if inside.is_empty() {
+        return Ok(added);
+    }
+    let stars = stars(mesh, &known)?;
+    // Points inside that have others of their kind around may have to wait for these; if that does not help, what is known
+    // must do.
+    let mut partly = false;
+    while !inside.is_empty() {
+        let before = inside.len();
+        inside.retain(|&v| {
+            let from = stars.partition_point(|x| x.0 < v);
+            let star = stars[from..].iter().take_while(|x| x.0 == v).map(|x| mesh.tets[x.1 as usize]);
+            let found = match partly {
+                false => enclosing(mesh, v, star, &known),
+                true => beside(star, &known),
+            };
+            let Some((corners, weights)) = found else { return true };
+            for k in 0..width {
+                let value = |p: u32| match (p as usize).checked_sub(inputs) {
+                    None => given(p, k),
+                    Some(i) => added[i * width + k],
+                };
+                let sum = corners.iter().zip(weights).map(|(&p, w)| w * value(p)).sum::<f64>();
+                added[(v as usize - inputs) * width + k] = sum;
+            }
+            known[v as usize] = true;
+            false
+        });
+        let stuck = inside.len() == before;
+        if stuck && partly {
+            break;
+        }
+        partly = stuck;
+    }
+    Ok(added)
+}
+
+/// (point, tetrahedron) for every point that is not known, sorted.
+fn stars(mesh: &TetMesh, known: &[bool]) -> Result<Vec<(u32, u32)>, Error> {
+    let mut stars: Vec<(u32, u32)> = Vec::new();
+    let sound = |tet: &[u32; 4]| tet.iter().all(|&v| (v as usize) < known.len());
+    for (t, tet) in mesh.tets.iter().enumerate().filter(|(_, tet)| sound(tet)) {
+        for &v in tet.iter().filter(|&&v| !known[v as usize]) {
+            stars.try_reserve(1)?;
+            stars.push((v, t as u32));
+        }
+    }
+    stars.sort_unstable();
+    Ok(stars)
+}
+
+/// Four known points around `v` and its weights in them: of all pairs of a vertex of the star and a triangle of the star's
+/// boundary the one whose smallest weight is largest.
+fn enclosing(
+    mesh: &TetMesh,
+    v: u32,
+    star: impl Iterator<Item = [u32; 4]> + Clone,
+    known: &[bool],
+) -> Option<([u32; 4], [f64; 4])> {
+    let mut best: Option<(f64, [u32; 4], [f64; 4])> = None;
+    for apex in star.clone().flatten().filter(|&p| known[p as usize]) {
+        for tet in star.clone().filter(|tet| !tet.contains(&apex)) {
+            let corners = tet.map(|p| if p == v { apex } else { p });
+            if !corners.iter().all(|&p| known[p as usize]) {
+                continue;
+            }
+            let weights = barycentric(mesh, corners, v);
+            let least = weights.iter().copied().fold(f64::INFINITY, f64::min);
+            if least > best.map_or(0.0, |b| b.0) {
+                best = Some((least, corners, weights));
+            }
+        }
+    }
+    best.map(|(_, corners, weights)| (corners, weights))
+}
+
+/// The known corners of the tetrahedron of a star that has most of them, with equal weights.
+fn beside(star: impl Iterator<Item = [u32; 4]>, known: &[bool]) -> Option<([u32; 4], [f64; 4])> {
+    let count = |tet: &[u32; 4]| tet.iter().filter(|&&p| known[p as usize]).count();
+    let tet = star.max_by_key(count).filter(|tet| count(tet) > 0)?;
+    let weight = 1.0 / count(&tet) as f64;
+    Some((tet, tet.map(|p| if known[p as usize] { weight } else { 0.0 })))
+}
+
+/// Weights of `v` in a tetrahedron: volumes with it in a corner's place over the whole one.
+fn barycentric(mesh: &TetMesh, corners: [u32; 4], v: u32) -> [f64; 4] {
+    let volume = |at: [u32; 4]| {
+        let [a, b, c, d] = at.map(|p| mesh.points[p as usize]);
+        let [u, v, w] = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+            + u[2] * (v[0] * w[1] - v[1] * w[0])
+    };
+    let whole = volume(corners);
+    std::array::from_fn(|i| {
+        let mut part = corners;
+        part[i] = v;
+        volume(part) / whole
+    })
+}

@@ -1,0 +1,402 @@
+//! From the triangulation that patches have to the one of the surface: flips in the plane, done in space.
+//!
+//! In the plane, missing edges are inserted one by one: the edges that cross one are flipped where their quadrilateral is strictly
+//! convex, until none is left (Sloan 1993). In space a flip of edge `ab` to `cd` empties, on each side of the plane, the
+//! tetrahedra round `ab`, and fills them again under the two new triangles: by reconnection, or from a point inside near the
+//! crossing of `ab` and `cd`, which all the faces see.
+use super::center::dot;
+use super::hollow::{Growth, Hollow, Start};
+use super::inside::Inside;
+use super::place::place;
+use super::solid::{ghost_at, Sector, Solid};
+use super::unsplit::axis_of;
+use crate::constrain::{edge_key, face_key};
+use crate::error::Error;
+use crate::mesh::{flag, GHOST, NONE};
+use crate::predicates::{Points, Sign};
+use crate::reconnect::{Polyhedron, Reconnect};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::VecDeque;
+
+/// The triangles that patches must have.
+pub struct Target<'a> {
+    /// Corners, in vertex ids.
+    pub triangles: &'a [[u32; 3]],
+    /// Patch of each.
+    pub patch: &'a [u32],
+}
+
+/// What flips took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flips {
+    /// Flips in the plane.
+    pub flips: u64,
+    /// Sides of flips that needed more tetrahedra than those round the edge.
+    pub grown: u64,
+    /// Sides of flips that needed a point inside.
+    pub placed: u64,
+    /// Triangles that were not reached.
+    pub missing: u64,
+}
+
+/// Retriangulates patches.
+pub struct Retarget<'a> {
+    /// The mesh.
+    pub solid: &'a mut Solid,
+    /// The vertices.
+    pub points: &'a mut Points,
+    /// Points inside.
+    pub inside: &'a mut Inside,
+    /// Pieces of segments on no facet.
+    pub isolated: &'a FxHashSet<[u32; 2]>,
+    /// Steps per search.
+    pub budget: u32,
+    hollow: Hollow,
+    reconnect: Reconnect,
+    /// A corner code of each subface.
+    code_of: FxHashMap<[u32; 3], u32>,
+    /// Apexes of the triangles at each edge of the patch at hand: at most two.
+    apexes: FxHashMap<[u32; 2], Vec<u32>>,
+    axis: usize,
+    count: Flips,
+}
+
+/// One side of a flip.
+struct Side {
+    tets: Vec<u32>,
+    /// What bounds it after the flip, turned inward.
+    faces: Vec<[u32; 3]>,
+}
+
+impl<'a> Retarget<'a> {
+    /// Nothing is done yet.
+    pub fn new(
+        solid: &'a mut Solid,
+        points: &'a mut Points,
+        inside: &'a mut Inside,
+        isolated: &'a FxHashSet<[u32; 2]>,
+        budget: u32,
+    ) -> Self {
+        Retarget {
+            solid,
+            points,
+            inside,
+            isolated,
+            budget,
+            hollow: Hollow::default(),
+            reconnect: Reconnect::default(),
+            code_of: FxHashMap::default(),
+            apexes: FxHashMap::default(),
+            axis: 0,
+            count: Flips::default(),
+        }
+    }
+
+    /// Makes every triangle of the target a face, as far as its patch is in the mesh.
+    pub fn run(&mut self, target: &Target) -> Result<Flips, Error> {
+        // (patch, triangle) of the target where one is missing, and (patch, key) of what is there instead.
+        let mut wrong: Vec<u32> = Vec::new();
+        for (&triangle, &patch) in target.triangles.iter().zip(target.patch) {
+            if !self.solid.patch_of.contains_key(&face_key(triangle)) {
+                wrong.try_reserve(1)?;
+                wrong.push(patch);
+            }
+        }
+        wrong.sort_unstable();
+        wrong.dedup();
+        let mut present: Vec<(u32, [u32; 3])> = Vec::new();
+        for t in 0..self.solid.mesh.slot_count() as u32 {
+            self.note_codes(t, &wrong, &mut present)?;
+        }
+        present.sort_unstable();
+        present.dedup();
+        let mut wanted: Vec<(u32, [u32; 3])> = Vec::new();
+        wanted.try_reserve(target.triangles.len())?;
+        wanted.extend(
+            target
+                .patch
+                .iter()
+                .copied()
+                .zip(target.triangles.iter().copied())
+                .filter(|x| wrong.binary_search(&x.0).is_ok()),
+        );
+        wanted.sort_unstable();
+        for patch in wrong {
+            let range = |list: &[(u32, [u32; 3])]| {
+                list.partition_point(|x| x.0 < patch)..list.partition_point(|x| x.0 <= patch)
+            };
+            let (now, then) = (&present[range(&present)], &wanted[range(&wanted)]);
+            // A patch that is not in the mesh was carved.
+            if !now.is_empty() {
+                self.patch(patch, now, then)?;
+            }
+        }
+        Ok(self.count)
+    }
+
+    fn note_codes(&mut self, t: u32, wrong: &[u32], present: &mut Vec<(u32, [u32; 3])>) -> Result<(), Error> {
+        let flags = self.solid.mesh.flags[t as usize];
+        if flags & flag::DEAD != 0 {
+            return Ok(());
+        }
+        for f in (0..4).filter(|f| flags & (flag::FACE << f) != 0) {
+            let key = face_key(self.solid.mesh.face(4 * t + f));
+            let Some(&patch) = self.solid.patch_of.get(&key) else { continue };
+            if wrong.binary_search(&patch).is_ok() {
+                self.code_of.insert(key, 4 * t + f);
+                present.try_reserve(1)?;
+                present.push((patch, key));
+            }
+        }
+        Ok(())
+    }
+
+    /// One patch: its triangles now, and those it shall have.
+    fn patch(&mut self, patch: u32, now: &[(u32, [u32; 3])], then: &[(u32, [u32; 3])]) -> Result<(), Error> {
+        self.apexes.clear();
+        let Some(axis) = axis_of(self.points, &now[0].1) else {
+            return Err(Error::internal("a subface is degenerate"));
+        };
+        self.axis = axis;
+        for &(_, [a, b, c]) in now {
+            for (x, y, z) in [(a, b, c), (b, c, a), (c, a, b)] {
+                self.apexes.entry(edge_key(x, y)).or_default().push(z);
+            }
+        }
+        let mut edges: Vec<[u32; 2]> = Vec::new();
+        edges.try_reserve(3 * then.len())?;
+        for &(_, [a, b, c]) in then {
+            edges.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
+        }
+        edges.sort_unstable();
+        edges.dedup();
+        for edge in edges {
+            if !self.apexes.contains_key(&edge) {
+                self.insert_edge(patch, edge)?;
+            }
+        }
+        let missing = then.iter().filter(|x| !self.solid.patch_of.contains_key(&face_key(x.1))).count();
+        self.count.missing += missing as u64;
+        Ok(())
+    }
+
+    /// Flips edges that cross `ab` until it is there.
+    fn insert_edge(&mut self, patch: u32, [a, b]: [u32; 2]) -> Result<(), Error> {
+        let mut crossing = self.crossing(a, b)?;
+        let mut tries = 4 * crossing.len() * crossing.len() + 16;
+        while let Some([x, y]) = crossing.pop_front() {
+            if tries == 0 {
+                return Ok(());
+            }
+            tries -= 1;
+            let Some(&[c, d]) = self.apexes.get(&[x, y]).map(|v| &v[..]) else { continue };
+            if !self.is_convex([x, y], [c, d]) || !self.flip(patch, [x, y], [c, d])? {
+                crossing.push_back([x, y]);
+                continue;
+            }
+            let ends = [a, b];
+            if !ends.contains(&c) && !ends.contains(&d) && self.side(a, b, c) == -self.side(a, b, d) {
+                crossing.push_back(edge_key(c, d));
+            }
+        }
+        Ok(())
+    }
+
+    fn side(&self, a: u32, b: u32, c: u32) -> Sign {
+        self.points.orient_in_plane(self.axis, a, b, c)
+    }
+
+    /// The edges of the patch's triangulation that cross `ab`, in order.
+    fn crossing(&self, a: u32, b: u32) -> Result<VecDeque<[u32; 2]>, Error> {
+        let mut out = VecDeque::new();
+        // The triangle at `a` that `ab` enters: some edge of it has `a` as apex.
+        let mut starts: Vec<[u32; 2]> = self
+            .apexes
+            .iter()
+            .filter(|(e, apexes)| {
+                apexes.contains(&a) && {
+                    let (x, y) = (self.side(a, b, e[0]), self.side(a, b, e[1]));
+                    x != Sign::Zero && x == -y && {
+                        let beyond = self.side(e[0], e[1], b);
+                        beyond == -self.side(e[0], e[1], a)
+                    }
+                }
+            })
+            .map(|(e, _)| *e)
+            .collect();
+        starts.sort_unstable();
+        let Some(&first) = starts.first() else { return Ok(out) };
+        let (mut edge, mut behind) = (first, a);
+        for _ in 0..self.apexes.len() {
+            out.try_reserve(1)?;
+            out.push_back(edge);
+            let Some(apexes) = self.apexes.get(&edge) else { break };
+            let Some(&ahead) = apexes.iter().find(|&&v| v != behind) else { break };
+            if ahead == b {
+                break;
+            }
+            let s = self.side(a, b, ahead);
+            let kept = edge.into_iter().find(|&v| self.side(a, b, v) == -s);
+            let Some(kept) = kept else { break };
+            behind = edge.into_iter().find(|&v| v != kept).unwrap_or(behind);
+            edge = edge_key(kept, ahead);
+        }
+        Ok(out)
+    }
+
+    /// The triangles at edge `ab` with apexes `c` and `d` form a strictly convex quadrilateral.
+    fn is_convex(&self, [a, b]: [u32; 2], [c, d]: [u32; 2]) -> bool {
+        let (x, y) = (self.side(c, d, a), self.side(c, d, b));
+        x != Sign::Zero && x == -y
+    }
+
+    /// Flips edge `ab` to `cd`, in space; false if a side has neither a filling nor a point.
+    fn flip(&mut self, patch: u32, [a, b]: [u32; 2], [c, d]: [u32; 2]) -> Result<bool, Error> {
+        let (first, second) = (face_key([a, b, c]), face_key([a, b, d]));
+        let Some(&code) = self.code_of.get(&first) else { return Ok(false) };
+        let codes = [code, self.solid.mesh.across(code)];
+        let before = self.inside.list.len();
+        let mut sectors = Vec::new();
+        for code in codes {
+            let mut side = self.collect_side(code, [a, b], [c, d])?;
+            let t = code >> 2;
+            let ghost = self.solid.mesh.is_ghost(t);
+            let new = if ghost {
+                side.faces.iter().map(|&f| ghost_at(f)).collect()
+            } else {
+                match self.fill_side(&mut side, &sectors, [a, b], [c, d])? {
+                    Some(new) => new,
+                    None => {
+                        self.inside.shorten(before);
+                        return Ok(false);
+                    }
+                }
+            };
+            sectors.push(Sector { old: side.tets, new, region: self.solid.region[t as usize] });
+        }
+        for key in [first, second] {
+            self.solid.patch_of.remove(&key);
+            self.code_of.remove(&key);
+        }
+        self.solid.patch_of.insert(face_key([a, c, d]), patch);
+        self.solid.patch_of.insert(face_key([b, c, d]), patch);
+        self.solid.replace(&sectors)?;
+        for i in 0..self.solid.fresh.len() {
+            let t = self.solid.fresh[i];
+            for code in 4 * t..4 * t + 4 {
+                if self.solid.mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0 {
+                    self.code_of.insert(face_key(self.solid.mesh.face(code)), code);
+                }
+            }
+        }
+        self.apexes.remove(&edge_key(a, b));
+        self.apexes.insert(edge_key(c, d), vec![a, b]);
+        for (edge, old, new) in [([a, c], b, d), ([b, c], a, d), ([a, d], b, c), ([b, d], a, c)] {
+            if let Some(list) = self.apexes.get_mut(&edge_key(edge[0], edge[1])) {
+                for v in list.iter_mut().filter(|v| **v == old) {
+                    *v = new;
+                }
+            }
+        }
+        self.count.flips += 1;
+        self.count.placed += (self.inside.list.len() - before) as u64;
+        Ok(true)
+    }
+
+    /// The tetrahedra round edge `ab` from the face of a corner to the other face of the flip, and what bounds them after it.
+    fn collect_side(&self, code: u32, [a, b]: [u32; 2], [c, d]: [u32; 2]) -> Result<Side, Error> {
+        let mesh = &self.solid.mesh;
+        let mut side = Side { tets: Vec::new(), faces: Vec::new() };
+        let face = mesh.face(code);
+        let ghost = mesh.is_ghost(code >> 2);
+        let (mut t, mut left) = (code >> 2, c);
+        loop {
+            side.tets.try_reserve(1)?;
+            side.faces.try_reserve(2)?;
+            side.tets.push(t);
+            let Some(slots) =
+                [a, b, left].map(|v| mesh.slot_of(t, v)).into_iter().collect::<Option<Vec<u32>>>()
+            else {
+                return Err(Error::internal("the tetrahedra round a flat edge are no ring"));
+            };
+            if !ghost {
+                side.faces.extend([mesh.face(4 * t + slots[0]), mesh.face(4 * t + slots[1])]);
+            }
+            let exit = 4 * t + slots[2];
+            let apex = mesh.verts[t as usize].into_iter().find(|&v| v != a && v != b && v != left);
+            left = apex.unwrap_or(GHOST);
+            if self.solid.is_wall(exit) {
+                break;
+            }
+            t = mesh.across(exit) >> 2;
+            if side.tets.len() > mesh.slot_count() {
+                return Err(Error::internal("the tetrahedra round a flat edge never end"));
+            }
+        }
+        if left != d {
+            return Err(Error::internal("a flat edge has other subfaces"));
+        }
+        // The quadrilateral a d b c, turned as the first face is.
+        let forward = (0..3).any(|k| face[k] == a && face[(k + 1) % 3] == b);
+        side.faces.try_reserve(2)?;
+        side.faces.extend(if forward { [[d, b, c], [c, a, d]] } else { [[d, c, b], [c, d, a]] });
+        Ok(side)
+    }
+
+    fn fill_side(
+        &mut self,
+        side: &mut Side,
+        taken: &[Sector],
+        [a, b]: [u32; 2],
+        [c, d]: [u32; 2],
+    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        let mut new = Vec::new();
+        let polyhedron = Polyhedron { faces: &side.faces, inner: &[], ..Polyhedron::default() };
+        if self.reconnect.fill(self.points, &polyhedron, self.budget, &mut new)? {
+            return Ok(Some(new));
+        }
+        let walls = [side.faces[side.faces.len() - 2], side.faces[side.faces.len() - 1]];
+        let gone = [face_key([a, b, c]), face_key([a, b, d])];
+        let start = Start {
+            tets: &side.tets,
+            gone: &gone,
+            walls: &walls,
+            without: NONE,
+            edge: None,
+            avoid: [a, b],
+            taken,
+        };
+        let growth = Growth { budget: self.budget, branches: 8, tries: 60 };
+        let Retarget { solid, points, reconnect, isolated, hollow, .. } = self;
+        if let Some(new) = hollow.grow(solid, points, reconnect, &start, isolated, growth)? {
+            self.count.grown += 1;
+            side.tets = std::mem::take(&mut hollow.tets);
+            return Ok(Some(new));
+        }
+        let [pa, pb, pc, pd] = [a, b, c, d].map(|v| *self.points.xyz(v));
+        let (from, normal) = crossing_point(pa, pb, pc, pd);
+        let p = self.inside.add(self.solid, self.points, from)?;
+        if place(self.points, p, &side.faces, from, &[normal, normal.map(|x| -x)])? {
+            new.try_reserve(side.faces.len())?;
+            new.extend(side.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+            return Ok(Some(new));
+        }
+        let last = self.inside.list.len() - 1;
+        self.inside.shorten(last);
+        Ok(None)
+    }
+}
+
+/// Where `ab` and `cd` cross, and the normal of their plane, in plain arithmetic.
+fn crossing_point(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+    let sub = |p: &[f64; 3], q: &[f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let cross = |u: &[f64; 3], v: &[f64; 3]| {
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    };
+    let (ab, cd, ac) = (sub(&b, &a), sub(&d, &c), sub(&c, &a));
+    let n = cross(&ab, &cd);
+    // a + s ab lies on the line cd where (a + s ab − c) × cd = 0.
+    let s = dot(&cross(&ac, &cd), &n) / dot(&n, &n).max(f64::MIN_POSITIVE);
+    let s = if s.is_finite() { s.clamp(0.0, 1.0) } else { 0.5 };
+    ([0, 1, 2].map(|k| a[k] + s * ab[k]), n)
+}

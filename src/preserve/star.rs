@@ -1,0 +1,168 @@
+//! The star of a point inside a segment, taken apart: walls and the sectors between them.
+//!
+//! A *wall* is the fan of subfaces (or of boundary faces) at the point in one half-plane bounded by the segment's line: a planar
+//! polygon that is star-shaped from the point on one of its edges. A *sector* is what lies between walls: tetrahedra of the domain, or
+//! ghosts. Without the point, each wall is triangulated anew and each sector filled on its own.
+use super::solid::{reversed, Solid};
+use crate::constrain::face_key;
+use crate::error::Error;
+use crate::mesh::star::StarSearch;
+use crate::mesh::NONE;
+use rustc_hash::FxHashMap;
+
+/// A fan of subfaces from the point.
+#[derive(Clone, Debug, Default)]
+pub struct Wall {
+    /// The polygon without the point: from one neighbour on the segment round to the other.
+    pub polygon: Vec<u32>,
+    /// Its subfaces' patch, `NONE` for boundary faces that are none.
+    pub patch: u32,
+    /// Corners of its faces now, as keys.
+    pub faces: Vec<[u32; 3]>,
+    /// The sectors on both sides, and whether triangles that turn the polygon's way are turned inward there.
+    pub sides: [(usize, bool); 2],
+}
+
+/// The tetrahedra between walls.
+#[derive(Clone, Debug, Default)]
+pub struct Between {
+    /// Their slots.
+    pub tets: Vec<u32>,
+    /// They are ghosts.
+    pub void: bool,
+    /// Their region.
+    pub region: u32,
+    /// The faces opposite the point, turned inward.
+    pub link: Vec<[u32; 3]>,
+}
+
+/// A star taken apart; keeps its scratch space.
+#[derive(Default)]
+pub struct Star {
+    /// The fans.
+    pub walls: Vec<Wall>,
+    /// What lies between.
+    pub sectors: Vec<Between>,
+    search: StarSearch,
+    sector_of: FxHashMap<u32, usize>,
+    /// Wall faces `(v, x, y)` by `x` and by `y`: corner codes.
+    at: FxHashMap<u32, Vec<u32>>,
+}
+
+impl Star {
+    /// Takes the star of `v` apart; `ends` are its neighbours on its segment.
+    pub fn read(&mut self, solid: &mut Solid, v: u32, ends: [u32; 2]) -> Result<(), Error> {
+        let start = solid.vertex_tet[v as usize];
+        self.search.vertex_star(&mut solid.mesh, v, start);
+        self.find_sectors(solid, v)?;
+        self.find_walls(solid, v, ends)
+    }
+
+    fn find_sectors(&mut self, solid: &Solid, v: u32) -> Result<(), Error> {
+        let mesh = &solid.mesh;
+        self.sectors.clear();
+        self.sector_of.clear();
+        self.at.clear();
+        let mut stack: Vec<u32> = Vec::new();
+        stack.try_reserve(self.search.tets.len() + 4)?;
+        for &seed in &self.search.tets {
+            if self.sector_of.contains_key(&seed) {
+                continue;
+            }
+            let number = self.sectors.len();
+            let mut sector = Between {
+                void: mesh.is_ghost(seed),
+                region: solid.region[seed as usize],
+                ..Between::default()
+            };
+            self.sector_of.insert(seed, number);
+            stack.push(seed);
+            while let Some(t) = stack.pop() {
+                sector.tets.try_reserve(1)?;
+                sector.link.try_reserve(1)?;
+                sector.tets.push(t);
+                for code in 4 * t..4 * t + 4 {
+                    let n = mesh.across(code) >> 2;
+                    if mesh.apex(code) == v {
+                        if !sector.void {
+                            sector.link.push(mesh.face(code));
+                        }
+                    } else if solid.is_wall(code) {
+                        if code < mesh.across(code) {
+                            for w in mesh.face(code).into_iter().filter(|&w| w != v) {
+                                self.at.entry(w).or_default().push(code);
+                            }
+                        }
+                    } else if let std::collections::hash_map::Entry::Vacant(entry) = self.sector_of.entry(n) {
+                        entry.insert(number);
+                        stack.push(n);
+                    }
+                }
+            }
+            self.sectors.try_reserve(1)?;
+            self.sectors.push(sector);
+        }
+        Ok(())
+    }
+
+    fn find_walls(&mut self, solid: &Solid, v: u32, [a, b]: [u32; 2]) -> Result<(), Error> {
+        self.walls.clear();
+        let broken = || Error::internal("the subfaces at a point inside a segment are no fans");
+        let mesh = &solid.mesh;
+        let Some(starts) = self.at.get(&a) else { return Ok(()) };
+        for &start in starts {
+            let mut wall = Wall { patch: NONE, ..Wall::default() };
+            wall.polygon.try_reserve(4)?;
+            wall.polygon.push(a);
+            let (mut code, mut from) = (start, a);
+            loop {
+                let face = mesh.face(code);
+                wall.faces.try_reserve(1)?;
+                wall.faces.push(face_key(face));
+                let Some(to) = face.into_iter().find(|&w| w != v && w != from) else { return Err(broken()) };
+                wall.polygon.try_reserve(1)?;
+                wall.polygon.push(to);
+                if to == b {
+                    break;
+                }
+                let next = match self.at.get(&to).map(|codes| &codes[..]) {
+                    Some(&[x, y]) if x == code => y,
+                    Some(&[x, y]) if y == code => x,
+                    _ => return Err(broken()),
+                };
+                (code, from) = (next, to);
+            }
+            if let Some(&patch) = solid.patch_of.get(&wall.faces[0]) {
+                wall.patch = patch;
+            }
+            // (v, a, u) turns as the polygon does.
+            let face = mesh.face(start);
+            let forward = (0..3).any(|k| face[k] == v && face[(k + 1) % 3] == a);
+            let side = |code: u32| self.sector_of.get(&(code >> 2)).copied().ok_or_else(broken);
+            wall.sides = [(side(start)?, forward), (side(mesh.across(start))?, !forward)];
+            self.walls.try_reserve(1)?;
+            self.walls.push(wall);
+        }
+        Ok(())
+    }
+
+    /// Appends the faces that sector `s` gets from the walls if these are triangulated as chosen.
+    pub fn wall_faces(
+        &self,
+        s: usize,
+        chosen: &dyn Fn(usize) -> Option<Vec<[u32; 3]>>,
+        faces: &mut Vec<[u32; 3]>,
+    ) -> Result<(), Error> {
+        for (w, wall) in self.walls.iter().enumerate() {
+            for &(sector, forward) in &wall.sides {
+                if sector != s {
+                    continue;
+                }
+                let Some(triangles) = chosen(w) else { continue };
+                faces.try_reserve(triangles.len())?;
+                faces.extend(triangles.iter().map(|&t| if forward { t } else { reversed(t) }));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,154 @@
+//! Taking points inside away: the star of each is filled without it, where small polyhedron reconnection finds a way (contraction to
+//! a neighbour included: that is a filling with a common apex).
+use super::hollow::{Growth, Hollow, Start};
+use super::inside::Inside;
+use super::place::place_at_center;
+use super::solid::{Sector, Solid};
+use crate::error::Error;
+use crate::mesh::star::StarSearch;
+use crate::mesh::NONE;
+use crate::predicates::Points;
+use crate::reconnect::{Polyhedron, Reconnect};
+use rustc_hash::FxHashSet;
+
+/// Deletes points inside.
+#[derive(Default)]
+pub struct Thin {
+    reconnect: Reconnect,
+    search: StarSearch,
+    faces: Vec<[u32; 3]>,
+    hollow: Hollow,
+}
+
+impl Thin {
+    /// Tries each point with the given budget until none goes any more; returns how many went.
+    pub fn run(
+        &mut self,
+        solid: &mut Solid,
+        points: &mut Points,
+        inside: &mut Inside,
+        isolated: &FxHashSet<[u32; 2]>,
+        growth: Growth,
+    ) -> Result<u64, Error> {
+        let mut gone = 0;
+        loop {
+            let before = gone;
+            for i in (0..inside.list.len()).rev() {
+                gone += u64::from(self.delete(solid, points, inside.list[i], isolated, growth)?);
+            }
+            inside.sweep(solid);
+            for i in (0..inside.list.len()).rev() {
+                gone += u64::from(self.merge(solid, points, inside, inside.list[i], growth.budget)?);
+            }
+            inside.sweep(solid);
+            if gone == before {
+                return Ok(gone);
+            }
+        }
+    }
+
+    /// Fills the star of `p` without it, if it can.
+    fn delete(
+        &mut self,
+        solid: &mut Solid,
+        points: &Points,
+        p: u32,
+        isolated: &FxHashSet<[u32; 2]>,
+        growth: Growth,
+    ) -> Result<bool, Error> {
+        let start = solid.vertex_tet[p as usize];
+        if start == NONE {
+            return Ok(false);
+        }
+        self.search.vertex_star(&mut solid.mesh, p, start);
+        self.faces.clear();
+        self.faces.try_reserve(self.search.tets.len())?;
+        for &t in &self.search.tets {
+            if let Some(slot) = solid.mesh.slot_of(t, p) {
+                self.faces.push(solid.mesh.face(4 * t + slot));
+            }
+        }
+        let mut new = Vec::new();
+        let polyhedron = Polyhedron { faces: &self.faces, inner: &[], ..Polyhedron::default() };
+        let mut old = self.search.tets.clone();
+        if !self.reconnect.fill(points, &polyhedron, growth.budget, &mut new)? {
+            if growth.tries == 0 {
+                return Ok(false);
+            }
+            let start = Start {
+                tets: &old,
+                gone: &[],
+                walls: &[],
+                without: p,
+                edge: None,
+                avoid: [p; 2],
+                taken: &[],
+            };
+            let Some(found) =
+                self.hollow.grow(solid, points, &mut self.reconnect, &start, isolated, growth)?
+            else {
+                return Ok(false);
+            };
+            new = found;
+            old = std::mem::take(&mut self.hollow.tets);
+        }
+        let region = solid.region[start as usize];
+        solid.replace(&[Sector { old, new, region }])?;
+        solid.vertex_tet[p as usize] = NONE;
+        Ok(true)
+    }
+
+    /// Takes `p` and a neighbour of its kind away together: by a filling without both, or with `p` alone at another place.
+    fn merge(
+        &mut self,
+        solid: &mut Solid,
+        points: &mut Points,
+        inside: &Inside,
+        p: u32,
+        budget: u32,
+    ) -> Result<bool, Error> {
+        let start = solid.vertex_tet[p as usize];
+        if start == NONE {
+            return Ok(false);
+        }
+        self.search.vertex_star(&mut solid.mesh, p, start);
+        let mut others: Vec<u32> =
+            self.search.tets.iter().flat_map(|&t| solid.mesh.verts[t as usize]).collect();
+        others.sort_unstable();
+        others.dedup();
+        others.retain(|q| *q != p && inside.list.contains(q));
+        let star = self.search.tets.clone();
+        for q in others {
+            self.search.vertex_star(&mut solid.mesh, q, solid.vertex_tet[q as usize]);
+            let mut old = star.clone();
+            old.extend_from_slice(&self.search.tets);
+            old.sort_unstable();
+            old.dedup();
+            self.faces.clear();
+            for code in old.iter().flat_map(|&t| 4 * t..4 * t + 4) {
+                let face = solid.mesh.face(code);
+                if !face.contains(&p) && !face.contains(&q) {
+                    self.faces.push(face);
+                }
+            }
+            let region = solid.region[start as usize];
+            let mut new = Vec::new();
+            let polyhedron = Polyhedron { faces: &self.faces, ..Polyhedron::default() };
+            if self.reconnect.fill(points, &polyhedron, budget, &mut new)? {
+                solid.replace(&[Sector { old, new, region }])?;
+                solid.vertex_tet[p as usize] = NONE;
+                solid.vertex_tet[q as usize] = NONE;
+                return Ok(true);
+            }
+            let at = *points.xyz(p);
+            if place_at_center(points, p, &self.faces)? {
+                new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+                solid.replace(&[Sector { old, new, region }])?;
+                solid.vertex_tet[q as usize] = NONE;
+                return Ok(true);
+            }
+            points.move_to(p, at)?;
+        }
+        Ok(false)
+    }
+}

@@ -1,0 +1,494 @@
+//! Taking boundary points away: Si & Gärtner 2011, section 8, for points on segments.
+//!
+//! Without the point its walls are triangulated anew and its sectors filled by small polyhedron reconnection; where this works for all
+//! sectors, the point is *deleted*. Where it does not, a sector gets a point inside in its stead, which sees all of the sector's
+//! faces; the point is *relocated*. Such a position exists by the half-ball argument (section 8.1): the faces opposite the point
+//! are seen from all positions near it, and the walls from those between their planes.
+use super::center::dot;
+use super::hollow::{Growth, Hollow, Start};
+use super::inside::Inside;
+use super::place::place;
+use super::polygon::Polygons;
+use super::solid::{ghost_at, Sector, Solid};
+use super::star::{Star, Wall};
+use crate::constrain::{edge_key, face_key};
+use crate::error::Error;
+use crate::mesh::NONE;
+use crate::predicates::{Points, Sign};
+use crate::reconnect::{Polyhedron, Reconnect};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Most fillings tried for one point, and most combinations of wall triangulations looked at.
+const MOST_FILLS: usize = 48;
+const MOST_CHOICES: usize = 256;
+
+/// How hard to try.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Steps per search.
+    pub budget: u32,
+    /// Triangulations per wall.
+    pub walls: usize,
+    /// Let sectors that cannot be filled grow.
+    pub growth: Option<Growth>,
+    /// Use points inside where sectors cannot be filled.
+    pub relocate: bool,
+}
+
+/// What became of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It is gone.
+    Deleted,
+    /// It is gone, points inside are there instead.
+    Relocated,
+    /// It is still there.
+    Kept,
+}
+
+/// Removes boundary points.
+pub struct Unsplit<'a> {
+    /// The mesh.
+    pub solid: &'a mut Solid,
+    /// The vertices.
+    pub points: &'a mut Points,
+    /// Edges of the input's triangles: walls get them where they can.
+    pub wanted: &'a FxHashSet<[u32; 2]>,
+    /// Pieces of segments on no facet: what is filled must keep them.
+    pub isolated: &'a mut FxHashSet<[u32; 2]>,
+    /// Points inside made so far.
+    pub inside: &'a mut Inside,
+    reconnect: Reconnect,
+    hollow: Hollow,
+    polygons: Polygons,
+    star: Star,
+    /// Triangulations of each wall, and the chosen ones.
+    options: Vec<Vec<Vec<[u32; 3]>>>,
+    filled: FxHashMap<(usize, [usize; 2]), Option<Vec<[u32; 4]>>>,
+    fills: usize,
+    stat_fills: u64,
+    stat_ok: u64,
+    faces: Vec<[u32; 3]>,
+}
+
+impl<'a> Unsplit<'a> {
+    /// Nothing is done yet.
+    pub fn new(
+        solid: &'a mut Solid,
+        points: &'a mut Points,
+        wanted: &'a FxHashSet<[u32; 2]>,
+        isolated: &'a mut FxHashSet<[u32; 2]>,
+        inside: &'a mut Inside,
+    ) -> Self {
+        Unsplit {
+            solid,
+            points,
+            wanted,
+            isolated,
+            inside,
+            reconnect: Reconnect::default(),
+            hollow: Hollow::default(),
+            polygons: Polygons::default(),
+            star: Star::default(),
+            options: Vec::new(),
+            filled: FxHashMap::default(),
+            fills: 0,
+            stat_fills: 0,
+            stat_ok: 0,
+            faces: Vec::new(),
+        }
+    }
+
+    /// dbg
+    pub fn reconnect_stats(&self) -> (u64, u64) {
+        (self.stat_fills, self.stat_ok)
+    }
+
+    /// Tries to take `v` away; `ends` are its neighbours on its segment.
+    pub fn remove(&mut self, v: u32, ends: [u32; 2], effort: Effort) -> Result<Outcome, Error> {
+        if self.solid.vertex_tet[v as usize] == NONE {
+            return Ok(Outcome::Deleted);
+        }
+        self.star.read(self.solid, v, ends)?;
+        if !self.triangulate_walls(effort.walls)? {
+            return Ok(Outcome::Kept);
+        }
+        self.filled.clear();
+        self.fills = 0;
+        let Some((choice, failed)) = self.choose(ends, effort)? else { return Ok(Outcome::Kept) };
+        if failed > 0 && !effort.relocate && effort.growth.is_none() {
+            return Ok(Outcome::Kept);
+        }
+        let before = self.inside.list.len();
+        let mut sectors = Vec::new();
+        sectors.try_reserve(self.star.sectors.len())?;
+        for s in 0..self.star.sectors.len() {
+            let Some(sector) = self.fill_or_place(v, s, &choice, ends, (effort, &sectors))? else {
+                self.discard(before);
+                return Ok(Outcome::Kept);
+            };
+            sectors.push(sector);
+        }
+        for (wall, (options, &c)) in self.star.walls.iter().zip(self.options.iter().zip(&choice)) {
+            if wall.patch == NONE {
+                continue;
+            }
+            for face in &wall.faces {
+                self.solid.patch_of.remove(face);
+            }
+            for &triangle in &options[c] {
+                self.solid.patch_of.insert(face_key(triangle), wall.patch);
+            }
+        }
+        self.solid.replace(&sectors)?;
+        self.solid.vertex_tet[v as usize] = NONE;
+        if self.isolated.remove(&edge_key(ends[0], v)) {
+            self.isolated.remove(&edge_key(v, ends[1]));
+            self.isolated.insert(edge_key(ends[0], ends[1]));
+        }
+        Ok(if self.inside.list.len() == before { Outcome::Deleted } else { Outcome::Relocated })
+    }
+
+    /// Finds triangulations of all walls; false if one has none.
+    fn triangulate_walls(&mut self, most: usize) -> Result<bool, Error> {
+        self.options.clear();
+        self.options.try_reserve(self.star.walls.len())?;
+        let wanted = self.wanted;
+        for wall in &self.star.walls {
+            let Some(axis) = axis_of(self.points, &wall.polygon) else { return Ok(false) };
+            let mut list = self
+                .polygons
+                .triangulations(self.points, axis, &wall.polygon, &|a, b| wanted.contains(&edge_key(a, b)))?;
+            list.truncate(most);
+            if list.is_empty() {
+                return Ok(false);
+            }
+            self.options.push(list);
+        }
+        Ok(true)
+    }
+
+    /// The first combination of wall triangulations, by increasing cost, with which all sectors can be filled; or the one with the fewest
+    /// failures. Returns it and the number of failures.
+    fn choose(&mut self, ends: [u32; 2], effort: Effort) -> Result<Option<(Vec<usize>, usize)>, Error> {
+        let walls = self.star.walls.len();
+        let mut best: Option<(Vec<usize>, usize)> = None;
+        let mut seen = 0;
+        let most: usize = self.options.iter().map(|o| o.len() - 1).sum();
+        let mut choice = vec![0usize; walls];
+        for total in 0..=most {
+            first_of(total, &self.options, &mut choice);
+            loop {
+                let mut failed = 0;
+                for s in 0..self.star.sectors.len() {
+                    let limit = best.as_ref().map_or(usize::MAX, |b| b.1);
+                    if failed >= limit {
+                        break;
+                    }
+                    failed += usize::from(!self.try_fill(s, &choice, ends, effort.budget)?);
+                }
+                if best.as_ref().is_none_or(|b| failed < b.1) {
+                    best = Some((choice.clone(), failed));
+                }
+                seen += 1;
+                if failed == 0 || seen >= MOST_CHOICES || self.fills >= MOST_FILLS {
+                    return Ok(best);
+                }
+                if !next_of(total, &self.options, &mut choice) {
+                    break;
+                }
+            }
+        }
+        Ok(best)
+    }
+
+    /// The chosen triangulations of the walls at a sector: at most two.
+    fn key_of(&self, s: usize, choice: &[usize]) -> (usize, [usize; 2]) {
+        let mut key = [usize::MAX; 2];
+        let mut at = 0;
+        for (w, wall) in self.star.walls.iter().enumerate() {
+            for side in &wall.sides {
+                if side.0 == s && at < 2 {
+                    key[at] = choice[w];
+                    at += 1;
+                }
+            }
+        }
+        (s, key)
+    }
+
+    /// Collects the faces of a sector without the point.
+    fn collect_faces(&mut self, s: usize, choice: &[usize]) -> Result<(), Error> {
+        let mut faces = std::mem::take(&mut self.faces);
+        faces.clear();
+        faces.try_reserve(self.star.sectors[s].link.len())?;
+        faces.extend_from_slice(&self.star.sectors[s].link);
+        let options = &self.options;
+        self.star.wall_faces(s, &|w| Some(options[w][choice[w]].clone()), &mut faces)?;
+        self.faces = faces;
+        Ok(())
+    }
+
+    /// Fills a sector, unless it was tried with these walls.
+    fn try_fill(&mut self, s: usize, choice: &[usize], ends: [u32; 2], budget: u32) -> Result<bool, Error> {
+        let key = self.key_of(s, choice);
+        if let Some(known) = self.filled.get(&key) {
+            return Ok(known.is_some());
+        }
+        self.collect_faces(s, choice)?;
+        let mut new = Vec::new();
+        let found = if self.star.sectors[s].void {
+            new.try_reserve(self.faces.len())?;
+            new.extend(self.faces.iter().map(|&f| ghost_at(f)));
+            true
+        } else {
+            self.fills += 1;
+            self.stat_fills += 1;
+            let walled = self.star.walls.iter().any(|w| w.sides.iter().any(|side| side.0 == s));
+            let edges: &[[u32; 2]] = if walled { &[] } else { &[ends] };
+            let polyhedron = Polyhedron { faces: &self.faces, edges, ..Polyhedron::default() };
+            self.reconnect.fill(self.points, &polyhedron, budget, &mut new)?
+        };
+        if found {
+            self.stat_ok += 1;
+        }
+        self.filled.insert(key, found.then_some(new));
+        Ok(found)
+    }
+
+    /// A sector without the point: as filled, or grown and filled, or with points inside; `taken` are those done before.
+    fn fill_or_place(
+        &mut self,
+        v: u32,
+        s: usize,
+        choice: &[usize],
+        ends: [u32; 2],
+        (effort, taken): (Effort, &[Sector]),
+    ) -> Result<Option<Sector>, Error> {
+        let region = self.star.sectors[s].region;
+        let old = self.star.sectors[s].tets.clone();
+        if self.try_fill(s, choice, ends, effort.budget)? {
+            let new = self.filled.remove(&self.key_of(s, choice)).flatten();
+            return Ok(new.map(|new| Sector { old, new, region }));
+        }
+        self.collect_faces(s, choice)?;
+        if let Some(growth) = effort.growth {
+            if let Some(new) = self.grow(v, s, ends, taken, growth)? {
+                return Ok(Some(Sector { old: std::mem::take(&mut self.hollow.tets), new, region }));
+            }
+        }
+        if !effort.relocate {
+            return Ok(None);
+        }
+        let new = self.place_inside(v, s, ends, effort)?;
+        Ok(new.map(|new| Sector { old, new, region }))
+    }
+
+    /// Fills a sector that has grown.
+    fn grow(
+        &mut self,
+        v: u32,
+        s: usize,
+        ends: [u32; 2],
+        taken: &[Sector],
+        growth: Growth,
+    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        let touches = |wall: &&Wall| wall.sides.iter().any(|side| side.0 == s);
+        let gone: Vec<[u32; 3]> =
+            self.star.walls.iter().filter(touches).flat_map(|w| w.faces.iter().copied()).collect();
+        let walls = self.faces[self.star.sectors[s].link.len()..].to_vec();
+        let start = Start {
+            tets: &self.star.sectors[s].tets,
+            gone: &gone,
+            walls: &walls,
+            without: v,
+            edge: gone.is_empty().then_some(ends),
+            avoid: [v; 2],
+            taken,
+        };
+        self.hollow.grow(self.solid, self.points, &mut self.reconnect, &start, self.isolated, growth)
+    }
+
+    /// The tetrahedra of a sector with points inside.
+    fn place_inside(
+        &mut self,
+        v: u32,
+        s: usize,
+        ends: [u32; 2],
+        effort: Effort,
+    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        let from = *self.points.xyz(v);
+        let normals = self.wall_normals(s, from, ends);
+        if self.convex(s) {
+            let toward = match normals[..] {
+                [m, n] => vec![[0, 1, 2].map(|k| m[k] + n[k]), m, n],
+                _ => normals.clone(),
+            };
+            let p = self.new_point(from)?;
+            if place(self.points, p, &self.faces, from, &toward)? {
+                let mut new = Vec::new();
+                new.try_reserve(self.faces.len())?;
+                new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+                return Ok(Some(new));
+            }
+            let last = self.inside.list.len() - 1;
+            self.discard(last);
+        }
+        self.fill_around(v, s, ends, &normals, effort)
+    }
+
+    /// The sector has two different walls: it goes less than all round.
+    fn convex(&self, s: usize) -> bool {
+        let count = self.star.walls.iter().filter(|w| w.sides.iter().any(|side| side.0 == s)).count();
+        count == 2
+    }
+
+    /// The unit normals of the walls at a sector, turned inward, in plain arithmetic.
+    fn wall_normals(&self, s: usize, from: [f64; 3], ends: [u32; 2]) -> Vec<[f64; 3]> {
+        let mut normals = Vec::new();
+        let [a, b] = ends.map(|e| sub(self.points.xyz(e), &from));
+        let along = if dot(&a, &a) > dot(&b, &b) { a.map(|x| -x) } else { b };
+        for wall in &self.star.walls {
+            for &(sector, forward) in &wall.sides {
+                if sector != s {
+                    continue;
+                }
+                // The corner farthest from the line tells the plane best.
+                let normal = wall.polygon[1..wall.polygon.len() - 1]
+                    .iter()
+                    .map(|&u| unit(cross(&along, &sub(self.points.xyz(u), &from))))
+                    .find(|n| dot(n, n) > 0.5);
+                if let Some(n) = normal {
+                    // The polygon runs from the first end round to the second: it turns about −(along × u).
+                    // A face turned inward has its normal pointing away from the inside.
+                    normals.push(if forward { n } else { n.map(|x| -x) });
+                }
+            }
+        }
+        normals
+    }
+
+    fn new_point(&mut self, at: [f64; 3]) -> Result<u32, Error> {
+        self.inside.add(self.solid, self.points, at)
+    }
+
+    /// Takes the last points inside back, all but the first `count`.
+    fn discard(&mut self, count: usize) {
+        self.inside.shorten(count);
+    }
+
+    /// A sector that goes all round, or all round from one side of a wall to the other: two or three points inside near the segment, joined
+    /// by reconnection.
+    fn fill_around(
+        &mut self,
+        v: u32,
+        s: usize,
+        ends: [u32; 2],
+        normals: &[[f64; 3]],
+        effort: Effort,
+    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        let from = *self.points.xyz(v);
+        let along = unit(sub(self.points.xyz(ends[1]), self.points.xyz(ends[0])));
+        let up = match normals.first() {
+            Some(&n) => n,
+            None => any_normal(&along),
+        };
+        let side = cross(&along, &up);
+        let way = |angle: f64| [0, 1, 2].map(|k| angle.cos() * up[k] + angle.sin() * side[k]);
+        let third = std::f64::consts::TAU / 3.0;
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let sets: [&[f64]; 5] = [
+            &[quarter],
+            &[-quarter],
+            &[0.0, 2.0 * quarter],
+            &[0.0, third, 2.0 * third],
+            &[0.0, quarter, 2.0 * quarter, 3.0 * quarter],
+        ];
+        let reach = self.star.sectors[s].link.iter().flatten().map(|&w| {
+            let d = sub(self.points.xyz(w), &from);
+            dot(&d, &d)
+        });
+        let reach = reach.fold(f64::INFINITY, f64::min).sqrt();
+        let walled = !normals.is_empty();
+        let edges: &[[u32; 2]] = if walled { &[] } else { &[ends] };
+        let before = self.inside.list.len();
+        for set in sets {
+            for halvings in [2, 4, 8, 16, 24, 32] {
+                let distance = reach * 0.5f64.powi(halvings);
+                for &angle in set {
+                    let w = way(angle);
+                    self.new_point([0, 1, 2].map(|k| from[k] + distance * w[k]))?;
+                }
+                let inner: Vec<u32> = self.inside.list[before..].to_vec();
+                let polyhedron = Polyhedron { faces: &self.faces, inner: &inner, edges, without: None };
+                let mut new = Vec::new();
+                if self.reconnect.fill(self.points, &polyhedron, effort.budget, &mut new)? {
+                    return Ok(Some(new));
+                }
+                self.discard(before);
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// The first combination, in lexicographic order, whose numbers add up to `total`.
+fn first_of(total: usize, options: &[Vec<Vec<[u32; 3]>>], choice: &mut [usize]) {
+    let mut left = total;
+    for (c, o) in choice.iter_mut().zip(options).rev() {
+        *c = left.min(o.len() - 1);
+        left -= *c;
+    }
+}
+
+/// The next combination with the same sum; false after the last.
+fn next_of(total: usize, options: &[Vec<Vec<[u32; 3]>>], choice: &mut [usize]) -> bool {
+    // Raise the last number that can be raised while the rest can still make up the sum.
+    for i in (0..choice.len()).rev() {
+        let fixed: usize = choice[..=i].iter().sum::<usize>() + 1;
+        if choice[i] + 1 < options[i].len() && fixed <= total {
+            let rest = total - fixed;
+            let room: usize = options[i + 1..].iter().map(|o| o.len() - 1).sum();
+            if rest <= room {
+                choice[i] += 1;
+                first_of(rest, &options[i + 1..], &mut choice[i + 1..]);
+                return true;
+            }
+        }
+    }
+    false
+}
+
+/// An axis along which the polygon's projection is no line.
+pub fn axis_of(points: &Points, polygon: &[u32]) -> Option<usize> {
+    let (a, u, b) = (polygon[0], polygon[1], polygon[polygon.len() - 1]);
+    let n = cross(&sub(points.xyz(u), points.xyz(a)), &sub(points.xyz(b), points.xyz(a)));
+    let mut axes = [0usize, 1, 2];
+    axes.sort_by(|&i, &j| n[j].abs().total_cmp(&n[i].abs()));
+    axes.into_iter().find(|&k| points.orient_in_plane(k, a, u, b) != Sign::Zero)
+}
+
+fn sub(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn unit(a: [f64; 3]) -> [f64; 3] {
+    let length = dot(&a, &a).sqrt();
+    if length > 0.0 {
+        a.map(|x| x / length)
+    } else {
+        a
+    }
+}
+
+/// A unit vector across.
+fn any_normal(along: &[f64; 3]) -> [f64; 3] {
+    let k = (0..3).min_by(|&i, &j| along[i].abs().total_cmp(&along[j].abs())).unwrap_or(0);
+    let mut e = [0.0; 3];
+    e[k] = 1.0;
+    unit(cross(along, &e))
+}

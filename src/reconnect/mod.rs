@@ -1,0 +1,64 @@
+//! Small polyhedron reconnection: a tetrahedralization of a polyhedron without further points, by search.
+//!
+//! After Liu, Chen & Chen 2007 (boundary recovery by small polyhedron reconnection) and Marot, Verhetsel & Remacle 2020
+//! (branch and bound over the faces that are still open). The state is the *front*: the oriented faces that still lack
+//! a tetrahedron on their inner side. A step takes the front face with the fewest possible apexes and joins it to one; the faces
+//! of the new tetrahedron close front faces or become new ones. An empty front is a solution.
+//!
+//! Why a solution is valid: all its tetrahedra are positive and the boundaries of all of them add up, face by face, to the
+//! boundary of the polyhedron. So every point that is on no face is covered as often as the boundary winds round it: once inside,
+//! never outside. Only orientations decide; all other tests (crossings, contained vertices) prune the search. They use exact
+//! signs too, from one table: a polyhedron of 20 vertices has 4,845 of them and asks for each many times.
+//!
+//! The search is deterministic and bounded by a number of steps, never by time.
+mod search;
+mod signs;
+
+use crate::error::Error;
+use crate::predicates::Points;
+use search::Search;
+
+/// Most vertices that a polyhedron may have: sets of vertices are bits of one word.
+pub const MOST_VERTICES: usize = 64;
+
+/// What is to be filled.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Polyhedron<'a> {
+    /// Boundary triangles `(x, y, z)` such that `(p, x, y, z)` is positive for `p` inside.
+    pub faces: &'a [[u32; 3]],
+    /// Vertices inside, which no boundary face has. Each becomes a vertex of a tetrahedron.
+    pub inner: &'a [u32],
+    /// Pairs of vertices that must be edges.
+    pub edges: &'a [[u32; 2]],
+    /// A pair of vertices that must not be an edge.
+    pub without: Option<[u32; 2]>,
+}
+
+/// Fills polyhedra; keeps its scratch space.
+#[derive(Default)]
+pub struct Reconnect {
+    search: Search,
+}
+
+impl Reconnect {
+    /// Appends the tetrahedra of a filling to `tets` and returns true, or appends nothing and returns false: there is none, or none
+    /// was found within `budget` steps, or there are more than [`MOST_VERTICES`] vertices.
+    pub fn fill(
+        &mut self,
+        points: &Points,
+        polyhedron: &Polyhedron,
+        budget: u32,
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
+        if !self.search.begin(points, polyhedron)? {
+            return Ok(false);
+        }
+        if let Some(apex) = self.search.cone(points) {
+            return self.search.append_cone(apex, tets);
+        }
+        self.search.run(points, budget, tets)
+    }
+}
+
+#[cfg(test)]
+mod tests;

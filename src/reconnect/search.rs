@@ -1,0 +1,382 @@
+//! The search of [`Reconnect`](super::Reconnect): depth first over front faces, with an explicit stack.
+use super::signs::Signs;
+use super::Polyhedron;
+use crate::error::Error;
+use crate::predicates::Points;
+
+/// A face by local numbers, smallest first, turned so that the side to be filled is positive.
+type Face = [u8; 3];
+
+/// One step: a front face, the apexes to try, and what the current one changed.
+#[derive(Clone, Default)]
+struct Level {
+    face: Face,
+    /// Apexes not tried yet, the best last.
+    apexes: Vec<u8>,
+    closed: Vec<Face>,
+    opened: Vec<Face>,
+}
+
+/// State and scratch space.
+#[derive(Default)]
+pub struct Search {
+    signs: Signs,
+    /// Faces whose inner side is open.
+    front: Vec<Face>,
+    /// Boundary faces, as given.
+    boundary: Vec<Face>,
+    /// Edges that must be.
+    edges: Vec<[u8; 2]>,
+    inner: Vec<u8>,
+    without: Option<[u8; 2]>,
+    levels: Vec<Level>,
+    depth: usize,
+    tets: Vec<[u8; 4]>,
+    uses: Vec<(u8, u8, bool)>,
+    xyz: Vec<[f64; 3]>,
+}
+
+fn canonical([x, y, z]: Face) -> Face {
+    if x < y && x < z {
+        [x, y, z]
+    } else if y < z {
+        [y, z, x]
+    } else {
+        [z, x, y]
+    }
+}
+
+/// The three faces of tetrahedron (w, face) other than `face`, as seen from inside it.
+fn other_faces(w: u8, [x, y, z]: Face) -> [Face; 3] {
+    [canonical([w, z, y]), canonical([w, x, z]), canonical([w, y, x])]
+}
+
+fn reversed([x, y, z]: Face) -> Face {
+    [x, z, y]
+}
+
+impl Search {
+    /// Numbers the vertices and sets the front; false if the polyhedron is too large.
+    pub fn begin(&mut self, points: &Points, polyhedron: &Polyhedron) -> Result<bool, Error> {
+        let corners = polyhedron.faces.iter().flatten().chain(polyhedron.inner).copied();
+        if !self.signs.set(corners)? {
+            return Ok(false);
+        }
+        self.boundary.clear();
+        self.boundary.try_reserve(polyhedron.faces.len())?;
+        for face in polyhedron.faces {
+            let [Some(x), Some(y), Some(z)] = face.map(|v| self.signs.number(v)) else { return Ok(false) };
+            self.boundary.push(canonical([x, y, z]));
+        }
+        if !self.is_closed()? {
+            return Ok(false);
+        }
+        self.edges.clear();
+        self.edges.try_reserve(polyhedron.edges.len())?;
+        for edge in polyhedron.edges {
+            // An edge that leaves the polyhedron's vertices cannot be asked for.
+            let [Some(a), Some(b)] = edge.map(|v| self.signs.number(v)) else { return Ok(false) };
+            self.edges.push([a, b]);
+        }
+        self.inner.clear();
+        self.inner.try_reserve(polyhedron.inner.len())?;
+        self.inner.extend(polyhedron.inner.iter().filter_map(|&v| self.signs.number(v)));
+        self.without =
+            polyhedron.without.and_then(|[a, b]| Some([self.signs.number(a)?, self.signs.number(b)?]));
+        self.front.clear();
+        self.front.try_reserve(4 * self.boundary.len() + 64)?;
+        self.front.extend_from_slice(&self.boundary);
+        self.xyz.clear();
+        self.xyz.try_reserve(self.signs.count())?;
+        self.xyz.extend(self.signs.vertices.iter().map(|&v| *points.xyz(v)));
+        self.tets.clear();
+        self.depth = 0;
+        Ok(true)
+    }
+
+    /// Every edge of the boundary is used as often in one direction as in the other.
+    fn is_closed(&mut self) -> Result<bool, Error> {
+        let uses = &mut self.uses;
+        uses.clear();
+        uses.try_reserve(3 * self.boundary.len())?;
+        for &[x, y, z] in &self.boundary {
+            uses.extend([(x, y), (y, z), (z, x)].map(|(a, b)| (a.min(b), a.max(b), a < b)));
+        }
+        uses.sort_unstable();
+        Ok(uses
+            .chunk_by(|u, v| (u.0, u.1) == (v.0, v.1))
+            .all(|c| 2 * c.iter().filter(|u| u.2).count() == c.len()))
+    }
+
+    /// A vertex from which all boundary faces without it are seen from inside: the one with the best worst tetrahedron.
+    pub fn cone(&mut self, points: &Points) -> Option<u8> {
+        let mut best: Option<(f64, u8)> = None;
+        for w in 0..self.signs.count() as u8 {
+            // All that is inside the cone is the apex itself and edges from it.
+            let fits = self.inner.iter().all(|&v| v == w)
+                && self.edges.iter().all(|e| e.contains(&w))
+                && !self.without.is_some_and(|e| e.contains(&w));
+            if !fits {
+                continue;
+            }
+            let mut worst = f64::INFINITY;
+            let sees = (0..self.boundary.len()).all(|i| {
+                let f = self.boundary[i];
+                if f.contains(&w) {
+                    // A face with the inside on both sides cancels in the sum of boundaries: the cone may lack it.
+                    return !self.boundary.contains(&canonical(reversed(f)));
+                }
+                let positive = self.signs.of(points, w, f[0], f[1], f[2]) > 0;
+                if positive {
+                    worst = worst.min(self.quality(w, f));
+                }
+                positive
+            });
+            if sees && best.is_none_or(|b| worst > b.0) {
+                best = Some((worst, w));
+            }
+        }
+        best.map(|b| b.1)
+    }
+
+    /// The tetrahedra from a vertex to all boundary faces without it.
+    pub fn append_cone(&mut self, w: u8, tets: &mut Vec<[u32; 4]>) -> Result<bool, Error> {
+        tets.try_reserve(self.boundary.len())?;
+        let id = |i: u8| self.signs.vertices[i as usize];
+        tets.extend(
+            self.boundary.iter().filter(|f| !f.contains(&w)).map(|f| [id(w), id(f[0]), id(f[1]), id(f[2])]),
+        );
+        Ok(true)
+    }
+
+    /// Searches; appends the first solution.
+    pub fn run(&mut self, points: &Points, budget: u32, tets: &mut Vec<[u32; 4]>) -> Result<bool, Error> {
+        if !self.descend(points)? {
+            return Ok(false);
+        }
+        let mut steps = 0;
+        // Invariant: level `depth − 1` has a face, and none of its apexes is applied.
+        while self.depth > 0 {
+            let level = self.depth - 1;
+            let face = self.levels[level].face;
+            let Some(apex) = self.levels[level].apexes.pop() else {
+                self.depth -= 1;
+                if self.depth > 0 {
+                    self.undo(self.depth - 1);
+                }
+                continue;
+            };
+            steps += 1;
+            if steps > budget {
+                return Ok(false);
+            }
+            if !self.apply(level, face, apex)? {
+                continue;
+            }
+            if self.front.is_empty() {
+                if self.complete() {
+                    tets.try_reserve(self.tets.len())?;
+                    let id = |i: u8| self.signs.vertices[i as usize];
+                    tets.extend(self.tets.iter().map(|t| t.map(id)));
+                    return Ok(true);
+                }
+                self.undo(level);
+            } else if !self.descend(points)? {
+                self.undo(level);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Puts the most constrained front face on the stack; false if a front face has no apex at all.
+    fn descend(&mut self, points: &Points) -> Result<bool, Error> {
+        let on_front = self.vertices_on_front();
+        let mut best: Option<(u32, usize)> = None;
+        for i in 0..self.front.len() {
+            let f = self.front[i];
+            let mut count = 0;
+            let mut rest = on_front & !(1 << f[0] | 1 << f[1] | 1 << f[2]);
+            while rest != 0 {
+                let w = rest.trailing_zeros() as u8;
+                rest &= rest - 1;
+                count += (self.signs.of(points, w, f[0], f[1], f[2]) > 0) as u32;
+            }
+            if count == 0 {
+                return Ok(false);
+            }
+            if best.is_none_or(|b| count < b.0) {
+                best = Some((count, i));
+            }
+        }
+        let Some((_, index)) = best else { return Ok(false) };
+        let face = self.front[index];
+        let mut apexes: Vec<(f64, u8)> = Vec::new();
+        let mut rest = on_front & !(1 << face[0] | 1 << face[1] | 1 << face[2]);
+        while rest != 0 {
+            let w = rest.trailing_zeros() as u8;
+            rest &= rest - 1;
+            if self.signs.of(points, w, face[0], face[1], face[2]) > 0
+                && self.is_free(points, w, face, on_front)
+            {
+                let closes = other_faces(w, face).iter().filter(|g| self.front.contains(g)).count() as f64;
+                apexes.try_reserve(1)?;
+                apexes.push((self.quality(w, face) * (1.0 + closes), w));
+            }
+        }
+        if apexes.is_empty() {
+            return Ok(false);
+        }
+        apexes.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+        if self.levels.len() == self.depth {
+            self.levels.try_reserve(1)?;
+            self.levels.push(Level::default());
+        }
+        let level = &mut self.levels[self.depth];
+        level.face = face;
+        level.apexes.clear();
+        level.apexes.try_reserve(apexes.len())?;
+        level.apexes.extend(apexes.iter().map(|a| a.1));
+        self.depth += 1;
+        Ok(true)
+    }
+
+    /// Vertices of front faces, and inner ones that no tetrahedron has yet.
+    fn vertices_on_front(&self) -> u64 {
+        let mut set = 0u64;
+        for f in &self.front {
+            set |= 1 << f[0] | 1 << f[1] | 1 << f[2];
+        }
+        for &v in &self.inner {
+            if !self.tets.iter().any(|t| t.contains(&v)) {
+                set |= 1 << v;
+            }
+        }
+        set
+    }
+
+    /// Joins a front face to an apex; false (and nothing changed) if a face would get a second tetrahedron on one side.
+    fn apply(&mut self, level: usize, face: Face, apex: u8) -> Result<bool, Error> {
+        let others = other_faces(apex, face);
+        if others.iter().any(|&g| self.front.contains(&canonical(reversed(g))) && !self.front.contains(&g)) {
+            return Ok(false);
+        }
+        self.front.try_reserve(3)?;
+        let Search { front, levels, .. } = self;
+        let level = &mut levels[level];
+        level.closed.clear();
+        level.opened.clear();
+        level.closed.try_reserve(4)?;
+        level.opened.try_reserve(3)?;
+        let mut close = |front: &mut Vec<Face>, g: Face| {
+            let at = front.iter().position(|&x| x == g);
+            if let Some(at) = at {
+                front.swap_remove(at);
+                level.closed.push(g);
+            }
+            at.is_some()
+        };
+        close(front, face);
+        for g in others {
+            if !close(front, g) {
+                let far = canonical(reversed(g));
+                front.push(far);
+                level.opened.push(far);
+            }
+        }
+        self.tets.try_reserve(1)?;
+        self.tets.push([apex, face[0], face[1], face[2]]);
+        Ok(true)
+    }
+
+    /// Takes the current apex of a level back.
+    fn undo(&mut self, level: usize) {
+        let Search { front, levels, .. } = self;
+        let level = &levels[level];
+        for g in &level.opened {
+            if let Some(at) = front.iter().rposition(|x| x == g) {
+                front.swap_remove(at);
+            }
+        }
+        front.extend_from_slice(&level.closed);
+        self.tets.pop();
+    }
+
+    /// The tetrahedra have all required edges and inner vertices.
+    fn complete(&self) -> bool {
+        let has = |a: u8, b: u8| self.tets.iter().any(|t| t.contains(&a) && t.contains(&b));
+        self.edges.iter().all(|&[a, b]| has(a, b)) && self.inner.iter().all(|&v| has(v, v))
+    }
+
+    /// The tetrahedron holds no vertex, its new edges pierce no front face, and no front or required edge pierces its new faces.
+    fn is_free(&mut self, points: &Points, w: u8, face: Face, on_front: u64) -> bool {
+        let [x, y, z] = face;
+        if self.without.is_some_and(|[p, q]| (w == p && face.contains(&q)) || (w == q && face.contains(&p))) {
+            return false;
+        }
+        let mut rest = on_front & !(1 << w | 1 << x | 1 << y | 1 << z);
+        while rest != 0 {
+            let v = rest.trailing_zeros() as u8;
+            rest &= rest - 1;
+            if self.signs.of(points, v, x, y, z) >= 0
+                && self.signs.of(points, v, w, z, y) >= 0
+                && self.signs.of(points, v, w, x, z) >= 0
+                && self.signs.of(points, v, w, y, x) >= 0
+            {
+                return false;
+            }
+        }
+        for i in 0..self.edges.len() {
+            let edge = self.edges[i];
+            if other_faces(w, face).iter().any(|&g| self.pierces(points, edge, g)) {
+                return false;
+            }
+        }
+        for i in 0..self.front.len() {
+            let [p, q, r] = self.front[i];
+            if [x, y, z].iter().any(|&v| self.pierces(points, [w, v], [p, q, r])) {
+                return false;
+            }
+            for edge in [[p, q], [q, r], [r, p]] {
+                // Each edge of the front belongs to two of its faces, one of which has it this way.
+                if edge[0] < edge[1] && other_faces(w, face).iter().any(|&g| self.pierces(points, edge, g)) {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// The open edge passes from one side of the face's plane to the other through the closed face.
+    fn pierces(&mut self, points: &Points, [p, q]: [u8; 2], face: Face) -> bool {
+        let [x, y, z] = face;
+        if face.contains(&p) || face.contains(&q) {
+            return false;
+        }
+        let side = self.signs.of(points, p, x, y, z);
+        if side == 0 || self.signs.of(points, q, x, y, z) != -side {
+            return false;
+        }
+        let turns = [
+            self.signs.of(points, p, q, x, y),
+            self.signs.of(points, p, q, y, z),
+            self.signs.of(points, p, q, z, x),
+        ];
+        turns.iter().all(|&s| s >= 0) || turns.iter().all(|&s| s <= 0)
+    }
+
+    /// Volume over the cube of the mean edge length, in plain arithmetic: it only orders the search.
+    fn quality(&self, w: u8, face: Face) -> f64 {
+        let at = |i: u8| self.xyz[i as usize];
+        let (o, p) = (at(w), face.map(at));
+        let u = p.map(|x| [x[0] - o[0], x[1] - o[1], x[2] - o[2]]);
+        let square = |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>();
+        let sum = square(&p[0], &p[1])
+            + square(&p[1], &p[2])
+            + square(&p[2], &p[0])
+            + u.iter().map(|x| x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sum::<f64>();
+        let volume = u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1])
+            - u[0][1] * (u[1][0] * u[2][2] - u[1][2] * u[2][0])
+            + u[0][2] * (u[1][0] * u[2][1] - u[1][1] * u[2][0]);
+        volume.abs() / (sum * sum.sqrt()).max(f64::MIN_POSITIVE)
+    }
+}

@@ -1,0 +1,142 @@
+//! Fillings of known and random polyhedra.
+use super::{Polyhedron, Reconnect};
+use crate::delaunay::Delaunay;
+use crate::mesh::flag;
+use crate::mesh::star::StarSearch;
+use crate::predicates::{Points, Sign};
+
+const BUDGET: u32 = 100_000;
+
+fn fill(points: &Points, polyhedron: &Polyhedron) -> Option<Vec<[u32; 4]>> {
+    let mut tets = Vec::new();
+    let found = Reconnect::default().fill(points, polyhedron, BUDGET, &mut tets).unwrap();
+    assert_eq!(found, !tets.is_empty());
+    found.then(|| {
+        check(points, polyhedron, &tets);
+        tets
+    })
+}
+
+/// All tetrahedra positive; their faces cancel to the boundary; required edges and inner vertices are there.
+fn check(points: &Points, polyhedron: &Polyhedron, tets: &[[u32; 4]]) {
+    let turned = |f: [u32; 3]| {
+        let k = (0..3).min_by_key(|&k| f[k]).unwrap();
+        [f[k], f[(k + 1) % 3], f[(k + 2) % 3]]
+    };
+    let mut open: Vec<[u32; 3]> = Vec::new();
+    for &[a, b, c, d] in tets {
+        assert_eq!(points.orient3d(a, b, c, d), Sign::Positive);
+        for f in [[b, c, d], [a, d, c], [a, b, d], [a, c, b]] {
+            let back = turned([f[0], f[2], f[1]]);
+            match open.iter().position(|&x| x == back) {
+                Some(at) => drop(open.swap_remove(at)),
+                None => open.push(turned(f)),
+            }
+        }
+    }
+    let mut boundary: Vec<[u32; 3]> = polyhedron.faces.iter().map(|&f| turned(f)).collect();
+    boundary.sort_unstable();
+    open.sort_unstable();
+    assert_eq!(open, boundary);
+    for &[a, b] in polyhedron.edges {
+        assert!(tets.iter().any(|t| t.contains(&a) && t.contains(&b)));
+    }
+    for v in polyhedron.inner {
+        assert!(tets.iter().any(|t| t.contains(v)));
+    }
+}
+
+/// A triangular prism of height 1 whose top is turned, its three sides cut by the given diagonals.
+fn prism(turn: f64, inward: bool) -> (Points, Vec<[u32; 3]>) {
+    let at = |k: usize, z: f64, turn: f64| {
+        let angle = (k as f64 * 120.0 + turn).to_radians();
+        [angle.cos(), angle.sin(), z]
+    };
+    let xyz = (0..6).map(|k| if k < 3 { at(k, 0.0, 0.0) } else { at(k - 3, 1.0, turn) }).collect();
+    // Seen from inside the bottom 0 1 2 turns one way, the top the other.
+    let mut faces = vec![[0, 2, 1], [3, 4, 5]];
+    for k in 0..3u32 {
+        let (a, b) = (k, (k + 1) % 3);
+        let (c, d) = (a + 3, b + 3);
+        if inward {
+            faces.extend([[a, b, d], [a, d, c]]);
+        } else {
+            faces.extend([[a, b, c], [b, d, c]]);
+        }
+    }
+    (Points::new(xyz), faces)
+}
+
+#[test]
+fn schoenhardt_has_no_filling() {
+    for inward in [false, true] {
+        let (points, faces) = prism(if inward { -30.0 } else { 30.0 }, inward);
+        let convex = fill(&points, &Polyhedron { faces: &faces, ..Default::default() });
+        let (points, _) = prism(if inward { 30.0 } else { -30.0 }, inward);
+        let twisted = fill(&points, &Polyhedron { faces: &faces, ..Default::default() });
+        assert!(
+            convex.is_some() != twisted.is_some(),
+            "one twist makes the diagonals reflex, the other convex"
+        );
+    }
+}
+
+#[test]
+fn octahedron_has_every_diagonal() {
+    let points = Points::new(vec![
+        [1.0, 0.0, 0.0],
+        [-1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.0, 0.0, -1.0],
+    ]);
+    let mut faces = Vec::new();
+    for x in [0, 1] {
+        for y in [2, 3] {
+            for z in [4, 5] {
+                let turn = (x + y + z) % 2 == 1;
+                faces.push(if turn { [x, z, y] } else { [x, y, z] });
+            }
+        }
+    }
+    for edge in [[0, 1], [2, 3], [4, 5]] {
+        let tets =
+            fill(&points, &Polyhedron { faces: &faces, edges: &[edge], ..Default::default() }).unwrap();
+        assert_eq!(tets.len(), 4);
+    }
+    let two = [[0, 1], [2, 3]];
+    assert!(fill(&points, &Polyhedron { faces: &faces, edges: &two, ..Default::default() }).is_none());
+}
+
+#[test]
+fn stars_of_random_vertices_are_filled_without_them_and_with_them() {
+    let mut state = 1u64;
+    let mut random = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let points = Points::new((0..400).map(|_| [random(), random(), random()]).collect());
+    let mut delaunay = Delaunay::new();
+    let mut order: Vec<u32> = (0..400).collect();
+    delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
+    delaunay.index_vertices(400).unwrap();
+    let (mut without, mut all) = (0, 0);
+    for v in 0..400 {
+        let start = delaunay.vertex_tet[v as usize];
+        let mut star = StarSearch::default();
+        star.vertex_star(&mut delaunay.mesh, v, start);
+        let mesh = &delaunay.mesh;
+        assert!(mesh.flags.iter().all(|f| f & flag::MARK == 0));
+        if star.tets.iter().any(|&t| mesh.is_ghost(t)) {
+            continue;
+        }
+        let faces: Vec<[u32; 3]> =
+            star.tets.iter().map(|&t| mesh.face(4 * t + mesh.slot_of(t, v).unwrap())).collect();
+        assert!(fill(&points, &Polyhedron { faces: &faces, inner: &[v], ..Default::default() }).is_some());
+        all += 1;
+        without += fill(&points, &Polyhedron { faces: &faces, ..Default::default() }).is_some() as usize;
+    }
+    assert!(all > 200);
+    assert_eq!(without, all, "a Delaunay vertex can always be deleted");
+}

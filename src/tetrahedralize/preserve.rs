@@ -1,0 +1,235 @@
+//! The pipeline of [`Mode::Preserve`](crate::Mode::Preserve).
+//!
+//! First by reconnection: edges and faces of the surface are recovered in the Delaunay tetrahedralization without a point, or with few
+//! points on the edges that resist ([`recover`](crate::preserve::recover)). Where that is given up, and where the hull is kept or facets are
+//! merged, from the constrained Delaunay tetrahedralization, which always exists. Either way what is on the surface is
+//! taken away again ([`from_constrained`]).
+use super::{assemble, Engine, Run};
+use crate::constrain::edge_key;
+use crate::constrain::segment::Segments;
+use crate::constrain::subface::{Subfaces, Triangles};
+use crate::error::Error;
+use crate::options::Options;
+use crate::output::TetMesh;
+use crate::plc::patch::Patches;
+use crate::plc::surface::Surface;
+use crate::plc::{Plc, Prepared};
+use crate::preserve::from_constrained;
+use crate::preserve::inside::Inside;
+use crate::preserve::order::first_points;
+use crate::preserve::recover::Recovery;
+use crate::preserve::retarget::Target;
+use crate::preserve::solid::Solid;
+use crate::progress::{report, Phase};
+use rustc_hash::FxHashMap;
+
+/// A mesh with the surface in it, perhaps with points on its segments.
+struct Embedded {
+    engine: Engine,
+    segments: Segments,
+    subfaces: Subfaces,
+    /// Patch of each triangle of the surface.
+    patch: Vec<u32>,
+    /// Points inside.
+    inside: Vec<u32>,
+}
+
+impl Run<'_> {
+    /// Makes a mesh that has every triangle of the surface.
+    pub(super) fn preserve(
+        &mut self,
+        plc: &Plc,
+        options: &Options,
+        prepared: Prepared,
+    ) -> Result<TetMesh, Error> {
+        let mut first = Vec::new();
+        if !options.keep_hull && options.merge_facets.is_none() {
+            let surface = prepared.clone().connect(plc, self.observer)?;
+            first = first_points(&surface)?;
+            self.lap(Phase::Validate);
+            if let Some(embedded) = self.reconnect(&surface, options, &first)? {
+                return self.free_surface(plc, &surface, options, embedded);
+            }
+            self.statistics.preserve = Default::default();
+        }
+        let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
+        self.delaunay_in(&mut engine, &mut order)?;
+        let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
+        let subfaces = self.recover_facets(&surface, &segments, &mut engine)?;
+        let counts = &mut self.statistics.preserve;
+        counts.missing_edges = segments.missing;
+        counts.by_splits = segments.missing;
+        let patch = surface.triangle_patch.clone();
+        self.free_surface(plc, &surface, options, Embedded { engine, segments, subfaces, patch, inside: Vec::new() })
+    }
+
+    /// Carves the domain and takes all points off the surface.
+    fn free_surface(
+        &mut self,
+        plc: &Plc,
+        surface: &Surface,
+        options: &Options,
+        embedded: Embedded,
+    ) -> Result<TetMesh, Error> {
+        let Embedded { mut engine, segments, subfaces, patch, inside } = embedded;
+        let (components, regions) = self.find_regions(plc, options, &mut engine)?;
+        report(self.observer, Phase::Preserve, 0.0)?;
+        let carved = std::mem::take(&mut engine.delaunay.mesh);
+        let mut solid = Solid::carve(carved, engine.points.len(), &components, &regions, &subfaces)?;
+        drop((subfaces, components));
+        let target = Target { triangles: &engine.map(&surface.triangles)?, patch: &patch };
+        let observer = &mut *self.observer;
+        let inside = from_constrained(
+            &mut solid,
+            &mut engine.points,
+            &segments,
+            &target,
+            Inside::of(inside),
+            &mut self.statistics.preserve,
+            &mut |fraction| report(observer, Phase::Preserve, fraction),
+        )?;
+        self.statistics.missing_segments = segments.missing;
+        let mut mesh = assemble::preserved(&engine, plc, surface, &solid, &inside.list, &regions)?;
+        mesh.hull_kept = options.keep_hull;
+        self.lap(Phase::Preserve);
+        Ok(mesh)
+    }
+
+    /// Recovers edges and faces by reconnection, inside a box, so that nothing of the surface lies on the hull. None if it was
+    /// given up.
+    fn reconnect(
+        &mut self,
+        surface: &Surface,
+        options: &Options,
+        first: &[u32],
+    ) -> Result<Option<Embedded>, Error> {
+        let (mut engine, inner) = Engine::numbered(surface, options, first)?;
+        let count = engine.points.len() as u32;
+        for corner in surrounding_box(engine.points.coordinates()) {
+            engine.points.push(corner)?;
+        }
+        let mut order: Vec<u32> = (count..count + 8).chain(inner).collect();
+        self.delaunay_in(&mut engine, &mut order)?;
+        engine.delaunay.index_vertices(engine.points.len())?;
+
+        report(self.observer, Phase::Segments, 0.0)?;
+        let all_edges = edges_of(surface)?;
+        let edges = engine.map(&all_edges)?;
+        let corners = engine.map(&surface.triangles)?;
+        let Engine { delaunay, points, .. } = &mut engine;
+        let observer = &mut *self.observer;
+        let mut recovery = Recovery::new(delaunay, points);
+        let missing = recovery.edges(&edges, &mut |f| report(observer, Phase::Segments, f))?;
+        let relaxed = relax(surface, &all_edges, &missing)?;
+        let mut kept = Vec::new();
+        kept.try_reserve(edges.len())?;
+        kept.extend(edges.iter().zip(&relaxed.keep).filter(|e| *e.1).map(|e| *e.0));
+        let mut segments = Segments::new(recovery.points, kept)?;
+        segments.missing = recovery.missing_edges;
+        let split = recovery.split_missing(&mut segments, &mut |f| report(observer, Phase::Segments, f))?;
+        self.lap(Phase::Segments);
+        if !split {
+            return Ok(None);
+        }
+
+        report(self.observer, Phase::Facets, 0.0)?;
+        let triangles = Triangles {
+            corners: &corners,
+            facet: &surface.triangle_facet,
+            patch: &relaxed.patch,
+            patch_count: relaxed.patch_count,
+        };
+        let mut subfaces = Subfaces::build(recovery.points, &triangles, &segments)?;
+        let observer = &mut *self.observer;
+        let found = recovery.faces(&mut subfaces, &mut |f| report(observer, Phase::Facets, f))?;
+        let counts = &mut self.statistics.preserve;
+        counts.missing_edges = recovery.missing_edges;
+        counts.missing_faces = recovery.missing_faces;
+        counts.by_reconnection = recovery.recovered;
+        counts.by_splits = recovery.split;
+        counts.by_interior_points = recovery.by_points;
+        let inside = std::mem::take(&mut recovery.inside);
+        drop(recovery);
+        self.lap(Phase::Facets);
+        self.note_peak(&engine);
+        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch, inside }))
+    }
+}
+
+/// Which edges are kept, and the patches between them.
+struct Relaxed {
+    /// Per edge whether it is a segment.
+    keep: Vec<bool>,
+    /// Per triangle its patch.
+    patch: Vec<u32>,
+    patch_count: usize,
+}
+
+/// Gives up missing flat edges: the triangles on both sides become one patch.
+fn relax(surface: &Surface, edges: &[[u32; 2]], missing: &[u32]) -> Result<Relaxed, Error> {
+    let mut keep = Vec::new();
+    keep.try_reserve(edges.len())?;
+    keep.resize(edges.len(), true);
+    for &edge in missing {
+        keep[edge as usize] = surface.segments.binary_search(&edges[edge as usize]).is_ok();
+    }
+    let mut patches = Patches::new(surface.triangles.len())?;
+    let mut first: FxHashMap<[u32; 2], u32> = FxHashMap::default();
+    for (t, &[a, b, c]) in surface.triangles.iter().enumerate() {
+        for key in [edge_key(a, b), edge_key(b, c), edge_key(c, a)] {
+            if let Ok(edge) = edges.binary_search(&key) {
+                if !keep[edge] {
+                    let other = *first.entry(key).or_insert(t as u32);
+                    patches.join(other, t as u32);
+                }
+            }
+        }
+    }
+    let mut patch = Vec::new();
+    let patch_count = patches.number(&mut patch)? as usize;
+    Ok(Relaxed { keep, patch, patch_count })
+}
+
+/// All edges of triangles, and the other segments.
+fn edges_of(surface: &Surface) -> Result<Vec<[u32; 2]>, Error> {
+    let mut edges = Vec::new();
+    edges.try_reserve(3 * surface.triangles.len() + surface.segments.len())?;
+    for &[a, b, c] in &surface.triangles {
+        edges.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
+    }
+    edges.extend(surface.segments.iter().map(|&[a, b]| edge_key(a, b)));
+    edges.sort_unstable();
+    edges.dedup();
+    Ok(edges)
+}
+
+/// Corners of an uneven box well around all points: hardly anything is coplanar with them. On a coarse grid: short numbers keep the
+/// arithmetic short.
+fn surrounding_box(points: &[[f64; 3]]) -> [[f64; 3]; 8] {
+    /// Odd multiples of a 64th, all different.
+    const UNEVEN: [[f64; 3]; 8] = [
+        [1.0, 19.0, 7.0],
+        [29.0, 3.0, 11.0],
+        [13.0, 23.0, 31.0],
+        [5.0, 17.0, 27.0],
+        [21.0, 9.0, 15.0],
+        [25.0, 33.0, 37.0],
+        [35.0, 39.0, 43.0],
+        [41.0, 47.0, 45.0],
+    ];
+    let fold = |k: usize, f: fn(f64, f64) -> f64, from: f64| points.iter().map(|p| p[k]).fold(from, f);
+    let low = [0, 1, 2].map(|k| fold(k, f64::min, f64::INFINITY));
+    let high = [0, 1, 2].map(|k| fold(k, f64::max, f64::NEG_INFINITY));
+    let side = (0..3).map(|k| high[k] - low[k]).fold(f64::MIN_POSITIVE, f64::max);
+    let unit = side.log2().ceil().exp2();
+    std::array::from_fn(|i| {
+        std::array::from_fn(|k| {
+            let beyond = unit * (1.0 + UNEVEN[i][k] / 64.0);
+            if i >> k & 1 == 0 {
+                (low[k] / unit).floor() * unit - beyond
+            } else {
+                (high[k] / unit).ceil() * unit + beyond
+            }
+        })
+    })
+}
