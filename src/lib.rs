@@ -47,7 +47,7 @@ pub mod tetrahedralize;
 pub use check::check_mesh;
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, Options};
-pub use output::{FacetFlip, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh};
+pub use output::{FacetFlip, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 pub use plc::{Facet, Interior, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
 pub use tetrahedralize::tetrahedralize;

@@ -7,15 +7,16 @@
 //! models among ours this takes 10 to 40 % fewer points than first come, first served, and shortest first takes most.
 //!
 //! Invariant: every live subsegment is flagged round its edge in the mesh, or waits in the queue.
+use super::close::{relative_distance, Beside};
 use super::placement::{choose, distance, round_parameter, Context, Subsegment};
 use super::{crossing, edge_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error, Status};
 use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
 use crate::mesh::{flag, GHOST, NONE};
-use crate::predicates::{Points, Sign};
+use crate::predicates::{Expansion, Points, Sign};
 use rustc_hash::FxHashMap;
-use std::cmp::Reverse;
+use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
 /// Parameters tried on each side of the chosen one for a point near a double, and their distance in units of the piece.
@@ -28,6 +29,9 @@ const CAREFUL_STEP: f64 = 1.0 / (1u64 << 24) as f64;
 const FAR_STEP: f64 = 1.0 / (1u64 << 11) as f64;
 const FAR_CENTERS: [f64; 4] = [0.5, 0.8, 0.2, 0.65];
 
+/// Parameters are precise to this part of their piece.
+const USUAL_PRECISION: f64 = 1.0 / (1u64 << 36) as f64;
+
 /// The subsegments of all segments.
 #[derive(Default)]
 pub struct Segments {
@@ -39,8 +43,10 @@ pub struct Segments {
     pub piece_of: FxHashMap<[u32; 2], u32>,
     /// Segment of each Steiner point, in order of insertion.
     pub steiner_segment: Vec<u32>,
-    /// Parameter of each Steiner point.
+    /// Parameter of each Steiner point, or the double nearest to it.
     pub steiner_t: Vec<f64>,
+    /// Parameters that are no doubles, by index of the Steiner point.
+    pub fine: FxHashMap<u32, Expansion>,
     /// Id of the first Steiner point.
     pub first_steiner: u32,
     /// Segments that were not edges at the start.
@@ -49,6 +55,8 @@ pub struct Segments {
     pub careful: Vec<u8>,
     acute: Vec<bool>,
     exact_bits: Vec<u8>,
+    /// All pairs of ends, sorted, once asked for.
+    sorted: Vec<[u32; 2]>,
 }
 
 impl Segments {
@@ -75,8 +83,34 @@ impl Segments {
             .enumerate()
             .map(|(i, (&s, &t))| (s, t, self.first_steiner + i as u32))
             .collect();
-        list.sort_unstable_by(|x, y| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1)));
+        list.sort_unstable_by(|x, y| x.0.cmp(&y.0).then_with(|| self.order(x.0, [x.2, y.2], [x.1, y.1])));
         list
+    }
+
+    /// The exact parameter of a vertex on a segment.
+    pub fn parameter(&self, segment: u32, v: u32) -> Expansion {
+        let Some(index) = v.checked_sub(self.first_steiner) else {
+            return Expansion::from(f64::from(u8::from(v == self.ends[segment as usize][1])));
+        };
+        self.fine.get(&index).cloned().unwrap_or_else(|| Expansion::from(self.steiner_t[index as usize]))
+    }
+
+    /// Order of two pieces or points of one segment by exact parameters, given the nearest doubles.
+    pub fn order(&self, segment: u32, [v, w]: [u32; 2], [t, u]: [f64; 2]) -> Ordering {
+        t.total_cmp(&u).then_with(|| {
+            let apart = self.parameter(segment, v).difference(&self.parameter(segment, w));
+            apart.sign().cmp(&Sign::Zero)
+        })
+    }
+
+    /// Whether a segment joins the two vertices.
+    fn joins(&mut self, a: u32, b: u32) -> Result<bool, Error> {
+        if self.sorted.is_empty() {
+            self.sorted.try_reserve_exact(self.ends.len())?;
+            self.sorted.extend(self.ends.iter().map(|e| edge_key(e[0], e[1])));
+            self.sorted.sort_unstable();
+        }
+        Ok(self.sorted.binary_search(&edge_key(a, b)).is_ok())
     }
 
     /// Parameters of the neighbours of a Steiner point on its segment.
@@ -239,20 +273,16 @@ impl<'a> Recovery<'a> {
         }
         let (reference, near) = self.find_reference(&sub);
         let context = self.context(&sub, reference);
-        let bits = self.segments.bits(self.points, sub.segment);
-        let chosen = choose(self.points, &sub, &context, reference);
-        let t = round_parameter(chosen, sub.t[0], sub.t[1], bits)
-            .or_else(|| round_parameter(0.5 * (sub.t[0] + sub.t[1]), sub.t[0], sub.t[1], 0))
-            .ok_or_else(|| {
-                crossing(
-                    "a segment cannot be separated from what it touches",
-                    Element::Segment(sub.segment),
-                    None,
-                )
-            })?;
-        let t = self.kindest_parameter(&sub, t);
+        let place = match self.close_parameter(&sub, &context, reference)? {
+            Some(place) => place,
+            None => self.usual_parameter(&sub, &context, reference)?,
+        };
+        let t = place.nearest();
         let [a, b] = context.ends;
-        let p = self.points.push_on_segment(a, b, t)?;
+        let p = self.points.push_on_segment(a, b, &place)?;
+        if place.components().len() > 1 {
+            self.segments.fine.insert(p - self.segments.first_steiner, place);
+        }
         self.delaunay.cavity.prepare(p as usize + 1)?;
         self.delaunay.vertex_tet.try_reserve(1)?;
         self.delaunay.vertex_tet.push(NONE);
@@ -267,6 +297,56 @@ impl<'a> Recovery<'a> {
         }
         self.delaunay.hint = self.delaunay.insert_at::<true>(self.points, p, at)?;
         self.register(piece, sub, p, t)
+    }
+
+    /// A parameter in one double, where that has enough bits; else the middle.
+    fn usual_parameter(
+        &mut self,
+        sub: &Subsegment,
+        context: &Context,
+        reference: Option<u32>,
+    ) -> Result<Expansion, Error> {
+        let bits = self.segments.bits(self.points, sub.segment);
+        let chosen = choose(self.points, sub, context, reference);
+        let t = round_parameter(chosen, sub.t[0], sub.t[1], bits)
+            .or_else(|| round_parameter(0.5 * (sub.t[0] + sub.t[1]), sub.t[0], sub.t[1], 0));
+        if let Some(t) = t {
+            return Ok(Expansion::from(self.kindest_parameter(sub, t)));
+        }
+        let beside = self.beside(sub, context, reference.unwrap_or(sub.ends[0]), None);
+        beside.middle().ok_or_else(|| {
+            let segment = Element::Segment(sub.segment);
+            crossing("a segment cannot be separated from what it touches", segment, None)
+        })
+    }
+
+    /// The parameter that matches a reference point so near to the piece that a double is too coarse (see
+    /// [`close`](super::close)).
+    fn close_parameter(
+        &mut self,
+        sub: &Subsegment,
+        context: &Context,
+        reference: Option<u32>,
+    ) -> Result<Option<Expansion>, Error> {
+        let Some(reference) = reference else { return Ok(None) };
+        let span = sub.t[1] - sub.t[0];
+        let apart = relative_distance(self.points, context.ends, reference) / span;
+        let precision = (f64::EPSILON * sub.t[1] / span).max(USUAL_PRECISION);
+        if apart * apart > 16.0 * precision {
+            return Ok(None);
+        }
+        let mut shared = context.shared;
+        for k in 0..2 {
+            if shared.is_none() && self.segments.joins(context.ends[k], reference)? {
+                shared = Some(k);
+            }
+        }
+        Ok(self.beside(sub, context, reference, shared).matched(self.points))
+    }
+
+    fn beside(&self, sub: &Subsegment, context: &Context, reference: u32, shared: Option<usize>) -> Beside {
+        let t = sub.ends.map(|v| self.segments.parameter(sub.segment, v));
+        Beside { ends: context.ends, t, reference, shared }
     }
 
     /// Of parameters that differ by less than matters, the one whose point is nearest to a double: that spares the rounding

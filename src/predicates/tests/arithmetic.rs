@@ -148,7 +148,7 @@ fn exact_bits_are_sound_and_maximal() {
             let all =
                 if bits <= 6 { (1..=last).collect() } else { vec![1, 3, last / 2, last / 3, last - 2, last] };
             all.iter().all(|&k| {
-                let i = points.push_on_segment(0, 1, k as f64 / (last + 1) as f64).expect("valid");
+                let i = points.push_on_segment(0, 1, &(k as f64 / (last + 1) as f64).into()).expect("valid");
                 points.is_explicit(i)
             })
         };
@@ -161,22 +161,28 @@ fn exact_bits_are_sound_and_maximal() {
 #[test]
 fn store_of_points() {
     let mut points = Points::new(vec![[0.0; 3], [1.0, 1.0, 1.0], [0.1, 0.2, 0.3], [0.7, 0.9, 0.8]]);
-    assert_eq!(points.push_on_segment(0, 1, 0.5).ok(), Some(4));
+    assert_eq!(points.push_on_segment(0, 1, &0.5.into()).ok(), Some(4));
     assert!(points.is_explicit(4));
-    assert_eq!(points.push_on_segment(2, 3, 1.0 / 3.0).ok(), Some(5));
-    assert_eq!(points.implicit_parameters(5), Some((2, 3, 1.0 / 3.0)));
+    assert_eq!(points.push_on_segment(2, 3, &(1.0 / 3.0).into()).ok(), Some(5));
+    assert_eq!(points.implicit_parameters(5).map(|p| p.2.nearest()), Some(1.0 / 3.0));
     assert_eq!(points.push([0.5, 0.1, 0.3]).ok(), Some(6));
     assert!(points.is_explicit(6) && !points.is_explicit(5));
-    assert!(points.push_on_segment(2, 5, 0.5).is_err(), "an implicit end");
-    assert!(points.push_on_segment(2, 9, 0.5).is_err(), "no such point");
-    assert!(points.push_on_segment(2, 3, 1e-19).is_err() && points.push_on_segment(2, 3, 1.0).is_err());
-    assert!(points.push_on_segment(2, 3, f64::NAN).is_err() && points.push_on_segment(2, 3, 0.0).is_err());
+    assert!(points.push_on_segment(2, 5, &0.5.into()).is_err(), "an implicit end");
+    assert!(points.push_on_segment(2, 9, &0.5.into()).is_err(), "no such point");
+    assert!(
+        points.push_on_segment(2, 3, &scale(1.0, -801).into()).is_err()
+            && points.push_on_segment(2, 3, &1.0.into()).is_err()
+    );
+    assert!(
+        points.push_on_segment(2, 3, &f64::NAN.into()).is_err()
+            && points.push_on_segment(2, 3, &0.0.into()).is_err()
+    );
     assert!(points.push([f64::NAN, 0.0, 0.0]).is_err() && points.push([1e-70, 0.0, 0.0]).is_err());
     let [x, ..] = points.exact_coordinates(5);
     assert_eq!(x.nearest(), points.xyz(5)[0]);
     points.truncate(5);
     assert_eq!(points.len(), 5);
-    assert_eq!(points.push_on_segment(2, 3, 0.3).ok(), Some(5));
+    assert_eq!(points.push_on_segment(2, 3, &0.3.into()).ok(), Some(5));
     assert!(!points.is_explicit(5));
     points.truncate(6);
     assert!(!points.is_explicit(5));
