@@ -4,7 +4,7 @@ use crate::check::audit;
 use crate::constrain::facet::FacetRecovery;
 use crate::constrain::segment::{Recovery, Segments};
 use crate::constrain::subface::{Subfaces, Triangles};
-use crate::delaunay::order::insertion_order;
+use crate::delaunay::order::{insertion_order, Order};
 use crate::delaunay::Delaunay;
 use crate::error::{Error, Status};
 use crate::mesh::flag;
@@ -35,7 +35,7 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     let mut run = Run { clock: Instant::now(), statistics: Statistics::default(), observer };
     let prepared = run.prepare(plc, options)?;
     let mut engine = Engine::new(prepared.surface(), options)?;
-    run.delaunay(&mut engine)?;
+    run.delaunay(&mut engine, options.threads)?;
     let mut mesh = match options.mode {
         Mode::Delaunay => assemble::delaunay(engine, plc, prepared.surface())?,
         Mode::Constrained => {
@@ -78,6 +78,8 @@ pub(crate) struct Engine {
     pub(crate) delaunay: Delaunay,
     /// Input point of each engine vertex (Steiner points excluded).
     pub(crate) input_of: Vec<u32>,
+    /// Where rounds of insertion end.
+    pub(crate) rounds: Vec<usize>,
     /// Engine vertex of each input point (of its first equal one).
     pub(crate) engine_of: Vec<u32>,
     /// Coordinates are the input's times two to this power.
@@ -94,8 +96,11 @@ impl Engine {
             .filter(|&(i, &a)| i as u32 == a)
             .map(|(i, _)| i as u32)
             .collect();
-        let input_of =
-            if options.points_sorted { distinct } else { insertion_order(&surface.points, &distinct) };
+        let Order { ids: input_of, rounds } = if options.points_sorted {
+            Order { ids: distinct, rounds: Vec::new() }
+        } else {
+            insertion_order(&surface.points, &distinct)
+        };
         let mut engine_of = vec![INVALID; surface.points.len()];
         for (engine, &input) in input_of.iter().enumerate() {
             engine_of[input as usize] = engine as u32;
@@ -110,6 +115,7 @@ impl Engine {
             points: Points::new(xyz),
             delaunay: Delaunay::new(),
             input_of,
+            rounds,
             engine_of,
             scale: surface.scale,
         })
@@ -204,11 +210,11 @@ impl Run<'_> {
         self.statistics.peak_bytes = self.statistics.peak_bytes.max(engine.delaunay.bytes() as u64);
     }
 
-    fn delaunay(&mut self, engine: &mut Engine) -> Result<(), Error> {
+    fn delaunay(&mut self, engine: &mut Engine, threads: usize) -> Result<(), Error> {
         let mut order: Vec<u32> = (0..engine.points.len() as u32).collect();
         let total = order.len().max(1) as f64;
         let observer = &mut *self.observer;
-        engine.delaunay.build(&engine.points, &mut order, &mut |done| {
+        engine.delaunay.build_rounds(&engine.points, &mut order, &engine.rounds, threads, &mut |done| {
             report(observer, Phase::Delaunay, done as f64 / total)
         })?;
         self.note_peak(engine);
@@ -242,7 +248,7 @@ impl Run<'_> {
                     careful[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize] += 1;
                 }
                 engine.points.truncate(segments.first_steiner as usize);
-                self.delaunay(engine)?;
+                self.delaunay(engine, options.threads)?;
                 segments = self.recover_segments(surface, options, engine, &careful)?;
                 continue;
             }

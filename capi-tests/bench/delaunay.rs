@@ -1,9 +1,9 @@
 //! Times the Delaunay phase alone (ordering and insertion) on a TetGen `.node` file.
 //!
-//! `cargo bench --bench delaunay -- FILE.node [REPETITIONS]` prints points, tetrahedra, the time of reading and of each
+//! `cargo bench --bench delaunay -- FILE.node [REPETITIONS [THREADS]]` prints points, tetrahedra, the time of reading and of each
 //! part (minimum and median over the repetitions), bytes per tetrahedron and a hash of the tetrahedra that does not depend
 //! on their order.
-use delotet::delaunay::order::insertion_order;
+use delotet::delaunay::order::{insertion_order, Order};
 use delotet::delaunay::Delaunay;
 use delotet::predicates::Points;
 use std::io::BufRead;
@@ -62,16 +62,16 @@ fn fingerprint(delaunay: &Delaunay, order: &[u32]) -> (usize, u64) {
 
 /// The first part; a function of its own so that tools can find it.
 #[inline(never)]
-fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Vec<u32> {
+fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Order {
     insertion_order(points, ids)
 }
 
 /// The second part.
 #[inline(never)]
-fn insert_all(points: &Points) -> Delaunay {
+fn insert_all(points: &Points, rounds: &[usize], threads: usize) -> Delaunay {
     let mut delaunay = Delaunay::new();
     let mut sequence: Vec<u32> = (0..points.len() as u32).collect();
-    delaunay.build(points, &mut sequence, &mut |_| Ok(())).unwrap();
+    delaunay.build_rounds(points, &mut sequence, rounds, threads, &mut |_| Ok(())).unwrap();
     delaunay
 }
 
@@ -84,10 +84,11 @@ fn summary(seconds: &mut [f64]) -> String {
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
     let Some(path) = arguments.first() else {
-        eprintln!("usage: delaunay FILE.node [REPETITIONS]");
+        eprintln!("usage: delaunay FILE.node [REPETITIONS [THREADS]]");
         return;
     };
     let repetitions: usize = arguments.get(1).map_or(1, |n| n.parse().unwrap());
+    let threads: usize = arguments.get(2).map_or(1, |n| n.parse().unwrap());
     let points = read(path);
     let ids: Vec<u32> = (0..points.len() as u32).collect();
     let (mut ordering, mut insertion) = (Vec::new(), Vec::new());
@@ -96,12 +97,12 @@ fn main() {
     for _ in 0..repetitions.max(1) {
         let clock = seconds(start);
         let order = sort_all(&points, &ids);
-        let store = Points::new(order.iter().map(|&i| points[i as usize]).collect());
+        let store = Points::new(order.ids.iter().map(|&i| points[i as usize]).collect());
         ordering.push(seconds(start) - clock);
         let clock = seconds(start);
-        let delaunay = insert_all(&store);
+        let delaunay = insert_all(&store, &order.rounds, threads);
         insertion.push(seconds(start) - clock);
-        let (count, hash) = fingerprint(&delaunay, &order);
+        let (count, hash) = fingerprint(&delaunay, &order.ids);
         let each = delaunay.bytes() as f64 / delaunay.mesh.live_count() as f64;
         last = format!("{} points, {count} tetrahedra, hash {hash:016x}, {each:.1} bytes each", points.len());
     }

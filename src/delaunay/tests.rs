@@ -16,7 +16,7 @@ impl Lcg {
 
 fn build(xyz: Vec<[f64; 3]>) -> (Delaunay, Points) {
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
-    let mut order = insertion_order(&xyz, &ids);
+    let mut order = insertion_order(&xyz, &ids).ids;
     let points = Points::new(xyz);
     let mut delaunay = Delaunay::new();
     delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
