@@ -173,6 +173,11 @@ impl Cavity {
             let code = dead[next];
             let neighbors = dead_adj[next];
             next += 1;
+            if next < dead_count {
+                for across in dead_adj[next] {
+                    slots.prefetch(across >> 2);
+                }
+            }
             let mut untested = [(0, 0, [0; 4]); 4];
             let mut count = 0;
             for turn in 1..=faces {

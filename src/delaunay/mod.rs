@@ -184,6 +184,7 @@ impl Delaunay {
         let division = Division::along_curve(points, &frame, present, &order[round.clone()], ranges)?;
         let pass = Pass { points, present, threads };
         let mut left = self.insert_pass(&pass, division, &mut |done| ahead(round.start + done))?;
+        if std::env::var("DBG").is_ok() {eprintln!("round {round:?} ranges {ranges} deferred {}", left.len());}
         present = &order[..round.end];
         for turn in 0..MOST_PASSES {
             if left.len() < FEWEST_VERTICES {
@@ -193,6 +194,7 @@ impl Delaunay {
             let division = Division::slabs(points, present, &left, ranges.div_ceil(2).max(2), turn)?;
             let pass = Pass { points, present, threads };
             left = self.insert_pass(&pass, division, &mut |done| ahead(done_before + done))?;
+            if std::env::var("DBG").is_ok() {eprintln!("   turn {turn} deferred {}", left.len());}
         }
         self.hint = (0..self.mesh.slot_count() as u32).find(|&t| self.mesh.is_live(t)).unwrap_or(0);
         let done_before = round.end - left.len();

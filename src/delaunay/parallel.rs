@@ -27,7 +27,7 @@ use std::time::Duration;
 /// A pass with fewer vertices is not worth its preparation.
 pub(super) const FEWEST_VERTICES: usize = 4096;
 /// After so many deferred vertices in a row a walk starts elsewhere.
-const PATIENCE: usize = 8;
+const PATIENCE: usize = 16;
 /// Slots set aside beyond the expected number, as a fraction.
 const RESERVE: f64 = 0.06;
 /// Vertices between two looks at the clock and the caller.
@@ -104,12 +104,9 @@ impl Shop<'_> {
                     return Err(Error::new(Status::Cancelled, "cancelled"));
                 }
             }
-            if row == PATIENCE && !task.starts.is_empty() {
+            if row == PATIENCE {
                 row = 0;
-                let start = task.starts[i * task.starts.len() / vertices.len()];
-                if self.slots.flags(start) == task.owner {
-                    hint = start;
-                }
+                hint = self.nearest(&task, p).unwrap_or(hint);
             }
             let inserted = match hint {
                 NONE => None,
@@ -136,6 +133,20 @@ impl Shop<'_> {
             task.free.push(t);
         }
         Ok(Outcome { deferred, free: task.free })
+    }
+
+    /// Of the tetrahedra to start at, the nearest to `p` that still lives.
+    fn nearest(&self, task: &Task, p: u32) -> Option<u32> {
+        let at = self.points.xyz(p);
+        let mut best = (f64::INFINITY, None);
+        for &t in task.starts.iter().filter(|&&t| self.slots.flags(t) == task.owner) {
+            let q = self.points.xyz(self.slots.vertex(t, 0));
+            let distance: f64 = (0..3).map(|k| (at[k] - q[k]) * (at[k] - q[k])).sum();
+            if distance < best.0 {
+                best = (distance, Some(t));
+            }
+        }
+        best.1
     }
 
     /// Inserts `p` and returns one of its tetrahedra, or nothing where it must be deferred.

@@ -33,7 +33,7 @@ pub(super) fn range_count(present: usize) -> usize {
     if present < FEWEST_PRESENT {
         return 1;
     }
-    ((4.0 * present as f64 / FEWEST_PRESENT as f64).sqrt() as usize).min(flag::OWNER as usize)
+    ((present as f64 / FEWEST_PRESENT as f64).sqrt() as usize).clamp(2, flag::OWNER as usize)
 }
 
 impl Division {
