@@ -9,8 +9,8 @@
 //! the cavity, where new tetrahedra inherit the flag, or is lost and reported in `lost_edges`.
 use super::Delaunay;
 use crate::error::Error;
-use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
 use crate::mesh::slots::Slots;
+use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
 use crate::mesh::{flag, GHOST, NONE};
 use crate::predicates::{Points, Sign};
 use std::hint::black_box;
@@ -174,6 +174,7 @@ impl Cavity {
             let neighbors = dead_adj[next];
             next += 1;
             if next < dead_count {
+                // What the next step looks at: by then it has come from memory.
                 for across in dead_adj[next] {
                     slots.prefetch(across >> 2);
                 }

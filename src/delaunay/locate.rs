@@ -29,7 +29,13 @@ impl Delaunay {
 
 /// Walks to `p`; with `SHARED` through tetrahedra of the range `owner` only, of which `start` must be one.
 #[inline(always)]
-pub(super) fn walk<const SHARED: bool>(slots: &Slots, owner: u16, points: &Points, p: u32, start: u32) -> Walk {
+pub(super) fn walk<const SHARED: bool>(
+    slots: &Slots,
+    owner: u16,
+    points: &Points,
+    p: u32,
+    start: u32,
+) -> Walk {
     let mut t = start;
     if slots.vertex(t, 3) == GHOST {
         t = slots.across(4 * t + 3) >> 2;

@@ -34,6 +34,21 @@ pub struct Delaunay {
     pub hint: u32,
     /// Scratch space of insertions.
     pub cavity: Cavity,
+    /// How the rounds of the last [`build_rounds`](Self::build_rounds) went that were inserted by ranges.
+    pub rounds: Vec<Round>,
+    /// For experiments: as many ranges in each of these rounds, instead of the number that suits its size.
+    pub ranges: Option<usize>,
+}
+
+/// A round of insertions by ranges.
+#[derive(Clone, Debug, Default)]
+pub struct Round {
+    /// Vertices inserted in it.
+    pub vertices: usize,
+    /// Ranges of its first pass.
+    pub ranges: usize,
+    /// Vertices that each pass deferred; those of the last one were inserted by one thread.
+    pub deferred: Vec<usize>,
 }
 
 impl Delaunay {
@@ -120,13 +135,17 @@ impl Delaunay {
     ) -> Result<(), Error> {
         self.cavity.prepare(points.len())?;
         self.start(points, order)?;
+        self.rounds.clear();
         let mut begin = 4;
         let mut shared = false;
         for &end in rounds.iter().chain([&order.len()]) {
             if end <= begin {
                 continue;
             }
-            let ranges = range_count(begin);
+            let ranges = match (range_count(begin), self.ranges) {
+                (1, _) | (_, None) => range_count(begin),
+                (_, Some(ranges)) => ranges,
+            };
             if !rounds.is_empty() && ranges > 1 && end - begin >= FEWEST_VERTICES {
                 shared = true;
                 let done = self.insert_round(points, order, begin..end, ranges, threads, tick);
@@ -184,7 +203,7 @@ impl Delaunay {
         let division = Division::along_curve(points, &frame, present, &order[round.clone()], ranges)?;
         let pass = Pass { points, present, threads };
         let mut left = self.insert_pass(&pass, division, &mut |done| ahead(round.start + done))?;
-        if std::env::var("DBG").is_ok() {eprintln!("round {round:?} ranges {ranges} deferred {}", left.len());}
+        let mut report = Round { vertices: round.len(), ranges, deferred: vec![left.len()] };
         present = &order[..round.end];
         for turn in 0..MOST_PASSES {
             if left.len() < FEWEST_VERTICES {
@@ -194,8 +213,10 @@ impl Delaunay {
             let division = Division::slabs(points, present, &left, ranges.div_ceil(2).max(2), turn)?;
             let pass = Pass { points, present, threads };
             left = self.insert_pass(&pass, division, &mut |done| ahead(done_before + done))?;
-            if std::env::var("DBG").is_ok() {eprintln!("   turn {turn} deferred {}", left.len());}
+            report.deferred.push(left.len());
         }
+        self.rounds.try_reserve(1)?;
+        self.rounds.push(report);
         self.hint = (0..self.mesh.slot_count() as u32).find(|&t| self.mesh.is_live(t)).unwrap_or(0);
         let done_before = round.end - left.len();
         self.insert_all(points, &left, &mut |done| ahead(done_before + done))

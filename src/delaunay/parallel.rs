@@ -73,7 +73,11 @@ impl Shop<'_> {
     }
 
     /// Works off tasks until there are none.
-    fn work(&self, cavity: &mut Cavity, tick: &mut dyn FnMut(usize) -> Result<(), Error>) -> Result<(), Error> {
+    fn work(
+        &self,
+        cavity: &mut Cavity,
+        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+    ) -> Result<(), Error> {
         cavity.prepare(self.points.len())?;
         loop {
             let next = self.tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
@@ -266,7 +270,8 @@ impl Delaunay {
             let mut parts = verts.chunks(part).zip(flags.chunks_mut(part));
             let own = parts.next();
             for (verts, flags) in parts {
-                let spawned = std::thread::Builder::new().spawn_scoped(scope, move || division.assign(verts, flags));
+                let spawned =
+                    std::thread::Builder::new().spawn_scoped(scope, move || division.assign(verts, flags));
                 if spawned.is_err() {
                     return Err(Error::new(Status::OutOfMemory, "no thread could be started"));
                 }

@@ -64,7 +64,9 @@ impl<'a> Slots<'a> {
     /// the mesh by [`Tetrahedra::adopt`].
     pub(super) fn shared(mesh: &'a mut Tetrahedra, more: usize) -> Self {
         let count = mesh.verts.len() + more;
-        assert!(mesh.verts.capacity() >= count && mesh.adj.capacity() >= count && mesh.flags.capacity() >= count);
+        assert!(
+            mesh.verts.capacity() >= count && mesh.adj.capacity() >= count && mesh.flags.capacity() >= count
+        );
         Slots { count, ..Slots::exclusive(mesh) }
     }
 

@@ -40,6 +40,11 @@ impl Points {
         if explicit && size <= self.grid() * 65536.0 {
             return Sign::of(det);
         }
+        if explicit {
+            if let Some(rows) = wide::short_differences(ids.map(|i| self.xyz(i)), size) {
+                return wide::short_orient3d(&rows);
+            }
+        }
         if let Some(rows) = self.differences(ids) {
             return wide::orient3d(&rows);
         }
