@@ -201,17 +201,18 @@ impl Delaunay {
         };
         let mut present = &order[..round.start];
         let division = Division::along_curve(points, &frame, present, &order[round.clone()], ranges)?;
-        let pass = Pass { points, present, threads };
+        let pass = Pass { points, present, reserve: 0.97, threads };
         let mut left = self.insert_pass(&pass, division, &mut |done| ahead(round.start + done))?;
         let mut report = Round { vertices: round.len(), ranges, deferred: vec![left.len()] };
         present = &order[..round.end];
         for turn in 0..MOST_PASSES {
-            if left.len() < FEWEST_VERTICES {
+            // A pass looks at all tetrahedra once, which takes as long as inserting a part of the vertices.
+            if left.len() < FEWEST_VERTICES.max(present.len() / 32) {
                 break;
             }
             let done_before = round.end - left.len();
             let division = Division::slabs(points, present, &left, ranges.div_ceil(2).max(2), turn)?;
-            let pass = Pass { points, present, threads };
+            let pass = Pass { points, present, reserve: 1.05, threads };
             left = self.insert_pass(&pass, division, &mut |done| ahead(done_before + done))?;
             report.deferred.push(left.len());
         }

@@ -28,8 +28,6 @@ use std::time::Duration;
 pub(super) const FEWEST_VERTICES: usize = 4096;
 /// After so many deferred vertices in a row a walk starts elsewhere.
 const PATIENCE: usize = 16;
-/// Slots set aside beyond the expected number, as a fraction.
-const RESERVE: f64 = 0.06;
 /// Vertices between two looks at the clock and the caller.
 const TICK: usize = 2048;
 
@@ -203,6 +201,8 @@ pub(super) struct Pass<'a> {
     pub(super) points: &'a Points,
     /// All vertices in the mesh.
     pub(super) present: &'a [u32],
+    /// Slots set aside, of the number expected if no vertex is deferred. (Where they do not suffice vertices are deferred.)
+    pub(super) reserve: f64,
     pub(super) threads: usize,
 }
 
@@ -217,7 +217,7 @@ impl Delaunay {
         let threads = pass.threads.min(division.parts.len()).max(1);
         let starts = self.assign(&division, threads)?;
         let vertices: usize = division.parts.iter().map(Vec::len).sum();
-        let each = self.mesh.live_count() as f64 / pass.present.len().max(1) as f64 * (1.0 + RESERVE);
+        let each = self.mesh.live_count() as f64 / pass.present.len().max(1) as f64 * pass.reserve;
         let mut tasks = Vec::new();
         tasks.try_reserve(division.parts.len())?;
         // Free slots are shared out first; what they do not cover gets a block.

@@ -7,7 +7,7 @@
 //! Neither depends on the number of threads.
 use super::order::{curve_indices, Frame};
 use crate::error::Error;
-use crate::mesh::{flag, GHOST};
+use crate::mesh::flag;
 use crate::predicates::Points;
 
 /// Fewest tetrahedra of a section that is worth a thread.
@@ -126,8 +126,9 @@ impl Division {
                 continue;
             }
             let [a, b, c] = [v[0], v[1], v[2]].map(|v| self.owner_of[v as usize]);
-            let d = if v[3] == GHOST { a } else { self.owner_of[v[3] as usize] };
-            *flags = if a == b && a == c && a == d { a } else { 0 };
+            let d = self.owner_of.get(v[3] as usize).copied().unwrap_or(a);
+            debug_assert!(a != 0 && b != 0 && c != 0 && d != 0);
+            *flags = if (a == b) & (a == c) & (a == d) { a } else { 0 };
         }
     }
 }
