@@ -35,10 +35,16 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     let mut run = Run { clock: Instant::now(), statistics: Statistics::default(), observer };
     let prepared = run.prepare(plc, options)?;
     let mut engine = Engine::new(prepared.surface(), options)?;
-    run.delaunay(&mut engine, options.threads)?;
     let mut mesh = match options.mode {
-        Mode::Delaunay => assemble::delaunay(engine, plc, prepared.surface())?,
+        Mode::Delaunay => {
+            // The surface's copy of the points would lie beside the mesh at its largest.
+            let alias = prepared.surface().alias.clone();
+            drop(prepared);
+            run.delaunay(&mut engine, options.threads)?;
+            assemble::delaunay(engine, plc, alias)?
+        }
         Mode::Constrained => {
+            run.delaunay(&mut engine, options.threads)?;
             let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
             let mesh = run.constrain(plc, &surface, options, segments, &mut engine)?;
             drop(engine);

@@ -210,7 +210,7 @@ impl Cavity {
                     boundary_count += 1;
                     continue;
                 }
-                slots.set_flags(n, flags | flag::MARK * conflict);
+                slots.set_flags(n, flags | (flag::MARK * conflict));
                 dead[dead_count] = across;
                 dead_adj[dead_count] = slots.adj(n);
                 dead_count += conflict as usize;
