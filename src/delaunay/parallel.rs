@@ -27,15 +27,14 @@
 //! | points | ranges | pass 1 | pass 2 | pass 3 | speed-up at most |
 //! |--:|--:|--:|--:|--:|--:|
 //! | 10^6 | 2 | 5.3 % | 0.4 % | – | 1.96 |
-//! | 10^6 | 4 (chosen) | 10.3 % | 1.3 % | – | 3.1 |
+//! | 10^6 | 4 (chosen) | 10.3 % | 0.7 % | – | 3.2 |
 //! | 10^6 | 8 | 15.1 % | 3.4 % | – | 5.4 |
 //! | 10^6 | 16 | 24.5 % | 9.9 % | 3.8 % | 7.3 |
 //! | 10^6 | 64 | 41 % | 38 % | 35 % | 3.8 |
 //! | 10^7 | 8 | 6.9 % | 0.8 % | – | 6.9 |
 //!
-//! So 8 threads want 10^7 points, 16 a few 10^7; 64 threads, by the law
-//! above fitted to the rows of 8 ranges, defer 7 % in the first pass at 8·10^7 points, as 8 ranges do at 10^7. Ordering, the division and the
-//! numbers of the mesh's owners are sequential or cost a look at each tetrahedron per pass.
+//! So 8 threads want 10^7 points and 16 a few 10^7; 64 ranges, by the law above fitted to the rows of 8, defer 7 % in the first
+//! pass at 8·10^7 points. Ordering and division are sequential; each pass looks once at all tetrahedra, in parallel.
 #![allow(unsafe_code)]
 use super::cavity::Cavity;
 use super::locate::{walk, Walk};
