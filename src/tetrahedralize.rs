@@ -4,7 +4,7 @@ use crate::check::audit;
 use crate::constrain::facet::FacetRecovery;
 use crate::constrain::segment::{Recovery, Segments};
 use crate::constrain::subface::{Subfaces, Triangles};
-use crate::delaunay::order::insertion_order;
+use crate::delaunay::order::{insertion_order, Order};
 use crate::delaunay::Delaunay;
 use crate::error::{Error, Status};
 use crate::mesh::flag;
@@ -39,12 +39,15 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     let mut mesh = match options.mode {
         Mode::Delaunay => {
             let mut engine = Engine::new(prepared.surface(), options)?;
-            run.delaunay(&mut engine)?;
-            assemble::delaunay(engine, plc, prepared.surface())?
+            // The surface's copy of the points would lie beside the mesh at its largest.
+            let alias = prepared.surface().alias.clone();
+            drop(prepared);
+            run.delaunay(&mut engine, options.threads)?;
+            assemble::delaunay(engine, plc, alias)?
         }
         Mode::Constrained => {
             let mut engine = Engine::new(prepared.surface(), options)?;
-            run.delaunay(&mut engine)?;
+            run.delaunay(&mut engine, options.threads)?;
             let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
             let mesh = run.constrain(plc, &surface, options, segments, &mut engine)?;
             drop(engine);
@@ -96,6 +99,8 @@ pub(crate) struct Engine {
     pub(crate) delaunay: Delaunay,
     /// Input point of each engine vertex (Steiner points excluded).
     pub(crate) input_of: Vec<u32>,
+    /// Where rounds of insertion end.
+    pub(crate) rounds: Vec<usize>,
     /// Engine vertex of each input point (of its first equal one).
     pub(crate) engine_of: Vec<u32>,
     /// Coordinates are the input's times two to this power.
@@ -117,8 +122,11 @@ impl Engine {
             .filter(|&(i, &a)| i as u32 == a)
             .map(|(i, _)| i as u32)
             .collect();
-        let sorted =
-            if options.points_sorted { distinct } else { insertion_order(&surface.points, &distinct) };
+        let Order { ids: sorted, rounds } = if options.points_sorted {
+            Order { ids: distinct, rounds: Vec::new() }
+        } else {
+            insertion_order(&surface.points, &distinct)
+        };
         let mut engine_of = vec![INVALID; surface.points.len()];
         for (engine, &input) in first.iter().enumerate() {
             engine_of[input as usize] = engine as u32;
@@ -141,7 +149,7 @@ impl Engine {
             *v = engine_of[*v as usize];
         }
         let points = Points::new(xyz);
-        let engine = Engine { points, delaunay: Delaunay::new(), input_of, engine_of, scale: surface.scale };
+        let engine = Engine { points, delaunay: Delaunay::new(), input_of, rounds, engine_of, scale: surface.scale };
         Ok((engine, order))
     }
 
@@ -297,16 +305,21 @@ impl Run<'_> {
         self.statistics.peak_bytes = self.statistics.peak_bytes.max(engine.delaunay.bytes() as u64);
     }
 
-    fn delaunay(&mut self, engine: &mut Engine) -> Result<(), Error> {
+    fn delaunay(&mut self, engine: &mut Engine, threads: usize) -> Result<(), Error> {
         let mut order: Vec<u32> = (0..engine.points.len() as u32).collect();
-        self.delaunay_in(engine, &mut order)
+        self.delaunay_in(engine, &mut order, threads)
     }
 
     /// Inserts the vertices in this order.
-    fn delaunay_in(&mut self, engine: &mut Engine, order: &mut [u32]) -> Result<(), Error> {
+    fn delaunay_in(
+        &mut self,
+        engine: &mut Engine,
+        order: &mut [u32],
+        threads: usize,
+    ) -> Result<(), Error> {
         let total = order.len().max(1) as f64;
         let observer = &mut *self.observer;
-        engine.delaunay.build(&engine.points, order, &mut |done| {
+        engine.delaunay.build_rounds(&engine.points, order, &engine.rounds, threads, &mut |done| {
             report(observer, Phase::Delaunay, done as f64 / total)
         })?;
         self.note_peak(engine);
@@ -340,7 +353,7 @@ impl Run<'_> {
                     careful[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize] += 1;
                 }
                 engine.points.truncate(segments.first_steiner as usize);
-                self.delaunay(engine)?;
+                self.delaunay(engine, options.threads)?;
                 engine.delaunay.index_vertices(engine.points.len())?;
                 segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
                 segments.careful = careful.clone();

@@ -1,12 +1,12 @@
-//! Times the Delaunay phase alone (ordering and insertion) on a TetGen `.node` file.
+//! Times the Delaunay phase alone (ordering and insertion) on a TetGen `.node` file or raw coordinates (`.raw`).
 //!
-//! `cargo bench --bench delaunay -- FILE.node [REPETITIONS]` prints points, tetrahedra, the time of reading and of each
+//! `cargo bench --bench delaunay -- FILE [REPETITIONS [THREADS]]` prints points, tetrahedra, the time of reading and of each
 //! part (minimum and median over the repetitions), bytes per tetrahedron and a hash of the tetrahedra that does not depend
 //! on their order.
-use delotet::delaunay::order::insertion_order;
+use delotet::delaunay::order::{insertion_order, Order};
 use delotet::delaunay::Delaunay;
 use delotet::predicates::Points;
-use std::io::BufRead;
+use std::io::{BufRead, Read};
 use std::time::Instant;
 
 /// Seconds this thread has computed, so that other programs on the machine disturb less; wall time where the system does
@@ -17,8 +17,11 @@ fn seconds(start: Instant) -> f64 {
     nanoseconds.map_or(start.elapsed().as_secs_f64(), |x| x * 1e-9)
 }
 
-/// Points of a `.node` file, in order, attributes and markers ignored.
+/// Points of a `.node` file, in order, attributes and markers ignored; or of a `.raw` file: their coordinates as doubles.
 fn read(path: &str) -> Vec<[f64; 3]> {
+    if path.ends_with(".raw") {
+        return read_raw(path);
+    }
     let file = std::fs::File::open(path).unwrap_or_else(|e| panic!("{path}: {e}"));
     let mut lines = std::io::BufReader::new(file)
         .lines()
@@ -31,6 +34,19 @@ fn read(path: &str) -> Vec<[f64; 3]> {
     };
     let mut points = Vec::with_capacity(count);
     points.extend(lines.take(count).map(coordinates));
+    points
+}
+
+fn read_raw(path: &str) -> Vec<[f64; 3]> {
+    let mut file = std::fs::File::open(path).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let count = file.metadata().unwrap().len() as usize / 24;
+    let mut points = Vec::with_capacity(count);
+    let mut bytes = [0u8; 24];
+    let mut reader = std::io::BufReader::new(&mut file);
+    for _ in 0..count {
+        reader.read_exact(&mut bytes).unwrap();
+        points.push([0, 8, 16].map(|at| f64::from_le_bytes(bytes[at..at + 8].try_into().unwrap())));
+    }
     points
 }
 
@@ -62,17 +78,48 @@ fn fingerprint(delaunay: &Delaunay, order: &[u32]) -> (usize, u64) {
 
 /// The first part; a function of its own so that tools can find it.
 #[inline(never)]
-fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Vec<u32> {
+fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Order {
     insertion_order(points, ids)
 }
 
 /// The second part.
 #[inline(never)]
-fn insert_all(points: &Points) -> Delaunay {
-    let mut delaunay = Delaunay::new();
+fn insert_all(points: &Points, rounds: &[usize], threads: usize, ranges: Option<usize>) -> Delaunay {
+    let mut delaunay = Delaunay { ranges, ..Delaunay::new() };
     let mut sequence: Vec<u32> = (0..points.len() as u32).collect();
-    delaunay.build(points, &mut sequence, &mut |_| Ok(())).unwrap();
+    delaunay.build_rounds(points, &mut sequence, rounds, threads, &mut |_| Ok(())).unwrap();
     delaunay
+}
+
+/// Deferred vertices by round and pass, and bounds of the speed-up.
+fn simulation(delaunay: &Delaunay, count: usize) -> String {
+    let mut text = String::new();
+    for round in &delaunay.rounds {
+        text += &format!(
+            "{} vertices in {} ranges, deferred {:?}\n",
+            round.vertices, round.ranges, round.deferred
+        );
+    }
+    let bound = |threads: usize| {
+        let mut time = count as f64;
+        let mut total = time;
+        for round in &delaunay.rounds {
+            let mut before = round.vertices;
+            let mut ranges = round.ranges;
+            for &after in &round.deferred {
+                // A deferred vertex costs about half an insertion.
+                let work = (before - after) as f64 + 0.5 * after as f64;
+                total += 0.5 * after as f64;
+                let most = ranges.div_ceil(threads) as f64 / ranges as f64;
+                time += work * most - (before - after) as f64;
+                before = after;
+                ranges = round.ranges.div_ceil(2).max(2);
+            }
+        }
+        total / time
+    };
+    let bounds = [2, 4, 8, 16, 64].map(|threads| format!("{threads}: {:.2}", bound(threads)));
+    text + "speed-up at most " + &bounds.join(", ")
 }
 
 /// Minimum and median in milliseconds.
@@ -84,31 +131,36 @@ fn summary(seconds: &mut [f64]) -> String {
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
     let Some(path) = arguments.first() else {
-        eprintln!("usage: delaunay FILE.node [REPETITIONS]");
+        eprintln!("usage: delaunay FILE [REPETITIONS [THREADS]]");
         return;
     };
     let repetitions: usize = arguments.get(1).map_or(1, |n| n.parse().unwrap());
+    let threads: usize = arguments.get(2).map_or(1, |n| n.parse().unwrap());
+    let ranges: Option<usize> = arguments.get(3).map(|n| n.parse().unwrap());
     let points = read(path);
     let ids: Vec<u32> = (0..points.len() as u32).collect();
-    let (mut ordering, mut insertion) = (Vec::new(), Vec::new());
-    let mut last = String::new();
+    let (mut ordering, mut insertion, mut wall) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut last, mut conflicts) = (String::new(), String::new());
     let start = Instant::now();
     for _ in 0..repetitions.max(1) {
         let clock = seconds(start);
         let order = sort_all(&points, &ids);
-        let store = Points::new(order.iter().map(|&i| points[i as usize]).collect());
+        let store = Points::new(order.ids.iter().map(|&i| points[i as usize]).collect());
         ordering.push(seconds(start) - clock);
-        let clock = seconds(start);
-        let delaunay = insert_all(&store);
+        let (clock, by_wall) = (seconds(start), Instant::now());
+        let delaunay = insert_all(&store, &order.rounds, threads, ranges);
         insertion.push(seconds(start) - clock);
-        let (count, hash) = fingerprint(&delaunay, &order);
+        wall.push(by_wall.elapsed().as_secs_f64());
+        conflicts = simulation(&delaunay, points.len());
+        let (count, hash) = fingerprint(&delaunay, &order.ids);
         let each = delaunay.bytes() as f64 / delaunay.mesh.live_count() as f64;
         last = format!("{} points, {count} tetrahedra, hash {hash:016x}, {each:.1} bytes each", points.len());
     }
     println!(
-        "{last}\norder {}, insertion {}, peak {:.0} MB",
+        "{last}\norder {}, insertion {}, wall {}, peak {:.0} MB\n{conflicts}",
         summary(&mut ordering),
         summary(&mut insertion),
+        summary(&mut wall),
         peak_megabytes()
     );
 }

@@ -17,8 +17,10 @@ if [ -z "$bench" ]; then
         sed -n 's/.*"executable":"\([^"]*delaunay[^"]*\)".*/\1/p' | tail -1)
 fi
 : >"$work/counts"
-for kind in uniform grid sphere clustered; do
-    python3 "$root/capi-tests/data/generate.py" points $kind 20000 "$work/$kind.node" >/dev/null
+# The last one is large enough for insertion by ranges (by one thread).
+for input in uniform:20000 grid:20000 sphere:20000 clustered:20000 uniform:70000; do
+    kind=$(echo "$input" | tr -d :)
+    python3 "$root/capi-tests/data/generate.py" points "${input%:*}" "${input#*:}" "$work/$kind.node" >/dev/null
     for part in sort_all insert_all; do
         valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="*$part*" \
             "$bench" "$work/$kind.node" 2>"$work/log" >/dev/null

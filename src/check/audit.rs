@@ -7,7 +7,7 @@ use super::report::Report;
 use crate::error::{DefectKind, Element, Error, Status};
 use crate::output::TetMesh;
 use crate::plc::Plc;
-use crate::predicates::{range_scale, scale, Points, Sign};
+use crate::predicates::{orient3d, range_scale, scale, Sign};
 use crate::INVALID;
 
 /// Checks what every result must fulfil.
@@ -36,12 +36,15 @@ fn audit_points(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
 fn audit_orientation(mesh: &TetMesh, report: &mut Report) -> Result<(), Error> {
     let exponent = range_scale(&mesh.points)
         .map_err(|i| Error::new(Status::CoordinateRange, format!("point {i} is out of range")))?;
-    let mut scaled = Vec::new();
-    scaled.try_reserve_exact(mesh.points.len())?;
-    scaled.extend(mesh.points.iter().map(|p| if exponent == 0 { *p } else { p.map(|x| scale(x, exponent)) }));
-    let points = Points::new(scaled);
-    for (t, &[a, b, c, d]) in mesh.tets.iter().enumerate() {
-        if points.orient3d(a, b, c, d) != Sign::Positive {
+    // Points in range are read where they are: a copy would lie beside the mesh at its largest.
+    let scaled = |v: u32| match exponent {
+        0 => mesh.points[v as usize],
+        _ => mesh.points[v as usize].map(|x| scale(x, exponent)),
+    };
+    for (t, &tet) in mesh.tets.iter().enumerate() {
+        let [a, b, c, d] = tet;
+        let [p, q, r, s] = tet.map(scaled);
+        if orient3d(&p, &q, &r, &s) != Sign::Positive {
             // The caller asked for the exact form and is told which points these are.
             if [a, b, c, d].iter().any(|v| mesh.crowded.contains(v)) {
                 continue;

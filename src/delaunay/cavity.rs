@@ -10,9 +10,11 @@
 use super::edge_table::EdgeTable;
 use super::Delaunay;
 use crate::error::Error;
+use crate::mesh::slots::Slots;
 use crate::mesh::tables::{EDGE, EDGE_OF};
-use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
+use crate::mesh::{flag, GHOST, NONE};
 use crate::predicates::{Points, Sign};
+use std::hint::black_box;
 
 /// Boundary vertices that the table can number.
 const LOCAL: usize = 32;
@@ -106,13 +108,13 @@ fn lengthen(
 
 /// The hull face of a ghost sees `p`, or `p` lies in its plane and inside the sphere of the finite tetrahedron behind it.
 #[inline(always)]
-fn ghost_in_conflict(verts: &[[u32; 4]], adj: &[[u32; 4]], points: &Points, t: u32, p: u32) -> bool {
-    let v = verts[t as usize];
+fn ghost_in_conflict(slots: &Slots, points: &Points, t: u32, p: u32) -> bool {
+    let v = slots.verts(t);
     match points.orient3d(v[0], v[1], v[2], p) {
         Sign::Positive => true,
         Sign::Negative => false,
         Sign::Zero => {
-            let w = verts[(adj[t as usize][3] >> 2) as usize];
+            let w = slots.verts(slots.across(4 * t + 3) >> 2);
             points.insphere_perturbed(w[0], w[1], w[2], w[3], p) == Sign::Positive
         }
     }
@@ -140,54 +142,29 @@ impl Cavity {
             + self.wide_edges.bytes()
             + 8 * self.lost_edges.capacity()
     }
-}
 
-impl Delaunay {
-    /// The (perturbed) circumsphere of `t` contains `p`; for a ghost: its hull face sees `p`, or `p` lies in the plane of the
-    /// hull face and inside the sphere of the finite tetrahedron behind it.
-    #[inline(always)]
-    pub fn in_conflict(&self, points: &Points, t: u32, p: u32) -> bool {
-        let v = &self.mesh.verts[t as usize];
-        if v[3] != GHOST {
-            return points.insphere_perturbed(v[0], v[1], v[2], v[3], p) == Sign::Positive;
-        }
-        ghost_in_conflict(&self.mesh.verts, &self.mesh.adj, points, t, p)
-    }
-
-    /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`.
-    pub fn insert_at<const CONSTRAINED: bool>(
-        &mut self,
-        points: &Points,
-        p: u32,
-        t: u32,
-    ) -> Result<u32, Error> {
-        self.collect_conflicts(points, p, t)?;
-        self.fill::<CONSTRAINED>(p)?;
-        if CONSTRAINED {
-            self.carry_edge_flags(p);
-        }
-        for i in 0..self.cavity.dead_count {
-            self.mesh.release(self.cavity.dead[i]);
-        }
-        Ok(self.cavity.fresh[0])
-    }
-
-    /// Fills `dead` (marked) and `boundary`.
+    /// Fills `dead` (marked) and `boundary`. With `SHARED` only tetrahedra of the range `owner` may be dead: if another one is
+    /// in conflict nothing is marked and the answer is false.
     ///
     /// Conflicts are hard to foretell, so each tested neighbour is written behind both lists and only the lengths depend
     /// on the outcome. What the next steps need of a tetrahedron is loaded when it is first met: the tests of others
     /// hide the way to memory.
-    fn collect_conflicts(&mut self, points: &Points, p: u32, t: u32) -> Result<(), Error> {
+    pub(super) fn collect_conflicts<const SHARED: bool>(
+        &mut self,
+        slots: &Slots,
+        owner: u16,
+        points: &Points,
+        p: u32,
+        t: u32,
+    ) -> Result<bool, Error> {
         let at = *points.xyz(p);
-        let Tetrahedra { verts, adj, flags, .. } = &mut self.mesh;
-        let (verts, adj, flags) = (&verts[..], &adj[..], &mut flags[..]);
-        let Cavity { dead, dead_adj, boundary, .. } = &mut self.cavity;
+        let Cavity { dead, dead_adj, boundary, .. } = self;
         if dead.len() < SCRATCH {
             lengthen(dead, dead_adj, boundary, SCRATCH)?;
         }
         dead[0] = 4 * t;
-        dead_adj[0] = adj[t as usize];
-        flags[t as usize] |= flag::MARK;
+        dead_adj[0] = slots.adj(t);
+        slots.set_flags(t, slots.flags(t) | flag::MARK);
         let (mut dead_count, mut boundary_count, mut next) = (1, 0, 0);
         // `dead` has corner codes here: the face through which each tetrahedron was entered, so that it is not looked at
         // again. The first one has no such face.
@@ -200,123 +177,174 @@ impl Delaunay {
             let code = dead[next];
             let neighbors = dead_adj[next];
             next += 1;
+            if next < dead_count {
+                // What the next step looks at: by then it has come from memory.
+                for across in dead_adj[next] {
+                    slots.prefetch(across >> 2);
+                }
+            }
             let mut untested = [(0, 0, [0; 4]); 4];
             let mut count = 0;
             for turn in 1..=faces {
                 let f = (code + turn) % 4;
                 let across = neighbors[f as usize];
-                let n = (across >> 2) as usize;
-                untested[count % 4] = (code & !3 | f, across, verts[n]);
-                count += (flags[n] & flag::MARK == 0) as usize;
+                let n = across >> 2;
+                untested[count % 4] = (code & !3 | f, across, slots.verts(n));
+                count += (slots.flags(n) & flag::MARK == 0) as usize;
             }
             faces = 3;
             for &(inner, across, v) in untested.iter().take(count) {
-                let n = (across >> 2) as usize;
+                let n = across >> 2;
                 let conflict = if v[3] != GHOST {
                     points.inside_perturbed(v, p, &at)
                 } else {
-                    ghost_in_conflict(verts, adj, points, n as u32, p)
+                    ghost_in_conflict(slots, points, n, p)
                 };
-                flags[n] |= flag::MARK * conflict as u16;
+                // A number that the compiler cannot turn back into a branch, which would be foretold wrongly too often.
+                let conflict = black_box(u16::from(conflict));
+                let flags = slots.flags(n);
+                if SHARED && flags & flag::OWNER != owner {
+                    if conflict != 0 {
+                        for code in &dead[..dead_count] {
+                            slots.set_flags(code >> 2, owner);
+                        }
+                        return Ok(false);
+                    }
+                    boundary[boundary_count] = inner;
+                    boundary_count += 1;
+                    continue;
+                }
+                slots.set_flags(n, flags | (flag::MARK * conflict));
                 dead[dead_count] = across;
-                dead_adj[dead_count] = adj[n];
+                dead_adj[dead_count] = slots.adj(n);
                 dead_count += conflict as usize;
                 boundary[boundary_count] = inner;
-                boundary_count += !conflict as usize;
+                boundary_count += 1 - conflict as usize;
             }
         }
         for code in &mut dead[..dead_count] {
             *code >>= 2;
         }
-        self.cavity.dead_count = dead_count;
-        self.cavity.boundary_count = boundary_count;
-        Ok(())
+        self.dead_count = dead_count;
+        self.boundary_count = boundary_count;
+        Ok(true)
     }
 
-    /// Joins `p` to the boundary faces and links the new tetrahedra.
-    fn fill<const CONSTRAINED: bool>(&mut self, p: u32) -> Result<(), Error> {
-        let cavity = &mut self.cavity;
-        let mesh = &mut self.mesh;
-        let count = cavity.boundary_count;
-        cavity.fresh.clear();
-        mesh.allocate_all(count, &mut cavity.fresh)?;
-        cavity.numbers.count = 0;
-        if cavity.local_faces.len() < count {
-            cavity.local_faces.try_reserve(count)?;
-            cavity.local_faces.resize(2 * count, [0; 4]);
+    /// The tetrahedra in conflict, as found last.
+    pub(super) fn dead(&self) -> &[u32] {
+        &self.dead[..self.dead_count]
+    }
+
+    /// How many tetrahedra the insertion makes.
+    pub(super) fn fresh_count(&self) -> usize {
+        self.boundary_count
+    }
+
+    /// Joins `p` to the boundary faces, in the slots `fresh`, and links the new tetrahedra, which get `flags`.
+    pub(super) fn fill(&mut self, slots: &Slots, flags: u16, p: u32) -> Result<(), Error> {
+        let count = self.boundary_count;
+        self.numbers.count = 0;
+        if self.local_faces.len() < count {
+            self.local_faces.try_reserve(2 * count - self.local_faces.len())?;
+            self.local_faces.resize(2 * count, [0; 4]);
         }
         let mut small = true;
         for ((&code, &t), local_face) in
-            cavity.boundary[..count].iter().zip(&cavity.fresh).zip(&mut cavity.local_faces)
+            self.boundary[..count].iter().zip(&self.fresh).zip(&mut self.local_faces)
         {
-            let mut b = mesh.face(code);
+            let mut b = slots.face(code);
             if b[0] == GHOST {
                 b = [b[1], b[2], b[0]];
             } else if b[1] == GHOST {
                 b = [b[2], b[0], b[1]];
             }
-            let outer = mesh.across(code);
-            mesh.adj[(outer >> 2) as usize][(outer & 3) as usize] = 4 * t;
-            mesh.verts[t as usize] = [p, b[0], b[1], b[2]];
-            mesh.flags[t as usize] = 0;
-            if CONSTRAINED {
-                for v in b {
-                    if v != GHOST {
-                        self.vertex_tet[v as usize] = t;
-                    }
-                }
-            }
-            mesh.adj[t as usize][0] = outer;
+            let outer = slots.across(code);
+            slots.set_across(outer, 4 * t);
+            slots.set_verts(t, [p, b[0], b[1], b[2]]);
+            slots.set_flags(t, flags);
+            slots.set_across(4 * t, outer);
             if small {
-                let [i0, i1, i2] = cavity.numbers.of_face(b);
-                small = cavity.numbers.count <= LOCAL;
-                let table = &mut cavity.half_edges;
+                let [i0, i1, i2] = self.numbers.of_face(b);
+                small = self.numbers.count <= LOCAL;
+                let table = &mut self.half_edges;
                 table[i1 as usize % LOCAL][i2 as usize % LOCAL] = 4 * t + 1;
                 table[i2 as usize % LOCAL][i0 as usize % LOCAL] = 4 * t + 2;
                 table[i0 as usize % LOCAL][i1 as usize % LOCAL] = 4 * t + 3;
                 *local_face = [i0, i1, i2, 0];
             }
         }
-        if small {
-            self.link_by_table();
-        } else {
-            self.link_by_hash()?;
+        if !small {
+            return self.link_by_hash(slots);
         }
-        if CONSTRAINED {
-            self.vertex_tet[p as usize] = self.cavity.fresh[0];
+        let table = &self.half_edges;
+        for (&t, &[i0, i1, i2, _]) in self.fresh.iter().zip(&self.local_faces) {
+            slots.set_across(4 * t + 1, table[i2 as usize % LOCAL][i1 as usize % LOCAL]);
+            slots.set_across(4 * t + 2, table[i0 as usize % LOCAL][i2 as usize % LOCAL]);
+            slots.set_across(4 * t + 3, table[i1 as usize % LOCAL][i0 as usize % LOCAL]);
         }
         Ok(())
     }
 
-    fn link_by_table(&mut self) {
-        let table = &self.cavity.half_edges;
-        for (&t, &[i0, i1, i2, _]) in self.cavity.fresh.iter().zip(&self.cavity.local_faces) {
-            let adj = &mut self.mesh.adj[t as usize];
-            adj[1] = table[i2 as usize % LOCAL][i1 as usize % LOCAL];
-            adj[2] = table[i0 as usize % LOCAL][i2 as usize % LOCAL];
-            adj[3] = table[i1 as usize % LOCAL][i0 as usize % LOCAL];
-        }
-    }
-
     #[inline(never)]
-    fn link_by_hash(&mut self) -> Result<(), Error> {
-        let edges = &mut self.cavity.wide_edges;
-        edges.clear(3 * self.cavity.fresh.len())?;
-        for &t in &self.cavity.fresh {
-            let [_, a, b, c] = self.mesh.verts[t as usize];
+    fn link_by_hash(&mut self, slots: &Slots) -> Result<(), Error> {
+        let edges = &mut self.wide_edges;
+        edges.clear(3 * self.fresh.len())?;
+        for &t in &self.fresh {
+            let [_, a, b, c] = slots.verts(t);
             edges.insert(b, c, 4 * t + 1);
             edges.insert(c, a, 4 * t + 2);
             edges.insert(a, b, 4 * t + 3);
         }
-        for &t in &self.cavity.fresh {
-            let [_, a, b, c] = self.mesh.verts[t as usize];
+        for &t in &self.fresh {
+            let [_, a, b, c] = slots.verts(t);
             let (Some(x), Some(y), Some(z)) = (edges.get(c, b), edges.get(a, c), edges.get(b, a)) else {
                 return Err(Error::internal("the boundary of a cavity is not closed"));
             };
-            let adj = &mut self.mesh.adj[t as usize];
-            [adj[1], adj[2], adj[3]] = [x, y, z];
+            slots.set_across(4 * t + 1, x);
+            slots.set_across(4 * t + 2, y);
+            slots.set_across(4 * t + 3, z);
         }
         Ok(())
+    }
+}
+
+impl Delaunay {
+    /// The (perturbed) circumsphere of `t` contains `p`; for a ghost: its hull face sees `p`, or `p` lies in the plane of the
+    /// hull face and inside the sphere of the finite tetrahedron behind it.
+    #[inline(always)]
+    pub fn in_conflict(&self, points: &Points, t: u32, p: u32) -> bool {
+        let v = &self.mesh.verts[t as usize];
+        if v[3] != GHOST {
+            return points.insphere_perturbed(v[0], v[1], v[2], v[3], p) == Sign::Positive;
+        }
+        ghost_in_conflict(&self.mesh.slots(), points, t, p)
+    }
+
+    /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`.
+    pub fn insert_at<const CONSTRAINED: bool>(
+        &mut self,
+        points: &Points,
+        p: u32,
+        t: u32,
+    ) -> Result<u32, Error> {
+        let Delaunay { mesh, cavity, vertex_tet, .. } = self;
+        cavity.collect_conflicts::<false>(&mesh.exclusive(), 0, points, p, t)?;
+        cavity.fresh.clear();
+        mesh.allocate_all(cavity.boundary_count, &mut cavity.fresh)?;
+        cavity.fill(&mesh.exclusive(), 0, p)?;
+        if CONSTRAINED {
+            for &t in &cavity.fresh {
+                for v in mesh.verts[t as usize].into_iter().skip(1).filter(|&v| v != GHOST) {
+                    vertex_tet[v as usize] = t;
+                }
+            }
+            vertex_tet[p as usize] = cavity.fresh[0];
+            self.carry_edge_flags(p);
+        }
+        for i in 0..self.cavity.dead_count {
+            self.mesh.release(self.cavity.dead[i]);
+        }
+        Ok(self.cavity.fresh[0])
     }
 
     /// Gives the new tetrahedra the subsegment flags of the boundary's edges and lists the flagged edges that are gone.

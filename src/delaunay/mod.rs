@@ -10,11 +10,19 @@ pub mod check;
 mod edge_table;
 pub mod locate;
 pub mod order;
+mod parallel;
+mod ranges;
 
 use crate::error::{Error, Status};
-use crate::mesh::{Tetrahedra, GHOST, NONE};
+use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
 use crate::predicates::{Points, Sign};
 use cavity::Cavity;
+use order::Frame;
+use parallel::{Pass, FEWEST_VERTICES};
+use ranges::{range_count, Division};
+
+/// Most passes over what the first one of a round has deferred.
+const MOST_PASSES: usize = 2;
 
 /// A Delaunay tetrahedralization under construction.
 #[derive(Clone, Default)]
@@ -27,6 +35,21 @@ pub struct Delaunay {
     pub hint: u32,
     /// Scratch space of insertions.
     pub cavity: Cavity,
+    /// How the rounds of the last [`build_rounds`](Self::build_rounds) went that were inserted by ranges.
+    pub rounds: Vec<Round>,
+    /// For experiments: as many ranges in each of these rounds, instead of the number that suits its size.
+    pub ranges: Option<usize>,
+}
+
+/// A round of insertions by ranges.
+#[derive(Clone, Debug, Default)]
+pub struct Round {
+    /// Vertices inserted in it.
+    pub vertices: usize,
+    /// Ranges of its first pass.
+    pub ranges: usize,
+    /// Vertices that each pass deferred; those of the last one were inserted by one thread.
+    pub deferred: Vec<usize>,
 }
 
 impl Delaunay {
@@ -98,15 +121,107 @@ impl Delaunay {
         order: &mut [u32],
         tick: &mut dyn FnMut(usize) -> Result<(), Error>,
     ) -> Result<(), Error> {
+        self.build_rounds(points, order, &[], 1, tick)
+    }
+
+    /// As [`build`](Self::build), for vertices in rounds, each sorted along the curve, that end at `rounds`. Large rounds are
+    /// inserted by up to `threads` threads; the result does not depend on how many. After an error the mesh is empty.
+    pub fn build_rounds(
+        &mut self,
+        points: &Points,
+        order: &mut [u32],
+        rounds: &[usize],
+        threads: usize,
+        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+    ) -> Result<(), Error> {
         self.cavity.prepare(points.len())?;
         self.start(points, order)?;
-        for (i, &p) in order.iter().enumerate().skip(4) {
+        self.rounds.clear();
+        let mut begin = 4;
+        let mut shared = false;
+        for &end in rounds.iter().chain([&order.len()]) {
+            if end <= begin {
+                continue;
+            }
+            let ranges = match (range_count(begin), self.ranges) {
+                (1, _) | (_, None) => range_count(begin),
+                (_, Some(ranges)) => ranges,
+            };
+            if !rounds.is_empty() && ranges > 1 && end - begin >= FEWEST_VERTICES {
+                shared = true;
+                let done = self.insert_round(points, order, begin..end, ranges, threads, tick);
+                if done.is_err() {
+                    self.mesh.clear();
+                }
+                done?;
+            } else {
+                self.insert_all(points, &order[begin..end], &mut |done| tick(begin + done))?;
+            }
+            begin = end;
+        }
+        if shared {
+            for flags in &mut self.mesh.flags {
+                *flags &= flag::DEAD;
+            }
+        }
+        Ok(())
+    }
+
+    /// Inserts vertices one after the other.
+    fn insert_all(
+        &mut self,
+        points: &Points,
+        vertices: &[u32],
+        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        for (i, &p) in vertices.iter().enumerate() {
             if i % 8192 == 0 {
                 tick(i)?;
             }
             self.insert(points, p)?;
         }
         Ok(())
+    }
+
+    /// Inserts a round in passes.
+    fn insert_round(
+        &mut self,
+        points: &Points,
+        order: &[u32],
+        round: std::ops::Range<usize>,
+        ranges: usize,
+        threads: usize,
+        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let frame = Frame::of(points.coordinates(), order);
+        let mut best = 0;
+        // Deferred vertices are counted again: never show less than before.
+        let mut ahead = |done: usize| {
+            best = done.max(best);
+            tick(best)
+        };
+        let mut present = &order[..round.start];
+        let division = Division::along_curve(points, &frame, present, &order[round.clone()], ranges)?;
+        let pass = Pass { points, present, reserve: 0.97, threads };
+        let mut left = self.insert_pass(&pass, division, &mut |done| ahead(round.start + done))?;
+        let mut report = Round { vertices: round.len(), ranges, deferred: vec![left.len()] };
+        present = &order[..round.end];
+        for turn in 0..MOST_PASSES {
+            // A pass looks at all tetrahedra once, which takes as long as inserting a part of the vertices.
+            if left.len() < FEWEST_VERTICES.max(present.len() / 32) {
+                break;
+            }
+            let done_before = round.end - left.len();
+            let division = Division::slabs(points, present, &left, ranges.div_ceil(2).max(2), turn)?;
+            let pass = Pass { points, present, reserve: 1.05, threads };
+            left = self.insert_pass(&pass, division, &mut |done| ahead(done_before + done))?;
+            report.deferred.push(left.len());
+        }
+        self.rounds.try_reserve(1)?;
+        self.rounds.push(report);
+        self.hint = (0..self.mesh.slot_count() as u32).find(|&t| self.mesh.is_live(t)).unwrap_or(0);
+        let done_before = round.end - left.len();
+        self.insert_all(points, &left, &mut |done| ahead(done_before + done))
     }
 
     /// Fills `vertex_tet` for `vertex_count` vertices: a finite tetrahedron where there is one, NONE for absent vertices.

@@ -19,9 +19,18 @@ const DIGIT: u32 = 11;
 /// Below this many points digits are not worth their tables.
 const FEW: usize = 2000;
 
+/// Points in an order of insertion.
+#[derive(Clone, Debug, Default)]
+pub struct Order {
+    /// The points' ids.
+    pub ids: Vec<u32>,
+    /// Where rounds end in `ids`. Empty: in no known order.
+    pub rounds: Vec<usize>,
+}
+
 /// A permutation of `ids` in which the points should be inserted. Depends on the coordinates and the ids' order only.
-pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Vec<u32> {
-    let (low, scale) = frame(points, ids);
+pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Order {
+    let Frame { low, scale } = Frame::of(points, ids);
     let rounds = round_limits(ids.len());
     let mut keyed: Vec<(u64, u32)> = Vec::with_capacity(ids.len());
     for (block, chunk) in ids.chunks(BLOCK).enumerate() {
@@ -38,7 +47,19 @@ pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Vec<u32> {
         }));
     }
     sort(&mut keyed);
-    keyed.iter().map(|&(_, id)| id).collect()
+    let ends = (0..=rounds.len() as u64)
+        .map(|round| keyed.partition_point(|&(key, _)| key >> (3 * BITS) <= round))
+        .collect();
+    Order { ids: keyed.iter().map(|&(_, id)| id).collect(), rounds: ends }
+}
+
+/// The indices of up to `BLOCK` points along the curve.
+pub(super) fn curve_indices(points: &[[f64; 3]], ids: &[u32], frame: &Frame) -> [u64; BLOCK] {
+    let mut coordinates = [[0.0; 3]; BLOCK];
+    for (to, &id) in coordinates.iter_mut().zip(ids) {
+        *to = points[id as usize];
+    }
+    hilbert_indices(&coordinates, frame.low, frame.scale)
 }
 
 /// Hash values below the first limit leave the last round, those below the second the one before, and so on.
@@ -91,19 +112,29 @@ fn sort(keyed: &mut Vec<(u64, u32)>) {
     }
 }
 
-/// Lower corner of the bounding box and the factor that maps its longest side to the curve's grid.
-fn frame(points: &[[f64; 3]], ids: &[u32]) -> ([f64; 3], f64) {
-    let mut low = [f64::INFINITY; 3];
-    let mut high = [f64::NEG_INFINITY; 3];
-    for &id in ids {
-        for k in 0..3 {
-            low[k] = low[k].min(points[id as usize][k]);
-            high[k] = high[k].max(points[id as usize][k]);
+/// The cube that the curve fills.
+pub(super) struct Frame {
+    /// Lower corner of the bounding box.
+    low: [f64; 3],
+    /// The factor that maps its longest side to the curve's grid.
+    scale: f64,
+}
+
+impl Frame {
+    /// Around the points `ids`.
+    pub(super) fn of(points: &[[f64; 3]], ids: &[u32]) -> Frame {
+        let mut low = [f64::INFINITY; 3];
+        let mut high = [f64::NEG_INFINITY; 3];
+        for &id in ids {
+            for k in 0..3 {
+                low[k] = low[k].min(points[id as usize][k]);
+                high[k] = high[k].max(points[id as usize][k]);
+            }
         }
+        let side = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+        let scale = if side > 0.0 { ((1u64 << BITS) - 1) as f64 / side } else { 0.0 };
+        Frame { low, scale: if scale.is_finite() { scale } else { 0.0 } }
     }
-    let side = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
-    let scale = if side > 0.0 { ((1u64 << BITS) - 1) as f64 / side } else { 0.0 };
-    (low, if scale.is_finite() { scale } else { 0.0 })
 }
 
 /// A fixed bijective hash (Steele, Lea & Flood 2014).
@@ -200,11 +231,11 @@ mod tests {
             }
         }
         let ids: Vec<u32> = (0..points.len() as u32).collect();
-        let mut order = insertion_order(&points, &ids);
+        let mut order = insertion_order(&points, &ids).ids;
         order.sort_unstable();
         assert_eq!(order, ids);
         // One round along the curve over a full grid of 2^4: consecutive points are grid neighbours.
-        let (low, scale) = frame(&points, &ids);
+        let Frame { low, scale } = Frame::of(&points, &ids);
         let scale = scale * 15.0 / 16.0 * (16.0 / 15.0);
         let mut keyed: Vec<(u64, u32)> = ids
             .iter()

@@ -16,7 +16,7 @@ impl Lcg {
 
 fn build(xyz: Vec<[f64; 3]>) -> (Delaunay, Points) {
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
-    let mut order = insertion_order(&xyz, &ids);
+    let mut order = insertion_order(&xyz, &ids).ids;
     let points = Points::new(xyz);
     let mut delaunay = Delaunay::new();
     delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
@@ -125,4 +125,101 @@ fn coplanar_points_are_refused() {
     let mut order: Vec<u32> = (0..10).collect();
     let error = delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap_err();
     assert_eq!(error.status, crate::Status::DegenerateInput);
+}
+
+/// Vertices, neighbours, flags and free slots.
+type Bytes = (Vec<[u32; 4]>, Vec<[u32; 4]>, Vec<u16>, Vec<u32>);
+
+fn build_by(threads: usize, xyz: &[[f64; 3]]) -> (Delaunay, Points, Bytes) {
+    let ids: Vec<u32> = (0..xyz.len() as u32).collect();
+    let order = insertion_order(xyz, &ids);
+    let points = Points::new(order.ids.iter().map(|&i| xyz[i as usize]).collect());
+    let mut sequence = ids;
+    let mut delaunay = Delaunay::new();
+    let mut last = 0;
+    let mut tick = |done| {
+        assert!(done >= last && done <= xyz.len());
+        last = done;
+        Ok(())
+    };
+    delaunay.build_rounds(&points, &mut sequence, &order.rounds, threads, &mut tick).unwrap();
+    let mesh = &delaunay.mesh;
+    let bytes = (mesh.verts.clone(), mesh.adj.clone(), mesh.flags.clone(), mesh.free.clone());
+    (delaunay, points, bytes)
+}
+
+/// Point sets that are large enough for ranges.
+fn large_sets() -> Vec<(&'static str, Vec<[f64; 3]>)> {
+    const COUNT: usize = 72_000;
+    let mut random = Lcg(11);
+    let mut on_sphere = |radius: f64| loop {
+        let p = [(); 3].map(|()| 2.0 * random.next() - 1.0);
+        let r = p.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if (0.1..1.0).contains(&r) {
+            return p.map(|x| radius * x / r);
+        }
+    };
+    let sphere: Vec<[f64; 3]> = (0..COUNT).map(|_| on_sphere(1.0)).collect();
+    let clustered = (0..COUNT)
+        .map(|i| {
+            let at = on_sphere(1e-4 * (1 + i % 1000) as f64);
+            [at[0] + (i % 7) as f64, at[1] + (i % 3) as f64, at[2]]
+        })
+        .collect();
+    let uniform = (0..COUNT).map(|_| [(); 3].map(|()| random.next())).collect();
+    let mut plane: Vec<[f64; 3]> = (0..COUNT).map(|_| [random.next(), random.next(), 0.0]).collect();
+    plane.push([0.5, 0.5, 1.0]);
+    let grid = (0..42 * 42 * 42).map(|i| [i % 42, i / 42 % 42, i / 1764].map(f64::from)).collect();
+    vec![("sphere", sphere), ("clustered", clustered), ("uniform", uniform), ("plane", plane), ("grid", grid)]
+}
+
+#[test]
+fn any_number_of_threads_makes_the_same_bytes() {
+    for (name, xyz) in large_sets() {
+        let (delaunay, points, one) = build_by(1, &xyz);
+        check_delaunay(&delaunay, &points).unwrap();
+        let round = delaunay.rounds.last().unwrap_or_else(|| panic!("{name}: no round by ranges"));
+        assert!(round.ranges >= 2 && round.deferred[0] > 0, "{name}");
+        for threads in [2, 3, 4, 7] {
+            assert!(build_by(threads, &xyz).2 == one, "{name}, {threads} threads");
+        }
+    }
+}
+
+#[test]
+fn ranges_make_the_tetrahedra_that_one_by_one_insertion_makes() {
+    for (name, xyz) in large_sets() {
+        let (by_ranges, points, _) = build_by(2, &xyz);
+        let mut one_by_one = Delaunay::new();
+        let mut order: Vec<u32> = (0..xyz.len() as u32).collect();
+        one_by_one.build(&points, &mut order, &mut |_| Ok(())).unwrap();
+        let set = |delaunay: &Delaunay| {
+            let mesh = &delaunay.mesh;
+            let live = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t));
+            let mut set: Vec<[u32; 4]> = live.map(|t| mesh.verts[t as usize]).collect();
+            set.iter_mut().for_each(|v| v.sort_unstable());
+            set.sort_unstable();
+            set
+        };
+        assert!(set(&by_ranges) == set(&one_by_one), "{name}");
+    }
+}
+
+#[test]
+fn a_cancel_reaches_all_workers() {
+    let xyz = large_sets().swap_remove(2).1;
+    let ids: Vec<u32> = (0..xyz.len() as u32).collect();
+    let order = insertion_order(&xyz, &ids);
+    let points = Points::new(order.ids.iter().map(|&i| xyz[i as usize]).collect());
+    for threads in [1, 3] {
+        let mut delaunay = Delaunay::new();
+        let mut tick = |done| match done {
+            0..30_000 => Ok(()),
+            _ => Err(crate::Error::new(crate::Status::Cancelled, "enough")),
+        };
+        let error =
+            delaunay.build_rounds(&points, &mut ids.clone(), &order.rounds, threads, &mut tick).unwrap_err();
+        assert_eq!((error.status, error.message.as_str()), (crate::Status::Cancelled, "enough"));
+        assert_eq!(delaunay.mesh.slot_count(), 0);
+    }
 }

@@ -7,10 +7,12 @@
 //! Invariants between operations: every live tetrahedron has four live neighbours; `adj[adj[c]] == c` for every corner code
 //! `c = 4·t + f`; the two tetrahedra share the three vertices of that face.
 pub mod check;
+pub mod slots;
 pub mod star;
 pub mod tables;
 
 use crate::error::{Error, Status};
+use slots::Slots;
 use tables::FACE;
 
 /// The vertex at infinity.
@@ -30,6 +32,9 @@ pub mod flag {
     pub const EDGE: u16 = 1 << 4;
     /// All six edge bits.
     pub const EDGES: u16 = 0x3f << 4;
+    /// The number of the range that owns the tetrahedron while several workers insert vertices; 0: none does. Nothing is
+    /// a subface or subsegment then.
+    pub const OWNER: u16 = FACES | EDGES;
     /// A scratch mark: clear between operations.
     pub const MARK: u16 = 1 << 10;
     /// The slot is free.
@@ -86,6 +91,29 @@ impl Tetrahedra {
             self.grow(extra)?;
         }
         Ok(())
+    }
+
+    /// A view for readers.
+    #[inline(always)]
+    pub(crate) fn slots(&self) -> Slots<'_> {
+        Slots::read(self)
+    }
+
+    /// A view for one writer.
+    #[inline(always)]
+    pub(crate) fn exclusive(&mut self) -> Slots<'_> {
+        Slots::exclusive(self)
+    }
+
+    /// A view for several writers with room for `more` new tetrahedra.
+    pub(crate) fn share(&mut self, more: usize) -> Result<Slots<'_>, Error> {
+        if self.verts.len() + more > MAX_TETS {
+            return Err(Error::new(Status::TooLarge, "more than 2^30 tetrahedra"));
+        }
+        self.verts.try_reserve_exact(more)?;
+        self.adj.try_reserve_exact(more)?;
+        self.flags.try_reserve_exact(more)?;
+        Ok(Slots::shared(self, more))
     }
 
     #[cold]

@@ -65,6 +65,11 @@ impl Points {
         if explicit && size <= self.grid() * 512.0 {
             return Sign::of(det);
         }
+        if explicit {
+            if let Some(rows) = wide::short_differences(ids.map(|i| self.xyz(i)), size) {
+                return wide::short_insphere(&rows);
+            }
+        }
         if let Some(rows) = self.differences(ids) {
             return wide::insphere(&rows);
         }

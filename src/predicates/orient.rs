@@ -43,6 +43,11 @@ impl Points {
         if !explicit && self.three_on_a_segment(ids) {
             return Sign::Zero;
         }
+        if explicit {
+            if let Some(rows) = wide::short_differences(ids.map(|i| self.xyz(i)), size) {
+                return wide::short_orient3d(&rows);
+            }
+        }
         if let Some(rows) = self.differences(ids) {
             return wide::orient3d(&rows);
         }

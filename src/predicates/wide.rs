@@ -9,6 +9,118 @@
 
 use super::Sign;
 
+/// Differences of explicit points to the last one as integers, if 62 bits hold them all exactly; `size` bounds their rounded
+/// values. Hardly more than the differences' rounding errors (Knuth 1969) is to compute; most exact tests go this way.
+///
+/// With |difference| <= 2^62: minor 2^125, squared distance 2^126, triple product 2^189, insphere 2^317: they fit as well.
+#[inline(always)]
+pub(crate) fn short_differences<const N: usize, const M: usize>(
+    points: [&[f64; 3]; N],
+    size: f64,
+) -> Option<[[i64; 3]; M]> {
+    const { assert!(M + 1 == N) };
+    let exponent = ((size.to_bits() >> 52) & 0x7ff) as i64 - 1023;
+    // Largest differences to 2^61 and more, below 2^62. Coordinates in range keep this factor a normal number.
+    let factor = f64::from_bits((((61 - exponent) + 1023) as u64) << 52);
+    let last = points[N - 1];
+    let mut rows = [[0; 3]; M];
+    let mut exact = true;
+    for (row, p) in rows.iter_mut().zip(points) {
+        for axis in 0..3 {
+            let (a, b) = (p[axis], last[axis]);
+            let difference = a - b;
+            let b_part = a - difference;
+            let rest = (a - (difference + b_part)) + (b_part - b);
+            let (high, low) = (difference * factor, rest * factor);
+            let (high_integer, low_integer) = (high as i64, low as i64);
+            exact &= (high_integer as f64 == high) & (low_integer as f64 == low);
+            row[axis] = high_integer.wrapping_add(low_integer);
+        }
+    }
+    exact.then_some(rows)
+}
+
+/// `low + high 2^64`.
+#[derive(Clone, Copy)]
+struct Triple {
+    low: u64,
+    high: i128,
+}
+
+impl Triple {
+    #[inline(always)]
+    fn product(x: i64, y: i128) -> Triple {
+        let low = i128::from(x) * i128::from(y as u64);
+        Triple { low: low as u64, high: i128::from(x) * (y >> 64) + (low >> 64) }
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Triple) -> Triple {
+        let (low, carry) = self.low.overflowing_add(other.low);
+        Triple { low, high: self.high + other.high + i128::from(carry) }
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Triple) -> Triple {
+        let (low, borrow) = self.low.overflowing_sub(other.low);
+        Triple { low, high: self.high - other.high - i128::from(borrow) }
+    }
+
+    /// `z₁ m₁ − z₂ m₂ + z₃ m₃`.
+    #[inline(always)]
+    fn combined(z: [i64; 3], m: [i128; 3]) -> Triple {
+        Triple::product(z[0], m[0]).minus(Triple::product(z[1], m[1])).plus(Triple::product(z[2], m[2]))
+    }
+
+    fn sign(self) -> Sign {
+        match (self.high, self.low) {
+            (0, 0) => Sign::Zero,
+            (high, _) if high < 0 => Sign::Negative,
+            _ => Sign::Positive,
+        }
+    }
+
+    /// The product with a number that is not negative.
+    #[inline(always)]
+    fn times(self, l: i128) -> [u64; 5] {
+        let digits = [self.low, self.high as u64];
+        let top = i128::from((self.high >> 64) as i64);
+        let row = |factor: u64| {
+            let first = u128::from(factor) * u128::from(digits[0]);
+            let second = u128::from(factor) * u128::from(digits[1]) + (first >> 64);
+            // Below 2^64 2^62 in size.
+            let third = i128::from(factor) * top + (second >> 64) as i128;
+            [first as u64, second as u64, third as u64, (third >> 64) as u64]
+        };
+        let (a, b) = (row(l as u64), row((l >> 64) as u64));
+        let extended = |x: [u64; 4]| ((x[3] as i64) >> 63) as u64;
+        add(&[a[0], a[1], a[2], a[3], extended(a)], &[0, b[0], b[1], b[2], b[3]])
+    }
+}
+
+#[inline(always)]
+fn short_minor(a: &[i64; 3], b: &[i64; 3]) -> i128 {
+    i128::from(a[0]) * i128::from(b[1]) - i128::from(a[1]) * i128::from(b[0])
+}
+
+/// Sign of `det(b − a, c − a, d − a)`, from the differences to d.
+pub(crate) fn short_orient3d([a, b, c]: &[[i64; 3]; 3]) -> Sign {
+    let minors = [short_minor(b, c), short_minor(a, c), short_minor(a, b)];
+    -Triple::combined([a[2], b[2], c[2]], minors).sign()
+}
+
+/// Positive when e is inside the circumsphere of the positive tetrahedron (a, b, c, d), from the differences to e.
+pub(crate) fn short_insphere([a, b, c, d]: &[[i64; 3]; 4]) -> Sign {
+    let (ab, ac, ad) = (short_minor(a, b), short_minor(a, c), short_minor(a, d));
+    let (bc, bd, cd) = (short_minor(b, c), short_minor(b, d), short_minor(c, d));
+    let square = |p: &[i64; 3]| p.iter().map(|&x| i128::from(x) * i128::from(x)).sum::<i128>();
+    let first = Triple::combined([b[2], c[2], d[2]], [cd, bd, bc]).times(square(a));
+    let second = Triple::combined([a[2], c[2], d[2]], [cd, ad, ac]).times(square(b));
+    let third = Triple::combined([a[2], b[2], d[2]], [bd, ad, ab]).times(square(c));
+    let fourth = Triple::combined([a[2], b[2], c[2]], [bc, ac, ab]).times(square(d));
+    sign(&subtract(&add(&subtract(&first, &second), &third), &fourth))
+}
+
 type Row<const L: usize> = [[u64; L]; 3];
 
 /// Differences of the first N − 1 points to the last one (whose own row is zero).

@@ -111,7 +111,7 @@ pub(super) fn preserved(
 }
 
 /// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
-pub(super) fn delaunay(engine: Engine, plc: &Plc, surface: &Surface) -> Result<TetMesh, Error> {
+pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<TetMesh, Error> {
     let Engine { delaunay, input_of, .. } = engine;
     let mut mesh = delaunay.mesh;
     let mut number = Vec::new();
@@ -133,7 +133,7 @@ pub(super) fn delaunay(engine: Engine, plc: &Plc, surface: &Surface) -> Result<T
     mesh.adj.truncate(count as usize);
     let mut out = TetMesh {
         input_point_count: plc.points.len() as u32,
-        point_alias: surface.alias.clone(),
+        point_alias: alias,
         regions: vec![Region { attribute: 1.0, seed: INVALID, max_volume: None }],
         tets: mesh.verts,
         neighbors: mesh.adj,

@@ -53,7 +53,7 @@ impl Run<'_> {
             self.statistics.preserve = Default::default();
         }
         let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
-        self.delaunay_in(&mut engine, &mut order)?;
+        self.delaunay_in(&mut engine, &mut order, options.threads)?;
         let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
         let subfaces = self.recover_facets(&surface, &segments, &mut engine)?;
         let counts = &mut self.statistics.preserve;
@@ -108,8 +108,11 @@ impl Run<'_> {
         for corner in surrounding_box(engine.points.coordinates()) {
             engine.points.push(corner)?;
         }
+        for end in &mut engine.rounds {
+            *end += 8;
+        }
         let mut order: Vec<u32> = (count..count + 8).chain(inner).collect();
-        self.delaunay_in(&mut engine, &mut order)?;
+        self.delaunay_in(&mut engine, &mut order, options.threads)?;
         engine.delaunay.index_vertices(engine.points.len())?;
 
         report(self.observer, Phase::Segments, 0.0)?;

@@ -384,3 +384,37 @@ fn a_wall_on_a_floor_that_does_not_list_it() {
     plc.points[9][2] = -1.0;
     assert_eq!(run(&plc, &Options::default()).unwrap_err().status, Status::SelfIntersection);
 }
+
+/// A box with so many points inside that rounds are inserted by ranges.
+fn crowded_box() -> Plc {
+    let mut plc = cube(1.0);
+    let mut state = 5u64;
+    let mut next = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 20) as f64 / (1u64 << 44) as f64
+    };
+    plc.points.extend((0..66_000).map(|_| [next(), next(), next()]));
+    // Some twice: duplicates are mapped to the first ones.
+    let again = plc.points[100..150].to_vec();
+    plc.points.extend(again);
+    plc
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_mesh() {
+    let plc = crowded_box();
+    for mode in [Mode::Delaunay, Mode::Constrained] {
+        let by = |threads| {
+            let options = Options { mode, threads, ..Options::default() };
+            let mut mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+            mesh.statistics.seconds = Default::default();
+            mesh.statistics.peak_bytes = 0;
+            mesh
+        };
+        let one = by(1);
+        assert!(one.tets.len() > 400_000);
+        for threads in [2, 3, 4, 7] {
+            assert!(by(threads) == one, "{mode:?}, {threads} threads");
+        }
+    }
+}

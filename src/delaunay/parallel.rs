@@ -1,0 +1,368 @@
+//! One round of insertions by several workers (after Marot, Pellerin & Remacle 2019, "One machine, one minute, three billion
+//! tetrahedra", with another schedule).
+//!
+//! A *pass* divides space into ranges (module `ranges`). A tetrahedron with all vertices in one range belongs to it, the
+//! others are frozen. Each range inserts its vertices in their order and touches its own tetrahedra only; a vertex whose
+//! walk or cavity would need a frozen one is deferred, to the next pass, which divides space differently, and the few that
+//! remain at last are inserted by one thread. New tetrahedra go to a block of slots set aside for the range.
+//!
+//! *Same bytes for any number of threads.* What the ranges are depends on the vertices alone, and what a range does on its
+//! own tetrahedra alone: not on the worker, nor on what others do at the same time. So slots come out the same whether one
+//! thread works off all ranges or many do, and nothing has to be renumbered.
+//!
+//! No data race: see [`Slots`].
+//!
+//! # Scaling
+//!
+//! A vertex is deferred if its cavity reaches a tetrahedron across a border. Of a range of m vertices about c·m^(2/3) lie so
+//! near its border, so that of V present vertices in R ranges the part f = c·(R/V)^(1/3) is deferred, and about f² after a
+//! second pass, whose borders meet the first one's in lines. That is work done half in vain, and the f² are sequential.
+//! The number of ranges grows as √V: f falls as V^(-1/6), and the number of threads that can be used grows (module
+//! `ranges`): 2 from 6·10^4 vertices on, 4 at 10^6, 12 at 10^7, 40 at 10^8, 126 at 10^9.
+//!
+//! `capi-tests/bench/delaunay.rs` counts the conflicts for any number of ranges. Uniform random points, part of the last
+//! round's vertices that each pass deferred, and the bound of the speed-up of insertion by as many threads as ranges (equal
+//! work per vertex, half of it for a deferred one; rounds below 8192 vertices and what the last pass leaves are sequential):
+//!
+//! | points | ranges | pass 1 | pass 2 | pass 3 | speed-up at most |
+//! |--:|--:|--:|--:|--:|--:|
+//! | 10^6 | 2 | 5.3 % | 0.4 % | – | 1.96 |
+//! | 10^6 | 4 (chosen) | 10.3 % | 0.7 % | – | 3.2 |
+//! | 10^6 | 8 | 15.1 % | 3.4 % | – | 5.4 |
+//! | 10^6 | 16 | 24.5 % | 9.9 % | 3.8 % | 7.3 |
+//! | 10^6 | 64 | 41 % | 38 % | 35 % | 3.8 |
+//! | 10^7 | 8 | 6.9 % | 0.8 % | – | 6.9 |
+//!
+//! So 8 threads want 10^7 points and 16 a few 10^7; 64 ranges, by the law above fitted to the rows of 8, defer 7 % in the first
+//! pass at 8·10^7 points. Ordering and division are sequential; each pass looks once at all tetrahedra, in parallel.
+#![allow(unsafe_code)]
+use super::cavity::Cavity;
+use super::locate::{walk, Walk};
+use super::ranges::{Division, FEWEST};
+use super::Delaunay;
+use crate::error::{Error, Status};
+use crate::mesh::slots::Slots;
+use crate::mesh::{flag, Tetrahedra, NONE};
+use crate::predicates::Points;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+/// A pass with fewer vertices is not worth its preparation.
+pub(super) const FEWEST_VERTICES: usize = 4096;
+/// After so many deferred vertices in a row a walk starts elsewhere.
+const PATIENCE: usize = 16;
+/// Vertices between two looks at the clock and the caller.
+const TICK: usize = 2048;
+
+/// What one range does in a pass.
+struct Task {
+    /// Its number in the flags.
+    owner: u16,
+    vertices: Vec<u32>,
+    /// Own tetrahedra along the curve, to start walks at.
+    starts: Vec<u32>,
+    free: Vec<u32>,
+    /// Slots not used yet.
+    block: std::ops::Range<u32>,
+}
+
+/// What it leaves.
+struct Outcome {
+    deferred: Vec<u32>,
+    free: Vec<u32>,
+}
+
+/// What all workers see.
+struct Shop<'a> {
+    slots: Slots<'a>,
+    points: &'a Points,
+    tasks: Mutex<std::iter::Enumerate<std::vec::IntoIter<Task>>>,
+    outcomes: Mutex<Vec<(usize, Outcome)>>,
+    failure: Mutex<Option<Error>>,
+    /// Set by a failure or a cancel: everybody stops.
+    stop: AtomicBool,
+    /// Vertices done, inserted or deferred.
+    done: AtomicUsize,
+    /// Threads at work beside the caller's.
+    helpers: AtomicUsize,
+}
+
+impl Shop<'_> {
+    fn fail(&self, error: Error) {
+        self.failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+        self.stop.store(true, Ordering::Relaxed);
+    }
+
+    /// Works off tasks until there are none.
+    fn work(
+        &self,
+        cavity: &mut Cavity,
+        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        cavity.prepare(self.points.len())?;
+        loop {
+            let next = self.tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some((index, task)) = next else { return Ok(()) };
+            let outcome = self.run(task, cavity, tick)?;
+            let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
+            outcomes.try_reserve(1)?;
+            outcomes.push((index, outcome));
+        }
+    }
+
+    /// Inserts what can be inserted of one range.
+    fn run(
+        &self,
+        mut task: Task,
+        cavity: &mut Cavity,
+        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+    ) -> Result<Outcome, Error> {
+        let vertices = std::mem::take(&mut task.vertices);
+        let mut deferred = Vec::new();
+        let mut hint = task.starts.first().copied().unwrap_or(NONE);
+        let mut row = 0;
+        for (i, &p) in vertices.iter().enumerate() {
+            if i % TICK == TICK - 1 {
+                let done = self.done.fetch_add(TICK, Ordering::Relaxed) + TICK;
+                tick(done)?;
+                if self.stop.load(Ordering::Relaxed) {
+                    return Err(Error::new(Status::Cancelled, "cancelled"));
+                }
+            }
+            if row == PATIENCE {
+                row = 0;
+                hint = self.nearest(&task, p).unwrap_or(hint);
+            }
+            let inserted = match hint {
+                NONE => None,
+                _ => self.insert(&mut task, cavity, p, hint)?,
+            };
+            row = if inserted.is_some() { 0 } else { row + 1 };
+            match inserted {
+                Some(t) => hint = t,
+                None => {
+                    deferred.try_reserve(1)?;
+                    deferred.push(p);
+                }
+            }
+        }
+        self.done.fetch_add(vertices.len() % TICK, Ordering::Relaxed);
+        // What is left of the block becomes part of the mesh as well.
+        task.free.try_reserve(task.block.len())?;
+        for t in task.block.rev() {
+            self.slots.set_verts(t, [NONE; 4]);
+            for f in 0..4 {
+                self.slots.set_across(4 * t + f, NONE);
+            }
+            self.slots.set_flags(t, flag::DEAD);
+            task.free.push(t);
+        }
+        Ok(Outcome { deferred, free: task.free })
+    }
+
+    /// Of the tetrahedra to start at, the nearest to `p` that still lives.
+    fn nearest(&self, task: &Task, p: u32) -> Option<u32> {
+        let at = self.points.xyz(p);
+        let mut best = (f64::INFINITY, None);
+        for &t in task.starts.iter().filter(|&&t| self.slots.flags(t) == task.owner) {
+            let q = self.points.xyz(self.slots.vertex(t, 0));
+            let distance: f64 = (0..3).map(|k| (at[k] - q[k]) * (at[k] - q[k])).sum();
+            if distance < best.0 {
+                best = (distance, Some(t));
+            }
+        }
+        best.1
+    }
+
+    /// Inserts `p` and returns one of its tetrahedra, or nothing where it must be deferred.
+    #[inline(always)]
+    fn insert(&self, task: &mut Task, cavity: &mut Cavity, p: u32, hint: u32) -> Result<Option<u32>, Error> {
+        let slots = &self.slots;
+        let t = match walk::<true>(slots, task.owner, self.points, p, hint) {
+            Walk::Found(t) => t,
+            Walk::Left => return Ok(None),
+            Walk::Lost => return Err(Error::internal("point location did not end")),
+        };
+        if !cavity.collect_conflicts::<true>(slots, task.owner, self.points, p, t)? {
+            return Ok(None);
+        }
+        let count = cavity.fresh_count();
+        let recycled = count.min(task.free.len());
+        if task.block.len() < count - recycled {
+            for &t in cavity.dead() {
+                slots.set_flags(t, task.owner);
+            }
+            return Ok(None);
+        }
+        cavity.fresh.clear();
+        cavity.fresh.try_reserve(count)?;
+        cavity.fresh.extend(task.free.drain(task.free.len() - recycled..));
+        let end = task.block.start + (count - recycled) as u32;
+        cavity.fresh.extend(task.block.start..end);
+        task.block.start = end;
+        cavity.fill(slots, task.owner, p)?;
+        task.free.try_reserve(cavity.dead().len())?;
+        for &t in cavity.dead() {
+            slots.set_flags(t, flag::DEAD);
+            task.free.push(t);
+        }
+        Ok(Some(cavity.fresh[0]))
+    }
+}
+
+/// Counts down when a helper ends, however it does.
+struct Leaving<'a, 'b>(&'a Shop<'b>);
+
+impl Drop for Leaving<'_, '_> {
+    fn drop(&mut self) {
+        self.0.helpers.fetch_sub(1, Ordering::Release);
+    }
+}
+
+/// Insertions of one pass.
+pub(super) struct Pass<'a> {
+    pub(super) points: &'a Points,
+    /// All vertices in the mesh.
+    pub(super) present: &'a [u32],
+    /// Slots set aside, of the number expected if no vertex is deferred. (Where they do not suffice vertices are deferred.)
+    pub(super) reserve: f64,
+    pub(super) threads: usize,
+}
+
+impl Delaunay {
+    /// Inserts vertices of a round, given by range; returns those that were deferred, in the same order.
+    pub(super) fn insert_pass(
+        &mut self,
+        pass: &Pass,
+        division: Division,
+        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+    ) -> Result<Vec<u32>, Error> {
+        let threads = pass.threads.min(division.parts.len()).max(1);
+        let starts = self.assign(&division, threads)?;
+        let vertices: usize = division.parts.iter().map(Vec::len).sum();
+        let each = self.mesh.live_count() as f64 / pass.present.len().max(1) as f64 * pass.reserve;
+        let mut tasks = Vec::new();
+        tasks.try_reserve(division.parts.len())?;
+        // Free slots are shared out first; what they do not cover gets a block.
+        let mut free = std::mem::take(&mut self.mesh.free);
+        let first = self.mesh.slot_count() as u32;
+        let mut end = first;
+        let share = free.len();
+        for (i, (vertices_of, starts)) in division.parts.into_iter().zip(starts).enumerate() {
+            let part = vertices_of.len() as f64;
+            let own = (share as f64 * part / vertices.max(1) as f64) as usize;
+            let own = free.split_off(free.len() - own.min(free.len()));
+            let more = (part * each) as usize + 64;
+            let block = end..end.saturating_add(more.saturating_sub(own.len()) as u32);
+            end = block.end;
+            tasks.push(Task { owner: i as u16 + 1, vertices: vertices_of, starts, free: own, block });
+        }
+        let more = (end - first) as usize;
+        let shop = Shop {
+            slots: self.mesh.share(more)?,
+            points: pass.points,
+            outcomes: Mutex::new(Vec::new()),
+            tasks: Mutex::new(tasks.into_iter().enumerate()),
+            failure: Mutex::new(None),
+            stop: AtomicBool::new(false),
+            done: AtomicUsize::new(0),
+            helpers: AtomicUsize::new(0),
+        };
+        work_together(&shop, &mut self.cavity, threads, tick)?;
+        let mut outcomes = shop.outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
+        outcomes.sort_unstable_by_key(|&(index, _)| index);
+        // SAFETY: no range has failed, so each has written all slots of its block: those it used by `Cavity::fill`, the rest
+        // at its end. `share` has made room for them.
+        unsafe { self.mesh.adopt(more) };
+        let mut deferred = Vec::new();
+        for (_, outcome) in outcomes {
+            free.try_reserve(outcome.free.len())?;
+            free.extend(outcome.free);
+            deferred.try_reserve(outcome.deferred.len())?;
+            deferred.extend(outcome.deferred);
+        }
+        self.mesh.free = free;
+        Ok(deferred)
+    }
+
+    /// Writes the owner of each tetrahedron into its flags; returns for each range some of its tetrahedra.
+    fn assign(&mut self, division: &Division, threads: usize) -> Result<Vec<Vec<u32>>, Error> {
+        let Tetrahedra { verts, flags, .. } = &mut self.mesh;
+        let part = verts.len().div_ceil(threads).max(FEWEST);
+        std::thread::scope(|scope| {
+            let mut parts = verts.chunks(part).zip(flags.chunks_mut(part));
+            let own = parts.next();
+            for (verts, flags) in parts {
+                let spawned =
+                    std::thread::Builder::new().spawn_scoped(scope, move || division.assign(verts, flags));
+                if spawned.is_err() {
+                    return Err(Error::new(Status::OutOfMemory, "no thread could be started"));
+                }
+            }
+            if let Some((verts, flags)) = own {
+                division.assign(verts, flags);
+            }
+            Ok(())
+        })?;
+        let mut starts: Vec<Vec<u32>> = Vec::new();
+        starts.try_reserve(division.parts.len())?;
+        starts.resize_with(division.parts.len(), Vec::new);
+        let stride = (flags.len() / (64 * division.parts.len())).max(1);
+        for t in (0..flags.len()).step_by(stride) {
+            let owner = flags[t] & flag::OWNER;
+            if owner != 0 && flags[t] & flag::DEAD == 0 {
+                let list = &mut starts[owner as usize - 1];
+                list.try_reserve(1)?;
+                list.push(t as u32);
+            }
+        }
+        Ok(starts)
+    }
+}
+
+/// Runs the tasks on the caller's thread and `threads − 1` helpers. Only the caller's thread calls `tick`.
+fn work_together(
+    shop: &Shop,
+    cavity: &mut Cavity,
+    threads: usize,
+    tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+) -> Result<(), Error> {
+    let caller = std::thread::current();
+    std::thread::scope(|scope| {
+        for _ in 1..threads {
+            shop.helpers.fetch_add(1, Ordering::Relaxed);
+            let caller = &caller;
+            let helper = move || {
+                let leaving = Leaving(shop);
+                let work = || shop.work(&mut Cavity::default(), &mut |_| Ok(()));
+                // A panic must not leave the engine: it is an error of this run.
+                match std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)) {
+                    Ok(Ok(())) => {}
+                    Ok(Err(error)) => shop.fail(error),
+                    Err(_) => shop.fail(Error::internal("a worker panicked")),
+                }
+                drop(leaving);
+                caller.unpark();
+            };
+            if std::thread::Builder::new().spawn_scoped(scope, helper).is_err() {
+                // Fewer do the same work.
+                shop.helpers.fetch_sub(1, Ordering::Relaxed);
+                break;
+            }
+        }
+        if let Err(error) = shop.work(cavity, tick) {
+            shop.fail(error);
+        }
+        while shop.helpers.load(Ordering::Acquire) > 0 {
+            if let Err(error) = tick(shop.done.load(Ordering::Relaxed)) {
+                shop.fail(error);
+            }
+            std::thread::park_timeout(Duration::from_millis(20));
+        }
+    });
+    match shop.failure.lock().unwrap_or_else(PoisonError::into_inner).take() {
+        Some(error) => Err(error),
+        None => Ok(()),
+    }
+}
