@@ -74,7 +74,11 @@ impl Run<'_> {
         let carved = std::mem::take(&mut engine.delaunay.mesh);
         let mut solid = Solid::carve(carved, engine.points.len(), &components, &regions, &subfaces)?;
         drop((subfaces, components));
-        let target = Target { triangles: &engine.map(&surface.triangles)?, patch: &patch };
+        let target = Target {
+            triangles: &engine.map(&surface.triangles)?,
+            patch: &patch,
+            facet: &surface.triangle_facet,
+        };
         let observer = &mut *self.observer;
         let inside = from_constrained(
             &mut solid,
