@@ -248,6 +248,21 @@ impl Subfaces {
         convex.then_some([a, d])
     }
 
+    /// The edge between two triangles crosses the open segment between two vertices of the patch.
+    pub fn crosses(&self, points: &Points, code: u32, [p, q]: [u32; 2]) -> bool {
+        let (t, i) = ((code / 3) as usize, (code % 3) as usize);
+        let (x, y) = (self.verts[t][(i + 1) % 3], self.verts[t][(i + 2) % 3]);
+        if self.adj[t][i] == NONE || [p, q].contains(&x) || [p, q].contains(&y) {
+            return false;
+        }
+        let axis = self.axis[self.patch[t] as usize] as usize;
+        let apart = |a, b, c, d| {
+            let side = points.orient_in_plane(axis, a, b, c);
+            side != Sign::Zero && points.orient_in_plane(axis, a, b, d) == -side
+        };
+        apart(p, q, x, y) && apart(x, y, p, q)
+    }
+
     /// Turns an edge between two triangles into the other diagonal of their quadrilateral, which must be convex.
     pub fn turn(&mut self, code: u32) {
         let (t, i) = ((code / 3) as usize, (code % 3) as usize);

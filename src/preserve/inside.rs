@@ -13,6 +13,11 @@ pub struct Inside {
 }
 
 impl Inside {
+    /// Points that are there already.
+    pub fn of(list: Vec<u32>) -> Inside {
+        Inside { list, ..Inside::default() }
+    }
+
     /// A new point. (Its coordinates must be in the exact range.)
     pub fn add(&mut self, solid: &mut Solid, points: &mut Points, at: [f64; 3]) -> Result<u32, Error> {
         let p = match self.spare.pop() {

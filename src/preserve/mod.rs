@@ -48,10 +48,11 @@ pub fn from_constrained(
     points: &mut Points,
     segments: &Segments,
     target: &Target,
+    mut inside: Inside,
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<Inside, Error> {
-    let mut inside = Inside::default();
+    inside.sweep(solid);
     let removal = removal::remove_all(solid, points, segments, target, &mut inside, &mut |f| tick(0.6 * f))?;
     statistics.deleted += removal.deleted;
     statistics.relocated += removal.relocated;

@@ -8,6 +8,7 @@
 //! Invariants: `edges` holds the surface's edges that the mesh has, flags the faces; neither is ever lost.
 use super::cavity::{Cavity, Edges};
 use super::corridor::{Corridor, Outcome};
+use super::place::place;
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
@@ -46,6 +47,10 @@ pub struct Recovery<'a> {
     pub recovered: u64,
     /// Edges recovered by points on them.
     pub split: u64,
+    /// Faces recovered with points inside.
+    pub by_points: u64,
+    /// The points inside.
+    pub inside: Vec<u32>,
 }
 
 impl<'a> Recovery<'a> {
@@ -64,6 +69,8 @@ impl<'a> Recovery<'a> {
             missing_faces: 0,
             recovered: 0,
             split: 0,
+            by_points: 0,
+            inside: Vec::new(),
         }
     }
 
@@ -182,7 +189,6 @@ impl<'a> Recovery<'a> {
         self.conform(subfaces)?;
         self.inner_edges(subfaces)?;
         self.conform(subfaces)?;
-        let subfaces = &*subfaces;
         let count = subfaces.verts.len();
         let mut present = Vec::new();
         present.try_reserve(count)?;
@@ -202,8 +208,18 @@ impl<'a> Recovery<'a> {
                     continue;
                 }
                 self.collect_region(subfaces, s as u32, &present, &mut in_region, &mut region)?;
+                if region.len() > 1 && self.conform_region(subfaces, &region)? {
+                    for &r in &region {
+                        in_region[r as usize] = false;
+                        present[r as usize] = self.mark_if_present(subfaces.verts[r as usize]);
+                    }
+                    if present[s] {
+                        continue;
+                    }
+                    self.collect_region(subfaces, s as u32, &present, &mut in_region, &mut region)?;
+                }
                 let corners: Vec<[u32; 3]> = region.iter().map(|&r| subfaces.verts[r as usize]).collect();
-                let done = self.recover_region(&corners, budget, round > 0)?;
+                let done = self.recover_region(&corners, budget, round > 0, round + 1 == BUDGETS.len())?;
                 for &r in &region {
                     in_region[r as usize] = false;
                     present[r as usize] |= done;
@@ -261,6 +277,34 @@ impl<'a> Recovery<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Turns edges between the subfaces of a region until it has all edges of the mesh between its vertices; true if any was turned.
+    /// (Sloan 1993; edges of the mesh do not cross each other.)
+    fn conform_region(&mut self, subfaces: &mut Subfaces, region: &[u32]) -> Result<bool, Error> {
+        let mut vertices: Vec<u32> = Vec::new();
+        vertices.try_reserve(3 * region.len())?;
+        vertices.extend(region.iter().flat_map(|&r| subfaces.verts[r as usize]));
+        vertices.sort_unstable();
+        vertices.dedup();
+        let mut any = false;
+        for (i, &p) in vertices.iter().enumerate() {
+            for &q in &vertices[i + 1..] {
+                if !self.has_edge(p, q) {
+                    continue;
+                }
+                for _ in 0..region.len() * region.len() {
+                    let crossing = region.iter().flat_map(|&r| 3 * r..3 * r + 3).find(|&code| {
+                        subfaces.crosses(self.points, code, [p, q])
+                            && subfaces.other_diagonal(self.points, code).is_some()
+                    });
+                    let Some(code) = crossing else { break };
+                    subfaces.turn(code);
+                    any = true;
+                }
+            }
+        }
+        Ok(any)
     }
 
     /// The missing subfaces connected to `s` through edges that the mesh lacks.
@@ -454,7 +498,13 @@ impl<'a> Recovery<'a> {
     }
 
     /// Makes the triangles of a region, whose boundary edges are in the mesh, faces.
-    fn recover_region(&mut self, region: &[[u32; 3]], budget: u32, stubborn: bool) -> Result<bool, Error> {
+    fn recover_region(
+        &mut self,
+        region: &[[u32; 3]],
+        budget: u32,
+        stubborn: bool,
+        last: bool,
+    ) -> Result<bool, Error> {
         loop {
             let mut all = true;
             for &triangle in region {
@@ -467,11 +517,14 @@ impl<'a> Recovery<'a> {
                 return Ok(false);
             }
             self.cavity.bound(self.delaunay, &self.edges)?;
-            if self.fill_halves(region, budget)? {
+            if self.fill_halves(region, budget, false)? {
                 continue;
             }
-            if !stubborn || !self.clear_region(region, budget)? {
+            if !stubborn {
                 return Ok(false);
+            }
+            if !self.clear_region(region, budget)? {
+                return if last { self.fill_with_points(region, budget) } else { Ok(false) };
             }
         }
     }
@@ -539,9 +592,51 @@ impl<'a> Recovery<'a> {
         Ok(true)
     }
 
-    /// Fills both sides of the region in the bounded cavity.
-    fn fill_halves(&mut self, region: &[[u32; 3]], budget: u32) -> Result<bool, Error> {
+    /// Opens the region once more and fills its halves with the help of points inside.
+    fn fill_with_points(&mut self, region: &[[u32; 3]], budget: u32) -> Result<bool, Error> {
+        if !self.collect_crossing(region)? {
+            return Ok(false);
+        }
+        self.cavity.bound(self.delaunay, &self.edges)?;
+        if !self.fill_halves(region, budget, true)? {
+            return Ok(false);
+        }
+        self.by_points += region.len() as u64;
+        for &triangle in region {
+            if !self.mark_if_present(triangle) {
+                return Err(Error::internal("a filled region has a missing subface"));
+            }
+        }
+        Ok(true)
+    }
+
+    /// A new point that sees all the faces, joined to them.
+    fn star_point(&mut self, faces: &[[u32; 3]]) -> Result<bool, Error> {
+        let mut from = [0.0; 3];
+        for face in faces {
+            for v in face {
+                let p = self.points.xyz(*v);
+                from = [0, 1, 2].map(|k| from[k] + p[k] / (3 * faces.len()) as f64);
+            }
+        }
+        let p = self.points.push(from)?;
+        if !place(self.points, p, faces, from, &[])? {
+            self.points.truncate(p as usize);
+            return Ok(false);
+        }
+        self.delaunay.vertex_tet.try_reserve(1)?;
+        self.delaunay.vertex_tet.push(NONE);
+        self.inside.try_reserve(1)?;
+        self.inside.push(p);
+        self.tets.try_reserve(faces.len())?;
+        self.tets.extend(faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+        Ok(true)
+    }
+
+    /// Fills both sides of the region in the bounded cavity; with points inside, if `help` allows them.
+    fn fill_halves(&mut self, region: &[[u32; 3]], budget: u32, help: bool) -> Result<bool, Error> {
         self.tets.clear();
+        let known = self.inside.len();
         for above in [true, false] {
             let wanted = if above { Sign::Positive } else { Sign::Negative };
             let on_side = |v: &u32| self.side(region, *v) == wanted;
@@ -560,7 +655,15 @@ impl<'a> Recovery<'a> {
             inner.dedup();
             inner.retain(|v| !faces.iter().any(|f| f.contains(v)));
             let polyhedron = Polyhedron { faces: &faces, inner: &inner, edges: &edges, without: None };
-            if !self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
+            if self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
+                continue;
+            }
+            if !help || !inner.is_empty() || !edges.is_empty() || !self.star_point(&faces)? {
+                for _ in known..self.inside.len() {
+                    self.inside.pop();
+                    self.delaunay.vertex_tet.pop();
+                    self.points.truncate(self.points.len() - 1);
+                }
                 return Ok(false);
             }
         }

@@ -74,9 +74,16 @@ impl Model {
         let facet = vec![0; self.triangles.len()];
         let target = Target { triangles: &self.triangles, patch: &self.patch, facet: &facet };
         let mut statistics = PreserveStatistics::default();
-        let inside =
-            from_constrained(&mut solid, &mut points, &segments, &target, &mut statistics, &mut |_| Ok(()))
-                .unwrap();
+        let inside = from_constrained(
+            &mut solid,
+            &mut points,
+            &segments,
+            &target,
+            Inside::default(),
+            &mut statistics,
+            &mut |_| Ok(()),
+        )
+        .unwrap();
         check_solid(&solid, &points).unwrap();
         for &triangle in &self.triangles {
             assert!(solid.patch_of.contains_key(&face_key(triangle)), "{triangle:?} is no face");

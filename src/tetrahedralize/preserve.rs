@@ -14,7 +14,9 @@ use crate::output::TetMesh;
 use crate::plc::patch::Patches;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
+use crate::predicates::scale;
 use crate::preserve::from_constrained;
+use crate::preserve::inside::Inside;
 use crate::preserve::order::first_points;
 use crate::preserve::recover::Recovery;
 use crate::preserve::retarget::Target;
@@ -29,6 +31,8 @@ struct Embedded {
     subfaces: Subfaces,
     /// Patch of each triangle of the surface.
     patch: Vec<u32>,
+    /// Points inside.
+    inside: Vec<u32>,
 }
 
 impl Run<'_> {
@@ -57,7 +61,12 @@ impl Run<'_> {
         counts.missing_edges = segments.missing;
         counts.by_splits = segments.missing;
         let patch = surface.triangle_patch.clone();
-        self.free_surface(plc, &surface, options, Embedded { engine, segments, subfaces, patch })
+        self.free_surface(
+            plc,
+            &surface,
+            options,
+            Embedded { engine, segments, subfaces, patch, inside: Vec::new() },
+        )
     }
 
     /// Carves the domain and takes all points off the surface.
@@ -68,7 +77,7 @@ impl Run<'_> {
         options: &Options,
         embedded: Embedded,
     ) -> Result<TetMesh, Error> {
-        let Embedded { mut engine, segments, subfaces, patch } = embedded;
+        let Embedded { mut engine, segments, subfaces, patch, inside } = embedded;
         let (components, regions) = self.find_regions(plc, options, &mut engine)?;
         report(self.observer, Phase::Preserve, 0.0)?;
         let carved = std::mem::take(&mut engine.delaunay.mesh);
@@ -80,14 +89,22 @@ impl Run<'_> {
             facet: &surface.triangle_facet,
         };
         let observer = &mut *self.observer;
+        let exponent = engine.scale;
         let inside = from_constrained(
             &mut solid,
             &mut engine.points,
             &segments,
             &target,
+            Inside::of(inside),
             &mut self.statistics.preserve,
             &mut |fraction| report(observer, Phase::Preserve, fraction),
-        )?;
+        )
+        .map_err(|mut error| {
+            for point in error.defects.iter_mut().filter_map(|d| d.point.as_mut()) {
+                *point = point.map(|x| scale(x, -exponent));
+            }
+            error
+        })?;
         self.statistics.missing_segments = segments.missing;
         let mut mesh = assemble::preserved(&engine, plc, surface, &solid, &inside.list, &regions)?;
         mesh.hull_kept = options.keep_hull;
@@ -147,9 +164,12 @@ impl Run<'_> {
         counts.missing_faces = recovery.missing_faces;
         counts.by_reconnection = recovery.recovered;
         counts.by_splits = recovery.split;
+        counts.by_interior_points = recovery.by_points;
+        let inside = std::mem::take(&mut recovery.inside);
+        drop(recovery);
         self.lap(Phase::Facets);
         self.note_peak(&engine);
-        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch }))
+        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch, inside }))
     }
 }
 
