@@ -99,6 +99,33 @@ fn check_accepts_the_mesh_and_refuses_a_damaged_one() {
     assert!(text(dir.join("r.json")).contains("tetrahedron not positive"));
 }
 
+/// Conformity of a mesh with Steiner points is judged from its files: `.parents` says where they lie.
+#[test]
+fn check_judges_conformity_by_the_parents_file() {
+    let dir = folder("parents");
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("capi-tests/data/schoenhardt.off");
+    std::fs::copy(model, dir.join("s.off")).unwrap();
+    assert!(delotet(&["mesh", "s.off", "-o", "s.ele"], &dir).status.success());
+    let check = || {
+        let output = delotet(&["check", "s.ele", "--input", "s.off"], &dir);
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let (code, said) = check();
+    assert!(code == Some(0) && said.contains("correct") && !said.contains("not judged"), "{said}");
+    let parents = text(dir.join("s.parents"));
+    // Another parameter of the first Steiner point.
+    let line = parents.lines().nth(1).unwrap();
+    let other = format!("{} 0.0625", line.rsplit_once(' ').unwrap().0);
+    std::fs::write(dir.join("s.parents"), parents.replacen(line, &other, 1)).unwrap();
+    assert_eq!(check().0, Some(1));
+    // A number of faces that is not the mesh's.
+    std::fs::write(dir.join("s.parents"), "0 1 0 0\n0\n").unwrap();
+    assert_eq!(check().0, Some(1));
+    std::fs::remove_file(dir.join("s.parents")).unwrap();
+    let (code, said) = check();
+    assert!(code == Some(0) && said.contains("conformity was not judged"), "{said}");
+}
+
 #[test]
 fn regions_carry_their_attributes() {
     let dir = folder("regions");

@@ -17,8 +17,6 @@ fn refused(error: &Error) -> bool {
             | Status::NothingEnclosed
             | Status::DuplicatePoint
             | Status::Rounding
-            // Off the binary grid, what was coplanar or collinear is apart by an ulp: no sensible number of points parts that.
-            | Status::SteinerLimit
     )
 }
 

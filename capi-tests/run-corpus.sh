@@ -32,6 +32,8 @@ open_models() {
 
 step "public models, cdt" run --mode cdt --tsv "$out/cdt.tsv"
 step "public models, merge" run --mode merge --tsv "$out/merge.tsv"
+step "public models, facets merged, against the surface that was meshed" python3 capi-tests/judge_merged.py --bin "$bin" \
+  --judge "$judge" --list "$shared/corpus/public.txt"
 step "public models, preserve" run --mode preserve --tsv "$out/preserve.tsv"
 step "open models, hull kept" open_models
 step "broken models" run --invalid --limit 120 --tsv "$out/invalid.tsv"

@@ -45,10 +45,13 @@ if make_judge; then
   grep -v '/bad_' "$work/sample" > "$work/sample-valid.txt"
   grep '/bad_' "$work/sample" > "$work/sample-invalid.txt"
   run() { python3 "$shared/tools/run-corpus" --bin "$bin" --judge "$judge" "$@"; }
-  for mode in cdt merge preserve; do
+  merged() { python3 capi-tests/judge_merged.py --bin "$bin" --judge "$judge" "$@"; }
+  for mode in cdt preserve; do
     step "our models, $mode, judged" run --list "$work/own-valid.txt" --mode $mode
     step "sample of the corpus, $mode, judged" run --list "$work/sample-valid.txt" --mode $mode
   done
+  step "our models, facets merged, judged" merged --list "$work/own-valid.txt"
+  step "sample of the corpus, facets merged, judged" merged --list "$work/sample-valid.txt"
   step "our broken models" run --invalid --list "$work/own-invalid.txt"
   step "sample of the broken models" run --invalid --list "$work/sample-invalid.txt"
   for set in uniform:20000 clustered:10000 sphere:10000 cylinder:5000 grid:8000 plane+1:5000 parabola:300 moment:300; do

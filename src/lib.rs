@@ -50,7 +50,8 @@ pub use check::{check_mesh, check_preserved};
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, Options};
 pub use output::{
-    FacetFlip, PreserveStatistics, Region, Statistics, SteinerPoint, Subface, Subsegment, TetMesh,
+    FacetFlip, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment,
+    TetMesh,
 };
 pub use plc::{Facet, Interior, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};

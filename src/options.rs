@@ -32,8 +32,7 @@ pub struct Options {
     /// Worker threads, at least 1. The result does not depend on it. Default: 1.
     pub threads: usize,
     /// Give up with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None, that
-    /// is 100,000 and 100 more per segment, many times what any model has needed: elements an ulp apart would go on splitting
-    /// each other beyond what doubles can resolve.
+    /// is 100,000 and 100 more per segment, many times what any model has needed.
     pub steiner_limit: Option<u64>,
     /// Return the mesh also if some Steiner points have no valid position in doubles, instead of
     /// [`Status::Rounding`](crate::Status::Rounding): [`TetMesh::crowded`](crate::TetMesh::crowded) lists them,

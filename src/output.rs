@@ -8,7 +8,7 @@ pub struct SteinerPoint {
     /// Ends of the input edge (input point indices) that the point was put on: exactly `a + t (b − a)`. Both are
     /// [`INVALID`](crate::INVALID) for a point inside, which lies on no edge ([`TetMesh::preserved`]).
     pub ends: [u32; 2],
-    /// The parameter; 0 for a point inside.
+    /// The parameter, up to the point's [`SteinerTerm`]s, which hardly any point has; 0 for a point inside.
     pub t: f64,
     /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only.
     pub segment: u32,
@@ -27,6 +27,17 @@ impl SteinerPoint {
     pub fn is_inside(&self) -> bool {
         self.ends == [crate::INVALID; 2]
     }
+}
+
+/// A term of a Steiner point's parameter beyond [`SteinerPoint::t`]: the exact parameter is the sum. Segments that run
+/// so close to each other that a double is too coarse have such points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct SteinerTerm {
+    /// Index of the Steiner point (in `steiner`).
+    pub steiner: u32,
+    /// The term.
+    pub value: f64,
 }
 
 /// A piece of a facet: a triangle that is a face of the mesh.
@@ -146,6 +157,8 @@ pub struct TetMesh {
     pub subsegments: Vec<Subsegment>,
     /// One per Steiner point, in the order of `points`.
     pub steiner: Vec<SteinerPoint>,
+    /// Terms of parameters that are no doubles, in the order of `steiner`, each point's largest first.
+    pub steiner_terms: Vec<SteinerTerm>,
     /// Points (indices into `points`) without a valid position in doubles; empty unless
     /// [`Options::exact_form`](crate::Options::exact_form) was set and rounding failed.
     pub crowded: Vec<u32>,

@@ -11,7 +11,7 @@ use crate::mesh::flag;
 use crate::mesh::star::StarSearch;
 use crate::options::{Mode, Options};
 use crate::output::{Statistics, TetMesh};
-use crate::plc::merge::Guide;
+use crate::plc::merge::{Guide, Merger};
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared, RegionSeed};
 use crate::predicates::{scale, Points};
@@ -19,6 +19,7 @@ use crate::progress::{report, Observer, Phase};
 use crate::region::{components, label, Components, Regions, Seeds};
 use crate::rounding::{round, Kept};
 use crate::INVALID;
+use rustc_hash::FxHashMap;
 use std::time::Instant;
 
 mod assemble;
@@ -58,15 +59,26 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
 /// How often segments are recovered anew because Steiner points have no valid position in doubles.
 const MOST_ATTEMPTS: u32 = 6;
 
-/// Attempts at merging facets before all new edges beside the input's surface are given up.
-const MERGE_ATTEMPTS: usize = 2;
+/// Attempts at merging facets from scratch before all new edges beside the input's surface are given up.
+const MERGE_ATTEMPTS: usize = 3;
+/// How often an attempt is mended: new edges that would need Steiner points are flipped back.
+const MENDINGS: usize = 16;
 
-/// Edges beside the input's surface that have Steiner points.
-fn split_beside(surface: &Surface, segments: &Segments) -> Result<Vec<[u32; 2]>, Error> {
-    let mut split: Vec<[u32; 2]> = Vec::new();
+/// Per segment whether merging has made it beside the input's surface.
+fn edges_beside(surface: &Surface) -> Result<Vec<bool>, Error> {
+    let mut beside = Vec::new();
+    beside.try_reserve_exact(surface.segments.len())?;
+    beside.extend(surface.segments.iter().map(|edge| surface.edges_beside.binary_search(edge).is_ok()));
+    Ok(beside)
+}
+
+/// The edges that have Steiner points.
+fn split_edges(surface: &Surface, segments: &Segments) -> Result<Vec<[u32; 2]>, Error> {
+    let mut split = Vec::new();
     split.try_reserve(segments.steiner_segment.len())?;
     split.extend(segments.steiner_segment.iter().map(|&s| surface.segments[s as usize]));
-    split.retain(|edge| surface.edges_beside.binary_search(edge).is_ok());
+    split.sort_unstable();
+    split.dedup();
     Ok(split)
 }
 
@@ -163,9 +175,7 @@ impl Run<'_> {
         Ok(prepared)
     }
 
-    /// Makes segments and patches of the surface and recovers the segments. Where merging has made edges beside the input's surface
-    /// and they got Steiner points, which then lie beside it too, it is done again without these edges, and in the last attempt
-    /// without any such edge.
+    /// Makes segments and patches of the surface and recovers the segments.
     fn connect_and_recover(
         &mut self,
         plc: &Plc,
@@ -174,47 +184,112 @@ impl Run<'_> {
         engine: &mut Engine,
     ) -> Result<(Surface, Segments), Error> {
         engine.delaunay.index_vertices(engine.points.len())?;
-        let mut avoid: Vec<[u32; 2]> = Vec::new();
-        if options.merge_facets.is_some() {
-            for _ in 0..MERGE_ATTEMPTS {
-                let mut trial = engine.clone();
-                let surface = self.connect(plc, options, prepared.clone(), &mut trial, (&avoid, false))?;
-                let segments = self.recover_segments(&surface, options, &mut trial, &[])?;
-                let split = split_beside(&surface, &segments)?;
-                if split.is_empty() {
-                    *engine = trial;
-                    return Ok((surface, segments));
-                }
-                avoid.try_reserve(split.len())?;
-                avoid.extend(split);
-                avoid.sort_unstable();
-                avoid.dedup();
-            }
+        if let Some(degrees) = options.merge_facets {
+            return self.merge_and_recover(plc, options, degrees, prepared, engine);
         }
-        let surface = self.connect(plc, options, prepared, engine, (&avoid, true))?;
-        let segments = self.recover_segments(&surface, options, engine, &[])?;
+        let surface = prepared.connect(plc, self.observer)?;
+        self.lap(Phase::Validate);
+        let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+        self.recover_segments(&mut segments, options, engine)?;
         Ok((surface, segments))
     }
 
-    /// Segments and patches of the surface; its flips are steered by the edges of the triangulation.
-    fn connect(
+    /// The same with merging. Steiner points on an edge that merging has made beside the input's surface would lie beside it too. So
+    /// such edges are not split; those that turn out to be missing are flipped back, as often as that helps, and then
+    /// avoided from the start. In the last attempt there is no such edge at all.
+    fn merge_and_recover(
         &mut self,
         plc: &Plc,
         options: &Options,
+        degrees: f64,
         prepared: Prepared,
         engine: &mut Engine,
+    ) -> Result<(Surface, Segments), Error> {
+        let mut avoid: Vec<[u32; 2]> = Vec::new();
+        for attempt in 0..=MERGE_ATTEMPTS {
+            let avoid_all = attempt == MERGE_ATTEMPTS;
+            let mut prepared = prepared.clone();
+            let mut merger = prepared.merger(plc, degrees)?;
+            let mut trial = engine.clone();
+            let mut segments: Option<Segments> = None;
+            for mending in 0..MENDINGS {
+                self.merge(&mut merger, &mut trial, (&avoid, avoid_all))?;
+                let surface = merger.surface();
+                let ends = trial.map(&surface.segments)?;
+                let mut current = match segments.take() {
+                    None => Segments::new(&trial.points, ends)?,
+                    Some(earlier) => earlier.exchange(&trial.points, ends)?,
+                };
+                current.deferred = edges_beside(surface)?;
+                self.recover_segments(&mut current, options, &mut trial)?;
+                if current.waiting.is_empty() {
+                    let again =
+                        (mending > 0).then(|| self.recover_anew(surface, options, engine)).transpose()?;
+                    let fewer = again.filter(|(_, segments)| {
+                        segments.waiting.is_empty() && segments.steiner_t.len() < current.steiner_t.len()
+                    });
+                    let (best, segments) = fewer.unwrap_or((trial, current));
+                    *engine = best;
+                    return Ok((prepared.into_surface(), segments));
+                }
+                let known = avoid.len();
+                avoid.try_reserve(current.waiting.len())?;
+                avoid.extend(current.waiting.iter().map(|&s| surface.segments[s as usize]));
+                avoid.sort_unstable();
+                avoid.dedup();
+                if avoid.len() == known {
+                    break;
+                }
+                let split = split_edges(surface, &current)?;
+                merger.keep(&split)?;
+                segments = Some(current);
+            }
+        }
+        Err(Error::internal("merging did not end"))
+    }
+
+    /// Recovers the segments of a mended surface from the start: points that its earlier states took are not there then.
+    fn recover_anew(
+        &mut self,
+        surface: &Surface,
+        options: &Options,
+        engine: &Engine,
+    ) -> Result<(Engine, Segments), Error> {
+        let mut trial = engine.clone();
+        let mut segments = Segments::new(&trial.points, trial.map(&surface.segments)?)?;
+        segments.deferred = edges_beside(surface)?;
+        self.recover_segments(&mut segments, options, &mut trial)?;
+        Ok((trial, segments))
+    }
+
+    /// Flips edges of the surface, steered by the edges of the triangulation, and finds its segments and patches.
+    fn merge(
+        &mut self,
+        merger: &mut Merger,
+        engine: &mut Engine,
         (avoid, avoid_all): (&[[u32; 2]], bool),
-    ) -> Result<Surface, Error> {
+    ) -> Result<(), Error> {
         let Engine { delaunay, engine_of, .. } = engine;
         let mut search = StarSearch::default();
-        let mut is_edge = |ends: [u32; 2]| {
-            let [a, b] = ends.map(|v| engine_of[v as usize]);
-            search.find_edge(&mut delaunay.mesh, a, b, delaunay.vertex_tet[a as usize]).is_some()
+        // Every edge is asked for many times. Looked up only, never iterated.
+        let mut known: FxHashMap<[u32; 2], bool> = FxHashMap::default();
+        let mut is_edge = |[a, b]: [u32; 2]| {
+            let key = [a.min(b), a.max(b)];
+            if let Some(&answer) = known.get(&key) {
+                return answer;
+            }
+            let [a, b] = key.map(|v| engine_of[v as usize]);
+            let start = delaunay.vertex_tet[a as usize];
+            let answer = search.find_edge(&mut delaunay.mesh, a, b, start).is_some();
+            if known.try_reserve(1).is_ok() {
+                known.insert(key, answer);
+            }
+            answer
         };
-        let mut guide = Guide { is_edge: &mut is_edge, avoid, avoid_all };
-        let surface = prepared.connect(plc, options, Some(&mut guide), self.observer)?;
+        merger.run(Some(&mut Guide { is_edge: &mut is_edge, avoid, avoid_all }), self.observer)?;
+        report(self.observer, Phase::Validate, 1.0)?;
         self.lap(Phase::Validate);
-        Ok(surface)
+        Ok(())
     }
 
     /// Takes note of what the kernel's arrays hold now.
@@ -266,7 +341,10 @@ impl Run<'_> {
                 }
                 engine.points.truncate(segments.first_steiner as usize);
                 self.delaunay(engine)?;
-                segments = self.recover_segments(surface, options, engine, &careful)?;
+                engine.delaunay.index_vertices(engine.points.len())?;
+                segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+                segments.careful = careful.clone();
+                self.recover_segments(&mut segments, options, engine)?;
                 continue;
             }
             let mut mesh = assemble::mesh(
@@ -293,26 +371,22 @@ impl Run<'_> {
 
     fn recover_segments(
         &mut self,
-        surface: &Surface,
+        segments: &mut Segments,
         options: &Options,
         engine: &mut Engine,
-        careful: &[u8],
-    ) -> Result<Segments, Error> {
+    ) -> Result<(), Error> {
         report(self.observer, Phase::Segments, 0.0)?;
-        engine.delaunay.index_vertices(engine.points.len())?;
-        let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
-        segments.careful = careful.to_vec();
         let observer = &mut *self.observer;
         let mut best = 0.0f64;
         let limit = options.steiner_limit.unwrap_or(100_000 + 100 * segments.ends.len() as u64);
-        Recovery::new(&mut engine.delaunay, &mut engine.points, &mut segments, Some(limit)).run(
+        Recovery::new(&mut engine.delaunay, &mut engine.points, segments, Some(limit)).run(
             &mut |done, known| {
                 best = best.max(done as f64 / known.max(1) as f64);
                 report(observer, Phase::Segments, best)
             },
         )?;
         self.lap(Phase::Segments);
-        Ok(segments)
+        Ok(())
     }
 
     fn recover_facets(

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Counts the instructions of ordering and insertion on generated points and compares them with instructions.txt.
+# Counts the instructions of ordering and insertion on generated points, and of constrained meshing of generated models, and
+# compares them with instructions.txt.
 #
 #   instructions.sh             fails if a count is more than 3 % above its committed value (or 3 % below: then renew it)
 #   instructions.sh --renew     writes the counts
@@ -23,6 +24,19 @@ for kind in uniform grid sphere clustered; do
             "$bench" "$work/$kind.node" 2>"$work/log" >/dev/null
         echo "$kind $part $(sed -n 's/.*Collected : *\([0-9]*\).*/\1/p' "$work/log")" >>"$work/counts"
     done
+done
+# Constrained meshing of generated models, by the program ($DELOTET, or built here).
+program=${DELOTET:-}
+if [ -z "$program" ]; then
+    (cd "$root" && cargo build --release --bin delotet)
+    program=$root/target/release/delotet
+fi
+for model in "surface 5000" "chazelle 12"; do
+    kind=${model% *}
+    python3 "$root/capi-tests/data/generate.py" $model "$work/$kind.off" >/dev/null
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="delotet::tetrahedralize::tetrahedralize" \
+        "$program" mesh "$work/$kind.off" -o "$work/$kind.ele" --quiet 2>"$work/log" >/dev/null
+    echo "$kind mesh $(sed -n 's/.*Collected : *\([0-9]*\).*/\1/p' "$work/log")" >>"$work/counts"
 done
 if [ "${1:-}" = --renew ]; then
     { echo "# $(rustc --version)"; cat "$work/counts"; } >"$here/instructions.txt"

@@ -137,7 +137,7 @@ fn main() {
         for _ in 0..200 {
             let (a, b) = (random.below(15) as u32, 15 + random.below(15) as u32);
             let t = (1 + random.below((1 << bits) - 1)) as f64 / (1u64 << bits) as f64;
-            if points.push_on_segment(a, b, t).is_err() {
+            if points.push_on_segment(a, b, &t.into()).is_err() {
                 println!("a point was refused");
             }
         }

@@ -611,7 +611,7 @@ typedef struct DelotetSteinerPoint {
      */
     uint32_t ends[2];
     /**
-     * The parameter t; 0 for a point inside.
+     * The parameter t; 0 for a point inside. Terms beyond a double, which hardly any point has, are in delotet_mesh_steiner_terms.
      */
     double t;
     /**
@@ -638,6 +638,34 @@ typedef struct DelotetSteinerView {
      */
     size_t count;
 } DelotetSteinerView;
+
+/**
+ * A term of a Steiner point's parameter beyond `t`: the exact parameter is the sum of `t` and its terms.
+ */
+typedef struct DelotetSteinerTerm {
+    /**
+     * Index into the Steiner points.
+     */
+    uint32_t steiner;
+    /**
+     * The term.
+     */
+    double value;
+} DelotetSteinerTerm;
+
+/**
+ * Borrowed terms; NULL and 0 if there are none.
+ */
+typedef struct DelotetSteinerTermsView {
+    /**
+     * `count` terms.
+     */
+    const struct DelotetSteinerTerm *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} DelotetSteinerTermsView;
 
 /**
  * A flip of two facets' triangles that facet merging made before meshing.
@@ -1344,6 +1372,13 @@ struct DelotetSubsegmentsView delotet_mesh_subsegments(const struct DelotetMesh 
  */
 DELOTET_API
 struct DelotetSteinerView delotet_mesh_steiner_points(const struct DelotetMesh *mesh);
+
+/**
+ * Terms of parameters that need more than a double (segments an ulp or so apart), in the order of the Steiner points, the
+ * largest term of a point first. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetSteinerTermsView delotet_mesh_steiner_terms(const struct DelotetMesh *mesh);
 
 /**
  * The flips that facet merging made, in order (see delotet_options_set_merge_facets). Borrowed from `mesh`. Empty for NULL.

@@ -39,6 +39,7 @@ using Region = DelotetRegion;
 using Subface = DelotetSubface;
 using Subsegment = DelotetSubsegment;
 using SteinerPoint = DelotetSteinerPoint;
+using SteinerTerm = DelotetSteinerTerm;
 using FacetFlip = DelotetFacetFlip;
 using Face = DelotetFace;
 using Edge = DelotetEdge;
@@ -586,6 +587,7 @@ class Mesh {
     Span<const Subface> subfaces() const noexcept { return span(delotet_mesh_subfaces(get())); }
     Span<const Subsegment> subsegments() const noexcept { return span(delotet_mesh_subsegments(get())); }
     Span<const SteinerPoint> steiner_points() const noexcept { return span(delotet_mesh_steiner_points(get())); }
+    Span<const SteinerTerm> steiner_terms() const noexcept { return span(delotet_mesh_steiner_terms(get())); }
     Span<const FacetFlip> facet_flips() const noexcept { return span(delotet_mesh_facet_flips(get())); }
     Stats stats() const noexcept
     {

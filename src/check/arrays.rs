@@ -1,13 +1,12 @@
 //! Array shapes and index ranges. A mesh from a file may hold anything: all later checks rely on what is asked here, and
 //! do not run if this one finds something.
+use super::geometry::parameters;
 use super::report::Report;
 use crate::error::{DefectKind, Element};
 use crate::output::TetMesh;
 use crate::plc::Plc;
+use crate::predicates::is_parameter;
 use crate::INVALID;
-
-/// Parameters of Steiner points are at least `2^-60`: the exact predicates count on it.
-const SMALLEST_PARAMETER: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// Reports every index that refers to nothing, every non-finite coordinate and every array of the wrong length.
 pub(super) fn check_arrays(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
@@ -56,15 +55,28 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
             bad_index(report, Element::Segment(edge.segment));
         }
     }
-    for (i, steiner) in mesh.steiner.iter().enumerate() {
+    let point = |i: usize| Element::Point((plc.points.len() + i) as u32);
+    let known = |i: u32| (i as usize) < mesh.steiner.len();
+    if !mesh.steiner.iter().all(|s| s.t.is_finite())
+        || !mesh.steiner_terms.iter().all(|x| x.value.is_finite())
+    {
+        report.add(DefectKind::NonFinite, point(0), None, None);
+        return;
+    }
+    for term in mesh.steiner_terms.iter().filter(|term| !known(term.steiner)) {
+        bad_index(report, point(term.steiner as usize));
+    }
+    for pair in mesh.steiner_terms.windows(2).filter(|pair| pair[0].steiner > pair[1].steiner) {
+        bad_index(report, point(pair[1].steiner as usize));
+    }
+    for (i, (steiner, t)) in mesh.steiner.iter().zip(parameters(mesh)).enumerate() {
         let ends_ok = steiner.ends.iter().all(|&v| (v as usize) < plc.points.len());
-        let t_ok = steiner.t >= SMALLEST_PARAMETER && steiner.t < 1.0;
         // A point inside lies where its doubles are: it has no parents and no parameter.
         if steiner.is_inside() && steiner.segment == INVALID && steiner.exact {
             continue;
         }
-        if !ends_ok || !segment_or_none(steiner.segment) || !t_ok {
-            bad_index(report, Element::Point((plc.points.len() + i) as u32));
+        if !ends_ok || !segment_or_none(steiner.segment) || !is_parameter(&t) {
+            bad_index(report, point(i));
         }
     }
 }

@@ -145,8 +145,8 @@ impl Group<'_> {
         uses
     }
 
-    /// Corners of subfaces lie on the group: exactly in its plane; or, if it has none, at corners of its polygons or on lines
-    /// between two of them.
+    /// Corners of subfaces lie on the group: exactly in its plane; or, if it has none, at corners of its polygons, on lines
+    /// between two of them, or where the subfaces are not bent or bent along one line only.
     fn check_corners(&self, report: &mut Report) {
         let mut known: Vec<u32> = self.pieces.iter().flat_map(|p| p.ends).collect();
         for &f in &self.members {
@@ -164,7 +164,8 @@ impl Group<'_> {
                     || self.planar
                         && plane.is_some_and(|[a, b, c]| {
                             self.context.geometry.orient3d([a, b, c, v]) == Sign::Zero
-                        });
+                        })
+                    || !self.planar && self.is_even(v);
                 if !on {
                     let at = self.context.position(v);
                     report.add(
@@ -176,6 +177,30 @@ impl Group<'_> {
                 }
             }
         }
+    }
+}
+
+impl Group<'_> {
+    /// Whether the subfaces round a vertex, which is no corner of a facet that is not planar, lie in one plane, or in two that
+    /// meet in a line through it: then it lies on the triangles that its neighbours span.
+    fn is_even(&self, v: u32) -> bool {
+        let geometry = &self.context.geometry;
+        let corners = |&i: &u32| self.context.mesh.subfaces[i as usize].corners;
+        let star: Vec<[u32; 3]> = self.subfaces.iter().map(corners).filter(|c| c.contains(&v)).collect();
+        let in_plane = |[x, y, z]: [u32; 3], corners: &[u32; 3]| {
+            corners.iter().all(|w| [x, y, z].contains(w) || geometry.orient3d([x, y, z, *w]) == Sign::Zero)
+        };
+        let Some(&first) = star.first() else { return false };
+        let Some(&second) = star.iter().find(|c| !in_plane(first, c)) else { return true };
+        let two_planes = star.iter().all(|c| in_plane(first, c) || in_plane(second, c));
+        let mut around: Vec<u32> = star.iter().flatten().copied().filter(|&w| w != v).collect();
+        around.sort_unstable();
+        around.dedup();
+        two_planes
+            && around
+                .iter()
+                .enumerate()
+                .any(|(i, &a)| around[i + 1..].iter().any(|&b| geometry.strictly_between(v, a, b)))
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::output::TetMesh;
 use crate::plc::Plc;
-use crate::predicates::{self, Points, Sign};
+use crate::predicates::{self, Expansion, Points, Sign};
 use std::cmp::Ordering;
 
 /// Coordinates of all vertices of the mesh.
@@ -28,10 +28,10 @@ impl Geometry {
         xyz.try_reserve_exact(mesh.points.len())?;
         xyz.extend_from_slice(&rounded[..explicit]);
         let mut exact = Points::new(xyz);
-        for (s, at) in mesh.steiner.iter().zip(&rounded[explicit..]) {
+        for ((s, t), at) in mesh.steiner.iter().zip(parameters(mesh)).zip(&rounded[explicit..]) {
             match s.is_inside() {
                 true => exact.push(*at)?,
-                false => exact.push_on_segment(s.ends[0], s.ends[1], s.t)?,
+                false => exact.push_on_segment(s.ends[0], s.ends[1], &t)?,
             };
         }
         Ok(Geometry { exact, rounded, inputs: plc.points.len() })
@@ -82,6 +82,18 @@ impl Geometry {
         let (before, after) = (self.exact.compare_lex(a, v), self.exact.compare_lex(v, b));
         before == after && before != Ordering::Equal
     }
+}
+
+/// The exact parameters of the Steiner points, whose terms must be in order.
+pub(super) fn parameters(mesh: &TetMesh) -> impl Iterator<Item = Expansion> + '_ {
+    let mut terms = mesh.steiner_terms.iter().peekable();
+    mesh.steiner.iter().enumerate().map(move |(i, s)| {
+        let mut t = Expansion::from(s.t);
+        while let Some(term) = terms.next_if(|term| term.steiner as usize == i) {
+            t = t.sum(&Expansion::from(term.value));
+        }
+        t.compressed()
+    })
 }
 
 fn out_of_range(mesh: &TetMesh, i: usize) -> Error {

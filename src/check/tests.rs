@@ -435,7 +435,7 @@ fn steiner_points_are_judged_where_they_are_exactly() {
     lost.steiner.push(SteinerPoint { ends: [0, 1], t: 0.5, segment: INVALID, exact: false });
     assert_eq!(check(&plc, &lost), vec![DefectKind::PointMoved]);
     let mut tiny = mesh;
-    tiny.steiner[0].t = 1e-30;
+    tiny.steiner[0].t = f64::MIN_POSITIVE;
     assert_eq!(check(&plc, &tiny), vec![DefectKind::IndexOutOfRange]);
 }
 

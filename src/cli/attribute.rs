@@ -1,7 +1,8 @@
 //! The facets of a mesh's faces, where a file does not tell them: TetGen's `.face` holds markers only.
 //!
-//! Needed for meshes without Steiner points on the surface alone (the checker does not judge facets of others, for the parents of
-//! such points are not in the files): there the corners of a face are corners of its facet.
+//! Where there is a `.parents` file, it names them, and only the sides are to be found. Else they are found for meshes without
+//! Steiner points on the surface alone (the checker does not judge facets of others, for it cannot know where such points lie):
+//! there the corners of a face are corners of its facet.
 use delotet::predicates::{orient3d, Sign};
 use delotet::{Error, Plc, Status, Subface, TetMesh, INVALID};
 use std::collections::HashMap;
@@ -13,6 +14,12 @@ use std::collections::HashMap;
 /// [`Status::Unsupported`] if a face cannot be attributed to one facet.
 pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
     let points = mesh.points.len();
+    let named = !mesh.subfaces.is_empty() && mesh.subfaces.iter().all(|face| face.facet != INVALID);
+    if named && mesh.steiner.len() + plc.points.len() == points {
+        let sides = sides_of_faces(mesh);
+        mesh.subfaces.iter_mut().for_each(|face| face.tets = sides_of(face, &sides));
+        return Ok(());
+    }
     let known = mesh.steiner.len() == points.saturating_sub(plc.points.len());
     let on_input = |face: &Subface| face.corners.iter().all(|&v| (v as usize) < plc.points.len());
     if !known

@@ -13,8 +13,9 @@ use super::fill::{Filler, Half};
 use super::subface::Subfaces;
 use super::{crossing, face_key};
 use crate::delaunay::Delaunay;
-use crate::error::{Element, Error};
+use crate::error::{Element, Error, Status};
 use crate::mesh::star::{EdgeRing, StarSearch};
+use crate::mesh::tables::FACE;
 use crate::mesh::{flag, NONE};
 use crate::predicates::{Points, Sign};
 use rustc_hash::FxHashMap;
@@ -68,9 +69,7 @@ impl<'a> FacetRecovery<'a> {
 
     /// Makes every subface a face of the mesh, flagged on both sides.
     pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<(), Error> {
-        for t in &mut self.delaunay.mesh.flags {
-            *t &= !flag::EDGES;
-        }
+        self.mark_present()?;
         let order = self.missing_by_region_size()?;
         let mut region = Vec::new();
         for (i, &s) in order.iter().enumerate() {
@@ -96,11 +95,46 @@ impl<'a> FacetRecovery<'a> {
         Ok(())
     }
 
+    /// Flags the faces of the mesh that are subfaces. One pass over the mesh: nearly all subfaces are there.
+    fn mark_present(&mut self) -> Result<(), Error> {
+        let mut corners = Vec::new();
+        corners.try_reserve(self.points.len())?;
+        corners.resize(self.points.len(), false);
+        let mut subface_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+        let full = |_| Error::new(Status::OutOfMemory, "out of memory");
+        subface_of.try_reserve(self.subfaces.verts.len()).map_err(full)?;
+        for (s, v) in self.subfaces.verts.iter().enumerate() {
+            subface_of.insert(face_key(*v), s as u32);
+            for w in v {
+                corners[*w as usize] = true;
+            }
+        }
+        let mesh = &mut self.delaunay.mesh;
+        for t in 0..mesh.slot_count() as u32 {
+            mesh.flags[t as usize] &= !flag::EDGES;
+            if !mesh.is_live(t) || mesh.is_ghost(t) {
+                continue;
+            }
+            let corner = mesh.verts[t as usize].map(|w| corners[w as usize]);
+            for f in 0..4u32 {
+                // Each face once, from the tetrahedron with the smaller number; from the inside on the hull.
+                let other = mesh.across(4 * t + f);
+                let seen = other < 4 * t && !mesh.is_ghost(other >> 2);
+                if seen || !FACE[f as usize].iter().all(|&k| corner[k as usize]) {
+                    continue;
+                }
+                if let Some(&s) = subface_of.get(&face_key(mesh.face(4 * t + f))) {
+                    mesh.flags[t as usize] |= flag::FACE << f;
+                    mesh.flags[(other >> 2) as usize] |= flag::FACE << (other & 3);
+                    self.recovered[s as usize] = true;
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// The missing subfaces, those of small regions first: a cavity that is filled early is not dug up again.
     fn missing_by_region_size(&mut self) -> Result<Vec<u32>, Error> {
-        for s in 0..self.subfaces.verts.len() as u32 {
-            self.mark_if_present(s);
-        }
         let mut sized: Vec<(u32, u32, u32)> = Vec::new();
         let mut region = Vec::new();
         let mut seen = vec![false; self.recovered.len()];

@@ -2,6 +2,7 @@
 //!
 //! Si & Gärtner 2011: first every segment is made a union of edges by Steiner points on segments (D0 → D1, [`segment`]), then
 //! every facet a union of faces without further points (D1 → D2, [`facet`]). All Steiner points are exact; all signs too.
+pub mod close;
 pub mod facet;
 pub mod fill;
 pub mod gift_wrap;

@@ -22,36 +22,121 @@ pub fn overlaps(points: &Points, tet: [u32; 4], triangle: [u32; 3]) -> bool {
     !separated_by_edges(points, tet, triangle)
 }
 
-type Vector = [Expansion; 3];
-
 /// A plane along an edge of each separates the two.
 fn separated_by_edges(points: &Points, tet: [u32; 4], triangle: [u32; 3]) -> bool {
-    let t: [Vector; 4] = tet.map(|v| points.exact_coordinates(v));
-    let g: [Vector; 3] = triangle.map(|v| points.exact_coordinates(v));
+    let rounded = Rounded::new(points, tet, triangle);
+    let mut exact: Option<([Vector; 4], [Vector; 3])> = None;
     for e in 0..6 {
         let (i, j) = (EDGE[e][0] as usize, EDGE[e][1] as usize);
         let (k, l) = (EDGE[5 - e][0] as usize, EDGE[5 - e][1] as usize);
-        let along = subtract(&t[j], &t[i]);
         for m in 0..3 {
             let (r, s, u) = (m, (m + 1) % 3, (m + 2) % 3);
-            let normal = cross(&along, &subtract(&g[s], &g[r]));
+            if let Some(separated) = rounded.separated([i, j, k, l], [r, s, u]) {
+                if separated {
+                    return true;
+                }
+                continue;
+            }
+            let (t, g) = exact.get_or_insert_with(|| {
+                (tet.map(|v| points.exact_coordinates(v)), triangle.map(|v| points.exact_coordinates(v)))
+            });
+            let normal = cross(&subtract(&t[j], &t[i]), &subtract(&g[s], &g[r]));
             if normal.iter().all(|x| x.sign() == Sign::Zero) {
                 continue;
             }
             let side = |x: &Vector| dot(&normal, &subtract(x, &t[i])).sign();
-            let of_tet = [side(&t[k]), side(&t[l])];
-            let of_triangle = [side(&g[r]), side(&g[u])];
-            let apart = |one: Sign| {
-                of_tet.iter().all(|&x| x == one || x == Sign::Zero)
-                    && of_triangle.iter().all(|&x| x == -one || x == Sign::Zero)
-            };
-            if apart(Sign::Positive) || apart(Sign::Negative) {
+            if apart([side(&t[k]), side(&t[l])], [side(&g[r]), side(&g[u])]) {
                 return true;
             }
         }
     }
     false
 }
+
+/// Weakly on different sides.
+fn apart(of_tet: [Sign; 2], of_triangle: [Sign; 2]) -> bool {
+    [Sign::Positive, Sign::Negative]
+        .into_iter()
+        .any(|one| of_tet.iter().all(|&x| x != -one) && of_triangle.iter().all(|&x| x != one))
+}
+
+/// Nearest doubles of the corners, relative to the first one.
+struct Rounded {
+    ids: [u32; 7],
+    corners: [[f64; 3]; 7],
+    /// Bound of the error of a determinant of three differences of corners.
+    ///
+    /// With differences up to M, off by up to e, each of six monomials is off by at most 3 e (M + e)², and 8 roundings take
+    /// part in the value (as counted in `predicates::filter`): 18 e (M + e)² + 6 · 9 u (M + e)³.
+    bound: f64,
+}
+
+impl Rounded {
+    fn new(points: &Points, tet: [u32; 4], triangle: [u32; 3]) -> Rounded {
+        let ids = [tet[0], tet[1], tet[2], tet[3], triangle[0], triangle[1], triangle[2]];
+        let corners = ids.map(|v| *points.xyz(v));
+        let largest = corners.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
+        let widest = (0..3).fold(0.0f64, |widest, k| {
+            let (low, high) = corners
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p[k]), high.max(p[k])));
+            widest.max(high - low)
+        });
+        // Nearest doubles: two corners are off by half a unit each.
+        let error = if ids.iter().all(|&v| points.is_explicit(v)) { 0.0 } else { largest * f64::EPSILON };
+        let size = widest + error;
+        let bound = (18.0 * error + 28.0 * f64::EPSILON * size) * size * size + f64::MIN_POSITIVE;
+        Rounded { ids, corners, bound }
+    }
+
+    /// Whether the plane along edge `i j` of the tetrahedron and `r s` of the triangle separates them, if that can be told.
+    fn separated(&self, [i, j, k, l]: [usize; 4], [r, s, u]: [usize; 3]) -> Option<bool> {
+        let [r, s, u] = [r, s, u].map(|x| x + 4);
+        let from = |x: usize, y: usize| -> [f64; 3] {
+            std::array::from_fn(|axis| self.corners[y][axis] - self.corners[x][axis])
+        };
+        let (a, b) = (from(i, j), from(r, s));
+        let normal: [f64; 3] = std::array::from_fn(|axis| {
+            let (v, w) = ((axis + 1) % 3, (axis + 2) % 3);
+            a[v] * b[w] - a[w] * b[v]
+        });
+        let side = |x: usize| -> Option<Sign> {
+            if [i, j].iter().any(|&y| self.ids[x] == self.ids[y]) {
+                return Some(Sign::Zero);
+            }
+            let d = from(i, x);
+            let value = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
+            (value.abs() > self.bound).then(|| Sign::of(value))
+        };
+        // Both ends of `r s` are equally far from the plane.
+        let along = if self.ids[s] == self.ids[i] || self.ids[s] == self.ids[j] { side(s) } else { side(r) };
+        let same = |x: usize| self.ids[x] == self.ids[r] || self.ids[x] == self.ids[s];
+        let of_tet = [k, l].map(|x| if same(x) { along } else { side(x) });
+        let of_triangle = [along, side(u)];
+        let mut known = [[false; 2]; 2];
+        for (known, signs) in known.iter_mut().zip([of_tet, of_triangle]) {
+            for sign in signs.into_iter().flatten() {
+                known[0] |= sign == Sign::Positive;
+                known[1] |= sign == Sign::Negative;
+            }
+        }
+        let [tet, triangle] = known;
+        if (tet[0] && tet[1])
+            || (triangle[0] && triangle[1])
+            || (tet[0] && triangle[0])
+            || (tet[1] && triangle[1])
+        {
+            return Some(false);
+        }
+        let all = |signs: [Option<Sign>; 2]| Some([signs[0]?, signs[1]?]);
+        let (of_tet, of_triangle) = (all(of_tet)?, all(of_triangle)?);
+        let flat = of_tet.iter().chain(&of_triangle).all(|&x| x == Sign::Zero);
+        // All zero: the edges may be parallel, then there is no plane.
+        (!flat).then(|| apart(of_tet, of_triangle))
+    }
+}
+
+type Vector = [Expansion; 3];
 
 fn subtract(a: &Vector, b: &Vector) -> Vector {
     std::array::from_fn(|k| a[k].difference(&b[k]))

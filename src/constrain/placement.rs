@@ -89,7 +89,7 @@ const IMPLICIT_BITS: u32 = 36;
 pub fn round_parameter(t: f64, t0: f64, t1: f64, exact_bits: u32) -> Option<f64> {
     let span = t1 - t0;
     let grid = |bits: u32| {
-        let unit = (1u64 << bits.min(52)) as f64;
+        let unit = f64::from(bits.min(1000)).exp2();
         (t * unit).round() / unit
     };
     let exact_is_fine =

@@ -7,16 +7,16 @@
 //! models among ours this takes 10 to 40 % fewer points than first come, first served, and shortest first takes most.
 //!
 //! Invariant: every live subsegment is flagged round its edge in the mesh, or waits in the queue.
+use super::close::{relative_distance, Beside};
 use super::placement::{choose, distance, round_parameter, Context, Subsegment};
 use super::{crossing, edge_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error, Status};
-use crate::mesh::star::{flag_edge, StarSearch};
-use crate::mesh::tables::{EDGE_OF, FACE};
-use crate::mesh::{flag, NONE};
-use crate::predicates::{Points, Sign};
+use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
+use crate::mesh::{flag, GHOST, NONE};
+use crate::predicates::{Expansion, Points, Sign};
 use rustc_hash::FxHashMap;
-use std::cmp::Reverse;
+use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
 /// Parameters tried on each side of the chosen one for a point near a double, and their distance in units of the piece.
@@ -29,6 +29,9 @@ const CAREFUL_STEP: f64 = 1.0 / (1u64 << 24) as f64;
 const FAR_STEP: f64 = 1.0 / (1u64 << 11) as f64;
 const FAR_CENTERS: [f64; 4] = [0.5, 0.8, 0.2, 0.65];
 
+/// Parameters are precise to this part of their piece.
+const USUAL_PRECISION: f64 = 1.0 / (1u64 << 36) as f64;
+
 /// The subsegments of all segments.
 #[derive(Default)]
 pub struct Segments {
@@ -40,16 +43,24 @@ pub struct Segments {
     pub piece_of: FxHashMap<[u32; 2], u32>,
     /// Segment of each Steiner point, in order of insertion.
     pub steiner_segment: Vec<u32>,
-    /// Parameter of each Steiner point.
+    /// Parameter of each Steiner point, or the double nearest to it.
     pub steiner_t: Vec<f64>,
+    /// Parameters that are no doubles, by index of the Steiner point.
+    pub fine: FxHashMap<u32, Expansion>,
     /// Id of the first Steiner point.
     pub first_steiner: u32,
     /// Segments that were not edges at the start.
     pub missing: u64,
     /// How often rounding to doubles failed on each segment: its points are chosen with more care.
     pub careful: Vec<u8>,
+    /// Segments that are not to be split (none if empty).
+    pub deferred: Vec<bool>,
+    /// Deferred segments that were missing at some time.
+    pub waiting: Vec<u32>,
     acute: Vec<bool>,
     exact_bits: Vec<u8>,
+    /// All pairs of ends, sorted, once asked for.
+    sorted: Vec<[u32; 2]>,
 }
 
 impl Segments {
@@ -76,8 +87,34 @@ impl Segments {
             .enumerate()
             .map(|(i, (&s, &t))| (s, t, self.first_steiner + i as u32))
             .collect();
-        list.sort_unstable_by(|x, y| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1)));
+        list.sort_unstable_by(|x, y| x.0.cmp(&y.0).then_with(|| self.order(x.0, [x.2, y.2], [x.1, y.1])));
         list
+    }
+
+    /// The exact parameter of a vertex on a segment.
+    pub fn parameter(&self, segment: u32, v: u32) -> Expansion {
+        let Some(index) = v.checked_sub(self.first_steiner) else {
+            return Expansion::from(f64::from(u8::from(v == self.ends[segment as usize][1])));
+        };
+        self.fine.get(&index).cloned().unwrap_or_else(|| Expansion::from(self.steiner_t[index as usize]))
+    }
+
+    /// Order of two pieces or points of one segment by exact parameters, given the nearest doubles.
+    pub fn order(&self, segment: u32, [v, w]: [u32; 2], [t, u]: [f64; 2]) -> Ordering {
+        t.total_cmp(&u).then_with(|| {
+            let apart = self.parameter(segment, v).difference(&self.parameter(segment, w));
+            apart.sign().cmp(&Sign::Zero)
+        })
+    }
+
+    /// Whether a segment joins the two vertices.
+    fn joins(&mut self, a: u32, b: u32) -> Result<bool, Error> {
+        if self.sorted.is_empty() {
+            self.sorted.try_reserve_exact(self.ends.len())?;
+            self.sorted.extend(self.ends.iter().map(|e| edge_key(e[0], e[1])));
+            self.sorted.sort_unstable();
+        }
+        Ok(self.sorted.binary_search(&edge_key(a, b)).is_ok())
     }
 
     /// Parameters of the neighbours of a Steiner point on its segment.
@@ -107,6 +144,53 @@ impl Segments {
                 }
             }
         }
+    }
+
+    /// The same Steiner points on other segments: those with points are among the new ones, the others may have gone.
+    ///
+    /// # Errors
+    /// `Internal` if a segment with points has gone; `OutOfMemory`.
+    pub fn exchange(self, points: &Points, ends: Vec<[u32; 2]>) -> Result<Self, Error> {
+        let mut new = Segments::new(points, ends)?;
+        new.first_steiner = self.first_steiner;
+        new.missing = self.missing;
+        for &segment in &self.steiner_segment {
+            let [a, b] = self.ends[segment as usize];
+            let heir = new.piece_of.get(&edge_key(a, b)).copied();
+            let heir = heir.ok_or_else(|| Error::internal("a segment with Steiner points has gone"))?;
+            new.steiner_segment.try_reserve(1)?;
+            new.steiner_segment.push(heir);
+        }
+        new.steiner_t = self.steiner_t;
+        new.split_pieces()?;
+        Ok(new)
+    }
+
+    /// Makes the pieces from the Steiner points.
+    fn split_pieces(&mut self) -> Result<(), Error> {
+        let list = self.steiner_by_segment();
+        self.pieces.try_reserve(list.len())?;
+        self.piece_of
+            .try_reserve(list.len())
+            .map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        for chain in list.chunk_by(|x, y| x.0 == y.0) {
+            let segment = chain[0].0;
+            let [first, last] = self.ends[segment as usize];
+            self.piece_of.remove(&edge_key(first, last));
+            let (mut from, mut t) = (first, 0.0);
+            let mut slot = segment as usize;
+            for (to, end) in chain.iter().map(|x| (x.2, x.1)).chain([(last, 1.0)]) {
+                let piece = Subsegment { segment, ends: [from, to], t: [t, end] };
+                match self.pieces.get_mut(slot) {
+                    Some(whole) => *whole = piece,
+                    None => self.pieces.push(piece),
+                }
+                self.piece_of.insert(edge_key(from, to), slot as u32);
+                (from, t) = (to, end);
+                slot = self.pieces.len();
+            }
+        }
+        Ok(())
     }
 
     /// Puts a Steiner point on a piece: the piece becomes its first half, the second is appended.
@@ -172,7 +256,6 @@ pub struct Recovery<'a> {
     pub limit: Option<u64>,
     /// Missing pieces by length (the bits of a non-negative double are in its order), then by number.
     queue: BinaryHeap<(u64, Reverse<u32>)>,
-    search: StarSearch,
 }
 
 impl<'a> Recovery<'a> {
@@ -183,57 +266,77 @@ impl<'a> Recovery<'a> {
         segments: &'a mut Segments,
         limit: Option<u64>,
     ) -> Self {
-        Recovery {
-            delaunay,
-            points,
-            segments,
-            limit,
-            queue: Default::default(),
-            search: StarSearch::default(),
-        }
+        Recovery { delaunay, points, segments, limit, queue: Default::default() }
     }
 
     /// Makes every segment a union of edges. `tick` gets the numbers of pieces done and known.
     pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<(), Error> {
-        for piece in 0..self.segments.pieces.len() as u32 {
-            if !self.mark_if_present(piece) {
-                self.enqueue(piece)?;
-            }
+        let present = self.mark_present()?;
+        for piece in (0..self.segments.pieces.len()).filter(|&piece| !present[piece]) {
+            self.enqueue(piece as u32)?;
         }
-        self.segments.missing = self.queue.len() as u64;
+        let missing = (self.queue.len() + self.segments.waiting.len()) as u64;
+        self.segments.missing = self.segments.missing.max(missing);
         let mut steps = 0usize;
         while let Some((_, Reverse(piece))) = self.queue.pop() {
             steps += 1;
             if steps % 1024 == 0 {
                 tick(steps, steps + self.queue.len())?;
             }
-            if !self.mark_if_present(piece) {
-                self.split(piece)?;
-            }
+            // An edge that is missing once stays so: whatever sphere through its ends is chosen, some vertex spoils it.
+            self.split(piece)?;
         }
         Ok(())
     }
 
     /// Puts a missing piece in its place in the queue.
     fn enqueue(&mut self, piece: u32) -> Result<(), Error> {
-        let [a, b] = self.segments.pieces[piece as usize].ends;
+        let Subsegment { segment, ends: [a, b], .. } = self.segments.pieces[piece as usize];
+        if self.segments.deferred.get(segment as usize) == Some(&true) {
+            self.segments.waiting.try_reserve(1)?;
+            self.segments.waiting.push(segment);
+            return Ok(());
+        }
         let length = distance(self.points.xyz(a), self.points.xyz(b));
         self.queue.try_reserve(1)?;
         self.queue.push((length.to_bits(), Reverse(piece)));
         Ok(())
     }
 
-    /// Flags the piece's edge if the mesh has it.
-    fn mark_if_present(&mut self, piece: u32) -> bool {
-        let [a, b] = self.segments.pieces[piece as usize].ends;
-        let start = self.delaunay.vertex_tet[a as usize];
-        match self.search.find_edge(&mut self.delaunay.mesh, a, b, start) {
-            Some(t) => {
-                flag_edge(&mut self.delaunay.mesh, t, a, b, true);
-                true
+    /// Flags the edges of the mesh that are pieces, and tells which pieces are.
+    ///
+    /// One pass over the mesh: most surfaces have more segments than a tenth of the tetrahedra, and where a piece is an edge is
+    /// found in constant time only from there.
+    fn mark_present(&mut self) -> Result<Vec<bool>, Error> {
+        let mut ends = Vec::new();
+        ends.try_reserve(self.points.len())?;
+        ends.resize(self.points.len(), false);
+        for piece in &self.segments.pieces {
+            for v in piece.ends {
+                ends[v as usize] = true;
             }
-            None => false,
         }
+        let mut present = Vec::new();
+        present.try_reserve(self.segments.pieces.len())?;
+        present.resize(self.segments.pieces.len(), false);
+        let mesh = &mut self.delaunay.mesh;
+        for (v, flags) in mesh.verts.iter().zip(&mut mesh.flags) {
+            if *flags & flag::DEAD != 0 {
+                continue;
+            }
+            let end = v.map(|w| w != GHOST && ends[w as usize]);
+            for (e, [i, j]) in EDGE.into_iter().enumerate() {
+                let (i, j) = (i as usize, j as usize);
+                if !end[i] || !end[j] {
+                    continue;
+                }
+                if let Some(&piece) = self.segments.piece_of.get(&edge_key(v[i], v[j])) {
+                    *flags |= flag::EDGE << e;
+                    present[piece as usize] = true;
+                }
+            }
+        }
+        Ok(present)
     }
 
     /// Splits a missing piece in two by a Steiner point.
@@ -244,20 +347,16 @@ impl<'a> Recovery<'a> {
         }
         let (reference, near) = self.find_reference(&sub);
         let context = self.context(&sub, reference);
-        let bits = self.segments.bits(self.points, sub.segment);
-        let chosen = choose(self.points, &sub, &context, reference);
-        let t = round_parameter(chosen, sub.t[0], sub.t[1], bits)
-            .or_else(|| round_parameter(0.5 * (sub.t[0] + sub.t[1]), sub.t[0], sub.t[1], 0))
-            .ok_or_else(|| {
-                crossing(
-                    "a segment cannot be separated from what it touches",
-                    Element::Segment(sub.segment),
-                    None,
-                )
-            })?;
-        let t = self.kindest_parameter(&sub, t);
+        let place = match self.close_parameter(&sub, &context, reference)? {
+            Some(place) => place,
+            None => self.usual_parameter(&sub, &context, reference)?,
+        };
+        let t = place.nearest();
         let [a, b] = context.ends;
-        let p = self.points.push_on_segment(a, b, t)?;
+        let p = self.points.push_on_segment(a, b, &place)?;
+        if place.components().len() > 1 {
+            self.segments.fine.insert(p - self.segments.first_steiner, place);
+        }
         self.delaunay.cavity.prepare(p as usize + 1)?;
         self.delaunay.vertex_tet.try_reserve(1)?;
         self.delaunay.vertex_tet.push(NONE);
@@ -267,11 +366,61 @@ impl<'a> Recovery<'a> {
         self.segments.steiner_t.push(t);
         let at = self.delaunay.locate(self.points, p, near)?;
         let touched = self.delaunay.mesh.verts[at as usize];
-        if touched.iter().any(|&v| v != crate::mesh::GHOST && self.points.same_position(v, p)) {
+        if touched.iter().any(|&v| v != GHOST && self.points.same_position(v, p)) {
             return Err(crossing("a vertex lies on a segment", Element::Segment(sub.segment), None));
         }
         self.delaunay.hint = self.delaunay.insert_at::<true>(self.points, p, at)?;
         self.register(piece, sub, p, t)
+    }
+
+    /// A parameter in one double, where that has enough bits; else the middle.
+    fn usual_parameter(
+        &mut self,
+        sub: &Subsegment,
+        context: &Context,
+        reference: Option<u32>,
+    ) -> Result<Expansion, Error> {
+        let bits = self.segments.bits(self.points, sub.segment);
+        let chosen = choose(self.points, sub, context, reference);
+        let t = round_parameter(chosen, sub.t[0], sub.t[1], bits)
+            .or_else(|| round_parameter(0.5 * (sub.t[0] + sub.t[1]), sub.t[0], sub.t[1], 0));
+        if let Some(t) = t {
+            return Ok(Expansion::from(self.kindest_parameter(sub, t)));
+        }
+        let beside = self.beside(sub, context, reference.unwrap_or(sub.ends[0]), None);
+        beside.middle().ok_or_else(|| {
+            let segment = Element::Segment(sub.segment);
+            crossing("a segment cannot be separated from what it touches", segment, None)
+        })
+    }
+
+    /// The parameter that matches a reference point so near to the piece that a double is too coarse (see
+    /// [`close`](super::close)).
+    fn close_parameter(
+        &mut self,
+        sub: &Subsegment,
+        context: &Context,
+        reference: Option<u32>,
+    ) -> Result<Option<Expansion>, Error> {
+        let Some(reference) = reference else { return Ok(None) };
+        let span = sub.t[1] - sub.t[0];
+        let apart = relative_distance(self.points, context.ends, reference) / span;
+        let precision = (f64::EPSILON * sub.t[1] / span).max(USUAL_PRECISION);
+        if apart * apart > 16.0 * precision {
+            return Ok(None);
+        }
+        let mut shared = context.shared;
+        for k in 0..2 {
+            if shared.is_none() && self.segments.joins(context.ends[k], reference)? {
+                shared = Some(k);
+            }
+        }
+        Ok(self.beside(sub, context, reference, shared).matched(self.points))
+    }
+
+    fn beside(&self, sub: &Subsegment, context: &Context, reference: u32, shared: Option<usize>) -> Beside {
+        let t = sub.ends.map(|v| self.segments.parameter(sub.segment, v));
+        Beside { ends: context.ends, t, reference, shared }
     }
 
     /// Of parameters that differ by less than matters, the one whose point is nearest to a double: that spares the rounding
@@ -367,13 +516,14 @@ impl<'a> Recovery<'a> {
         let mut entered = 4;
         for step in 0..1000u32 {
             let v = mesh.verts[t as usize];
-            for &w in &v {
-                if sub.ends.contains(&w) {
-                    continue;
-                }
-                let angle = cosine(self.points.xyz(w), a, b);
-                if angle < best.0 {
-                    best = (angle, Some(w), t);
+            for (slot, &w) in v.iter().enumerate() {
+                // The others have been met already.
+                let new = entered == 4 || slot == entered as usize;
+                if new && !sub.ends.contains(&w) {
+                    let angle = obtuse_cosine(self.points.xyz(w), a, b);
+                    if angle < best.0 {
+                        best = (angle, Some(w), t);
+                    }
                 }
             }
             if v.contains(&sub.ends[1]) {
@@ -403,12 +553,17 @@ impl<'a> Recovery<'a> {
     }
 }
 
-/// Cosine of the angle under which `p` sees the segment `a b`.
-fn cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
+/// Cosine of the angle under which `p` sees the segment `a b` if that is above 90°, else zero.
+fn obtuse_cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
     let u = [a[0] - p[0], a[1] - p[1], a[2] - p[2]];
     let v = [b[0] - p[0], b[1] - p[1], b[2] - p[2]];
     let dot = |x: &[f64; 3], y: &[f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    dot(&u, &v) / (dot(&u, &u) * dot(&v, &v)).sqrt()
+    let product = dot(&u, &v);
+    if product < 0.0 {
+        product / (dot(&u, &u) * dot(&v, &v)).sqrt()
+    } else {
+        0.0
+    }
 }
 
 /// The determinant of [`crate::predicates::orient3d`] in plain arithmetic.

@@ -4,6 +4,7 @@
 //! they are the two-dimensional constrained Delaunay triangulation with ties broken as in space (engine notes §4, last
 //! point). Lawson's flips (1977) make it from the triangulation that comes with the PLC.
 use super::edge_key;
+use super::placement::distance;
 use super::segment::Segments;
 use crate::error::Error;
 use crate::mesh::NONE;
@@ -42,13 +43,10 @@ impl Subfaces {
         let mut subfaces = Subfaces::default();
         let steiner = segments.steiner_by_segment();
         let expected = triangles.corners.len() + 2 * steiner.len();
-        subfaces.verts.try_reserve(expected)?;
-        subfaces.adj.try_reserve(expected)?;
-        subfaces.facet.try_reserve(expected)?;
-        subfaces.patch.try_reserve(expected)?;
+        subfaces.reserve(expected)?;
         subfaces.orient(points, triangles)?;
         let edge_segment = subfaces.connect(segments)?;
-        subfaces.split_edges(segments, &steiner, &edge_segment)?;
+        subfaces.split_edges(points, segments, &steiner, &edge_segment)?;
         subfaces.make_delaunay(points)?;
         Ok(subfaces)
     }
@@ -121,6 +119,7 @@ impl Subfaces {
     /// Puts the Steiner points of the segments on the triangles' edges.
     fn split_edges(
         &mut self,
+        points: &Points,
         segments: &Segments,
         steiner: &[(u32, f64, u32)],
         edge_segment: &[[u32; 3]],
@@ -128,74 +127,114 @@ impl Subfaces {
         if steiner.is_empty() {
             return Ok(());
         }
-        let mut chain = Vec::new();
+        let mut chains: [Vec<u32>; 3] = Default::default();
         for (t, edges) in edge_segment.iter().enumerate() {
-            if edges.iter().all(|&s| s == NONE) {
-                continue;
-            }
-            // Where edge `e` is after the splits before it: splitting edge 0 moves edge 1 to the last piece, splitting edge 1
-            // there moves edge 2 to its last piece, if edge 0 had no points.
-            let mut holder = [3 * t as u32, 3 * t as u32 + 1, 3 * t as u32 + 2];
-            for e in 0..3 {
+            for (e, chain) in chains.iter_mut().enumerate() {
+                chain.clear();
                 let s = edges[e];
                 if s == NONE {
                     continue;
                 }
                 let first = steiner.partition_point(|x| x.0 < s);
-                let last = steiner.partition_point(|x| x.0 <= s);
-                if first == last {
-                    continue;
-                }
-                let code = holder[e];
-                let (owner, k) = ((code / 3) as usize, (code % 3) as usize);
-                let start = self.verts[owner][(k + 1) % 3];
-                chain.clear();
-                chain.extend(steiner[first..last].iter().map(|x| x.2));
-                if start != segments.ends[s as usize][0] {
+                let on_edge = steiner[first..].iter().take_while(|x| x.0 == s).map(|x| x.2);
+                chain.extend(on_edge);
+                if self.verts[t][(e + 1) % 3] != segments.ends[s as usize][0] {
                     chain.reverse();
                 }
-                let moved = self.split_edge(owner, k, &chain)?;
-                // The edge that follows in the triangle's sense now belongs to the last piece.
-                let follower = 3 * owner as u32 + (k as u32 + 1) % 3;
-                for h in holder.iter_mut().skip(e + 1) {
-                    if *h == follower {
-                        *h = moved;
-                    }
-                }
+            }
+            if chains.iter().any(|chain| !chain.is_empty()) {
+                self.split_triangle(points, t, &mut chains)?;
             }
         }
         Ok(())
     }
 
-    /// Splits triangle `t` at points on its edge `k`, given in the edge's direction. Returns the code of the edge that
-    /// follows edge `k` in `t`, which moved to the last piece.
-    fn split_edge(&mut self, t: usize, k: usize, chain: &[u32]) -> Result<u32, Error> {
+    /// Splits triangle `t` at points on its edges, given in the triangle's sense.
+    ///
+    /// The two edges that have most are joined by a strip from their common corner, in order of the distance from it: that is
+    /// nearly Delaunay also where a sliver's long sides have many points. The third edge's points get a fan.
+    fn split_triangle(&mut self, points: &Points, t: usize, chains: &mut [Vec<u32>; 3]) -> Result<(), Error> {
+        let k = (0..3).min_by_key(|&e| chains[e].len()).unwrap_or(0);
+        let (next, last) = ((k + 1) % 3, (k + 2) % 3);
+        let [a, b, c] = [k, next, last].map(|e| self.verts[t][e]);
+        let [across_bc, across_ca, across_ab] = [k, next, last].map(|e| self.adj[t][e]);
+        let (mut left, mut right) = (std::mem::take(&mut chains[last]), std::mem::take(&mut chains[next]));
+        left.push(b);
+        right.reverse();
+        right.push(c);
+        self.reserve(left.len() + right.len() + chains[k].len())?;
+        let distance = |v: u32| distance(points.xyz(a), points.xyz(v));
+        self.verts[t] = [a, left[0], right[0]];
+        self.adj[t] = [NONE; 3];
+        if left.len() == 1 {
+            self.link(3 * t as u32 + 2, across_ab);
+        }
+        if right.len() == 1 {
+            self.link(3 * t as u32 + 1, across_ca);
+        }
+        let (mut i, mut j) = (0, 0);
+        // The edge from `left[i]` to `right[j]`, behind which the strip goes on.
+        let mut front = 3 * t as u32;
+        while i + 1 < left.len() || j + 1 < right.len() {
+            let on_left = j + 1 == right.len()
+                || (i + 1 < left.len() && distance(left[i + 1]) <= distance(right[j + 1]));
+            let (corners, edge) = if on_left {
+                ([left[i], left[i + 1], right[j]], 0)
+            } else {
+                ([left[i], right[j + 1], right[j]], 2)
+            };
+            i += on_left as usize;
+            j += !on_left as usize;
+            let n = self.push_piece(t, corners);
+            self.link(front, 3 * n + 1);
+            front = 3 * n + edge;
+        }
+        if chains[k].is_empty() {
+            self.link(front, across_bc);
+        } else {
+            self.split_edge((front / 3) as usize, (front % 3) as usize, &chains[k]);
+        }
+        left.clear();
+        right.clear();
+        (chains[last], chains[next]) = (left, right);
+        Ok(())
+    }
+
+    /// Makes room for more triangles.
+    fn reserve(&mut self, count: usize) -> Result<(), Error> {
+        self.verts.try_reserve(count)?;
+        self.adj.try_reserve(count)?;
+        self.facet.try_reserve(count)?;
+        self.patch.try_reserve(count)?;
+        Ok(())
+    }
+
+    /// Appends a triangle of the same facet as `t`, without neighbours.
+    fn push_piece(&mut self, t: usize, corners: [u32; 3]) -> u32 {
+        let n = self.verts.len() as u32;
+        self.verts.push(corners);
+        self.adj.push([NONE; 3]);
+        self.facet.push(self.facet[t]);
+        self.patch.push(self.patch[t]);
+        n
+    }
+
+    /// Splits triangle `t` at points on its edge `k`, given in the edge's direction: a fan. There must be room.
+    fn split_edge(&mut self, t: usize, k: usize, chain: &[u32]) {
         let (start_slot, end_slot) = ((k + 1) % 3, (k + 2) % 3);
         let apex = self.verts[t][k];
         let end = self.verts[t][end_slot];
         let following = self.adj[t][start_slot];
         self.verts[t][end_slot] = chain[0];
         let mut previous = (3 * t + start_slot) as u32;
-        self.verts.try_reserve(chain.len())?;
-        self.adj.try_reserve(chain.len())?;
-        self.facet.try_reserve(chain.len())?;
-        self.patch.try_reserve(chain.len())?;
         for i in 0..chain.len() {
             let next = chain.get(i + 1).copied().unwrap_or(end);
-            let n = self.verts.len() as u32;
-            self.verts.push([apex, chain[i], next]);
-            self.adj.push([NONE; 3]);
-            self.facet.push(self.facet[t]);
-            self.patch.push(self.patch[t]);
+            let n = self.push_piece(t, [apex, chain[i], next]);
             // Edge 2 of the new piece (apex → chain[i]) faces the previous one; edge 1 (next → apex) the following one.
             self.link(previous, 3 * n + 2);
             previous = 3 * n + 1;
         }
-        self.adj[(previous / 3) as usize][(previous % 3) as usize] = NONE;
-        if following != NONE {
-            self.link(previous, following);
-        }
-        Ok(previous)
+        self.link(previous, following);
     }
 
     /// Lawson's algorithm over all edges that are no subsegments.

@@ -118,3 +118,36 @@ fn parameters_keep_to_the_exact_grid_where_it_is_fine() {
     // No double between neighbours.
     assert_eq!(round_parameter(0.5, 0.5, 0.5f64.next_up(), 0), None);
 }
+
+#[test]
+fn steiner_points_move_to_other_lists_of_segments() {
+    use super::segment::Segments;
+    let mut points = Points::new(vec![[0.0; 3], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 8.0]]);
+    let mut old = Segments::new(&points, vec![[0, 1], [2, 3], [1, 2]]).unwrap();
+    for (segment, ends, t) in [(0, [0, 1], 0.5), (2, [1, 2], 0.25), (0, [0, 1], 0.25)] {
+        points.push_on_segment(ends[0], ends[1], t).unwrap();
+        old.steiner_segment.push(segment);
+        old.steiner_t.push(t);
+    }
+    let new = old.exchange(&points, vec![[1, 2], [0, 3], [0, 1]]).unwrap();
+    assert_eq!(new.first_steiner, 4);
+    assert_eq!(new.steiner_segment, [2, 0, 2]);
+    let mut pieces: Vec<_> = new.pieces.iter().map(|p| (p.segment, p.ends, p.t)).collect();
+    pieces.sort_by(|x, y| x.0.cmp(&y.0).then(x.2[0].total_cmp(&y.2[0])));
+    let expected = [
+        (0, [1, 5], [0.0, 0.25]),
+        (0, [5, 2], [0.25, 1.0]),
+        (1, [0, 3], [0.0, 1.0]),
+        (2, [0, 6], [0.0, 0.25]),
+        (2, [6, 4], [0.25, 0.5]),
+        (2, [4, 1], [0.5, 1.0]),
+    ];
+    assert_eq!(pieces, expected);
+    for (id, piece) in (0..).zip(&new.pieces) {
+        let [a, b] = piece.ends;
+        assert_eq!(new.piece_of[&[a.min(b), a.max(b)]], id);
+    }
+    assert_eq!(new.piece_of.len(), 6);
+    // A segment with points must stay.
+    assert!(new.exchange(&points, vec![[1, 2], [0, 3]]).is_err());
+}

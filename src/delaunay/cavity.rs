@@ -3,18 +3,21 @@
 //! The conflict region of a vertex is collected breadth-first, its boundary faces are joined to the vertex, and the new
 //! tetrahedra are linked through a table indexed by *local* vertex numbers: the boundary's vertices are renumbered from 0, and
 //! the half-edge `i → j` of each boundary face is stored at `32·i + j` (the device of Marot, Pellerin & Remacle 2019).
-//! Cavities with more than 32 vertices pair their half-edges by sorting.
+//! Cavities with more than 32 vertices pair their half-edges in a hash table.
 //!
 //! With `CONSTRAINED` the subsegment flags of tetrahedra are carried over: a flagged edge either lies on the boundary of
 //! the cavity, where new tetrahedra inherit the flag, or is lost and reported in `lost_edges`.
+use super::edge_table::EdgeTable;
 use super::Delaunay;
 use crate::error::Error;
-use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
+use crate::mesh::tables::{EDGE, EDGE_OF};
 use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
 use crate::predicates::{Points, Sign};
 
 /// Boundary vertices that the table can number.
 const LOCAL: usize = 32;
+/// Slots of the edge that the boundary's half-edge with this corner has, in a new tetrahedron; the first entry is never used.
+const HALF_EDGE: [[u8; 2]; 4] = [[0, 0], [2, 3], [3, 1], [1, 2]];
 /// First length of the lists of faces.
 const SCRATCH: usize = 256;
 
@@ -37,7 +40,8 @@ pub struct Cavity {
     /// Local numbers of the vertices of each boundary face (and a filler).
     local_faces: Vec<[u8; 4]>,
     half_edges: [[u32; LOCAL]; LOCAL],
-    sorted_edges: Vec<(u64, u32)>,
+    /// The half-edges where there are too many vertices for `half_edges`.
+    wide_edges: EdgeTable,
 }
 
 /// Numbers from 0 for the vertices of one cavity's boundary.
@@ -133,7 +137,7 @@ impl Cavity {
                 + self.fresh.capacity()
                 + self.local_faces.capacity()
                 + LOCAL * LOCAL)
-            + 16 * self.sorted_edges.capacity()
+            + self.wide_edges.bytes()
             + 8 * self.lost_edges.capacity()
     }
 }
@@ -160,7 +164,7 @@ impl Delaunay {
         self.collect_conflicts(points, p, t)?;
         self.fill::<CONSTRAINED>(p)?;
         if CONSTRAINED {
-            self.carry_edge_flags();
+            self.carry_edge_flags(p);
         }
         for i in 0..self.cavity.dead_count {
             self.mesh.release(self.cavity.dead[i]);
@@ -276,7 +280,7 @@ impl Delaunay {
         if small {
             self.link_by_table();
         } else {
-            self.link_by_sorting()?;
+            self.link_by_hash()?;
         }
         if CONSTRAINED {
             self.vertex_tet[p as usize] = self.cavity.fresh[0];
@@ -294,74 +298,69 @@ impl Delaunay {
         }
     }
 
-    #[cold]
-    fn link_by_sorting(&mut self) -> Result<(), Error> {
-        let edges = &mut self.cavity.sorted_edges;
-        edges.clear();
-        edges.try_reserve(3 * self.cavity.fresh.len())?;
+    #[inline(never)]
+    fn link_by_hash(&mut self) -> Result<(), Error> {
+        let edges = &mut self.cavity.wide_edges;
+        edges.clear(3 * self.cavity.fresh.len())?;
         for &t in &self.cavity.fresh {
-            let v = self.mesh.verts[t as usize];
-            for f in 1..4u32 {
-                let (a, b) = (v[(f % 3 + 1) as usize], v[((f + 1) % 3 + 1) as usize]);
-                edges.push(((a.min(b) as u64) << 32 | a.max(b) as u64, 4 * t + f));
-            }
+            let [_, a, b, c] = self.mesh.verts[t as usize];
+            edges.insert(b, c, 4 * t + 1);
+            edges.insert(c, a, 4 * t + 2);
+            edges.insert(a, b, 4 * t + 3);
         }
-        edges.sort_unstable();
-        for pair in edges.chunks_exact(2) {
-            if pair[0].0 != pair[1].0 {
+        for &t in &self.cavity.fresh {
+            let [_, a, b, c] = self.mesh.verts[t as usize];
+            let (Some(x), Some(y), Some(z)) = (edges.get(c, b), edges.get(a, c), edges.get(b, a)) else {
                 return Err(Error::internal("the boundary of a cavity is not closed"));
-            }
-            let (a, b) = (pair[0].1, pair[1].1);
-            self.mesh.adj[(a >> 2) as usize][(a & 3) as usize] = b;
-            self.mesh.adj[(b >> 2) as usize][(b & 3) as usize] = a;
+            };
+            let adj = &mut self.mesh.adj[t as usize];
+            [adj[1], adj[2], adj[3]] = [x, y, z];
         }
         Ok(())
     }
 
     /// Gives the new tetrahedra the subsegment flags of the boundary's edges and lists the flagged edges that are gone.
-    fn carry_edge_flags(&mut self) {
+    ///
+    /// The half-edges of the boundary tell which of the dead tetrahedra's edges are on it, and which new tetrahedra have
+    /// them: one for each direction.
+    fn carry_edge_flags(&mut self, p: u32) {
         self.cavity.lost_edges.clear();
         for i in 0..self.cavity.dead_count {
-            let t = self.cavity.dead[i];
-            let mut bits = (self.mesh.flags[t as usize] & flag::EDGES) >> 4;
+            let t = self.cavity.dead[i] as usize;
+            let mut bits = (self.mesh.flags[t] & flag::EDGES) >> 4;
             while bits != 0 {
                 let e = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let v = self.mesh.verts[t as usize];
+                let v = self.mesh.verts[t];
                 let (a, b) = (v[EDGE[e][0] as usize], v[EDGE[e][1] as usize]);
-                let edge = [a.min(b), a.max(b)];
-                if !self.cavity.lost_edges.contains(&edge) {
-                    self.cavity.lost_edges.push(edge);
-                }
-            }
-        }
-        if self.cavity.lost_edges.is_empty() {
-            return;
-        }
-        // `fresh[i]` was made from `boundary[i]`: copy the flags of the face's edges.
-        for i in 0..self.cavity.boundary_count {
-            let code = self.cavity.boundary[i];
-            let flags = self.mesh.flags[(code >> 2) as usize];
-            if flags & flag::EDGES == 0 {
-                continue;
-            }
-            let face = FACE[(code & 3) as usize];
-            let old = self.mesh.verts[(code >> 2) as usize];
-            let t = self.cavity.fresh[i];
-            for k in 0..3 {
-                let (x, y) = (face[k], face[(k + 1) % 3]);
-                if flags & (flag::EDGE << EDGE_OF[x as usize][y as usize]) == 0 {
+                let (Some(there), Some(back)) = (self.half_edge(p, a, b), self.half_edge(p, b, a)) else {
+                    let edge = [a.min(b), a.max(b)];
+                    if !self.cavity.lost_edges.contains(&edge) {
+                        self.cavity.lost_edges.push(edge);
+                    }
                     continue;
-                }
-                let (a, b) = (old[x as usize], old[y as usize]);
-                let (Some(m), Some(n)) = (self.mesh.slot_of(t, a), self.mesh.slot_of(t, b)) else { continue };
-                self.mesh.flags[t as usize] |= flag::EDGE << EDGE_OF[m as usize][n as usize];
-                let edge = [a.min(b), a.max(b)];
-                if let Some(at) = self.cavity.lost_edges.iter().position(|&lost| lost == edge) {
-                    self.cavity.lost_edges.swap_remove(at);
+                };
+                for code in [there, back] {
+                    let [x, y] = HALF_EDGE[(code & 3) as usize];
+                    self.mesh.flags[(code >> 2) as usize] |= flag::EDGE << EDGE_OF[x as usize][y as usize];
                 }
             }
         }
+    }
+
+    /// The corner code of the boundary's half-edge from `a` to `b` in the tetrahedron that joins it to `p`, if it is on the boundary.
+    #[inline(always)]
+    fn half_edge(&self, p: u32, a: u32, b: u32) -> Option<u32> {
+        let Cavity { numbers, half_edges, wide_edges, .. } = &self.cavity;
+        if numbers.count > LOCAL {
+            return wide_edges.get(a, b);
+        }
+        // What earlier cavities left in the table is told apart by its vertices: no other tetrahedra have `p`.
+        let [i, j] = [a, b].map(|v| numbers.of_vertex[v as usize] as usize % LOCAL);
+        let code = half_edges[i][j];
+        let v = self.mesh.verts.get((code >> 2) as usize)?;
+        let [x, y] = HALF_EDGE[(code & 3) as usize];
+        (v[0] == p && v[x as usize] == a && v[y as usize] == b).then_some(code)
     }
 
     /// A new tetrahedron of the last insertion with vertex `v`, or NONE.

@@ -7,6 +7,7 @@
 //! ghosts.
 pub mod cavity;
 pub mod check;
+mod edge_table;
 pub mod locate;
 pub mod order;
 

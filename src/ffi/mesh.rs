@@ -158,6 +158,15 @@ pub unsafe extern "C" fn delotet_mesh_steiner_points(mesh: *const DelotetMesh) -
     unsafe { read(mesh, DelotetSteinerView::new(&[]), |mesh| DelotetSteinerView::new(&mesh.mesh.steiner)) }
 }
 
+/// Terms of parameters that need more than a double (segments an ulp or so apart), in the order of the Steiner points, the
+/// largest term of a point first. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_steiner_terms(mesh: *const DelotetMesh) -> DelotetSteinerTermsView {
+    let none = DelotetSteinerTermsView::new(&[]);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, none, |mesh| DelotetSteinerTermsView::new(&mesh.mesh.steiner_terms)) }
+}
+
 /// The flips that facet merging made, in order (see delotet_options_set_merge_facets). Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_facet_flips(mesh: *const DelotetMesh) -> DelotetFacetFlipsView {

@@ -1,7 +1,7 @@
 //! What C sees of arrays: pointer and count. These structs are passed by value and therefore frozen; the element types have
 //! the layout of the Rust types behind them, which is asserted here.
 use crate::mesh_query::{Edge, Face};
-use crate::output::{FacetFlip, SteinerPoint, Subface, Subsegment};
+use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, Subface, Subsegment};
 use std::mem::offset_of;
 
 /// The index that means "none": no neighbour, no parent, not found. Valid indices are smaller. (`delotet.h.in` defines it for C,
@@ -171,7 +171,7 @@ pub struct DelotetSteinerPoint {
     /// Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a); both
     /// DELOTET_INVALID_INDEX for a point inside.
     pub ends: [u32; 2],
-    /// The parameter t; 0 for a point inside.
+    /// The parameter t; 0 for a point inside. Terms beyond a double, which hardly any point has, are in delotet_mesh_steiner_terms.
     pub t: f64,
     /// The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only or the point lies inside.
     pub segment: u32,
@@ -190,6 +190,27 @@ pub struct DelotetSteinerView {
     pub count: usize,
 }
 view!(DelotetSteinerView, DelotetSteinerPoint, SteinerPoint);
+
+/// A term of a Steiner point's parameter beyond `t`: the exact parameter is the sum of `t` and its terms.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSteinerTerm {
+    /// Index into the Steiner points.
+    pub steiner: u32,
+    /// The term.
+    pub value: f64,
+}
+
+/// Borrowed terms; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSteinerTermsView {
+    /// `count` terms.
+    pub data: *const DelotetSteinerTerm,
+    /// How many.
+    pub count: usize,
+}
+view!(DelotetSteinerTermsView, DelotetSteinerTerm, SteinerTerm);
 
 /// A flip of two facets' triangles that facet merging made before meshing.
 #[repr(C)]
@@ -318,6 +339,7 @@ macro_rules! same_layout {
 same_layout!(DelotetSubface, Subface, corners = corners, facet = facet, marker = marker, tets = tets);
 same_layout!(DelotetSubsegment, Subsegment, ends = ends, segment = segment, marker = marker);
 same_layout!(DelotetSteinerPoint, SteinerPoint, ends = ends, t = t, segment = segment, exact = exact);
+same_layout!(DelotetSteinerTerm, SteinerTerm, steiner = steiner, value = value);
 same_layout!(DelotetFacetFlip, FacetFlip, old_ends = old, new_ends = new, facets = facets);
 same_layout!(DelotetFace, Face, corners = corners, tets = tets, subface = subface, marker = marker);
 same_layout!(DelotetEdge, Edge, ends = ends, tet = tet, subsegment = subsegment, marker = marker);

@@ -17,6 +17,7 @@ mod msh;
 mod obj;
 mod off;
 mod output_files;
+mod parents;
 mod ply;
 mod quality;
 mod stl;
@@ -50,7 +51,7 @@ pub enum Format {
     Smesh,
     /// TetGen's `.node` (points).
     Node,
-    /// TetGen's `.ele` with `.node`, `.face`, `.edge`, `.neigh` beside it (mesh).
+    /// TetGen's `.ele` with `.node`, `.face`, `.edge`, `.neigh` beside it, and our own `.parents` (mesh).
     Ele,
     /// VTK XML unstructured grid (mesh).
     Vtu,
@@ -215,7 +216,8 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Error> {
 }
 
 /// Reads a mesh from TetGen's files: `STEM.node`, `STEM.ele` and, where it exists, `STEM.face`; `path` is any of these, or
-/// the stem. Filled are `points`, `tets`, `tet_region`, `regions` and the corners and markers of `subfaces`.
+/// the stem. Filled are `points`, `tets`, `tet_region`, `regions` and the corners and markers of `subfaces`; where there is
+/// also our own `STEM.parents`, `steiner`, `steiner_terms`, `facet_flips`, `hull_kept` and the facets of `subfaces`.
 ///
 /// # Errors
 /// As [`read`].
@@ -248,6 +250,10 @@ pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
         }));
     }
     mesh.points = nodes.points;
+    let parents = beside("parents");
+    if parents.exists() {
+        parents::read(&bytes_of(&parents)?, &mut mesh).map_err(|e| at(&parents, e))?;
+    }
     let mut known_regions = std::collections::HashMap::new();
     mesh.tet_region.try_reserve_exact(mesh.tets.len())?;
     for tet in 0..mesh.tets.len() {

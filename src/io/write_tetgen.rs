@@ -1,6 +1,7 @@
 //! TetGen's output: `.node`, `.ele`, `.face`, `.edge`, `.neigh`, numbered from 0. Source: Hang Si, TetGen User's Manual,
 //! section 5 "File Formats".
 use super::output_files::{Out, OutputFiles};
+use super::parents;
 use crate::error::Error;
 use crate::output::TetMesh;
 use crate::plc::attributes::continue_attributes;
@@ -9,14 +10,15 @@ use crate::INVALID;
 use std::io;
 use std::path::Path;
 
-/// Writes the five files of a mesh: `stem` with each suffix.
+/// Writes the files of a mesh: `stem` with each suffix, and our own `.parents`.
 pub(super) fn write(files: &mut OutputFiles, stem: &Path, mesh: &TetMesh, plc: &Plc) -> Result<(), Error> {
     let added = continue_attributes(plc, mesh)?;
     files.write(&stem.with_extension("node"), |out| nodes(out, mesh, plc, &added))?;
     files.write(&stem.with_extension("ele"), |out| tets(out, mesh, plc))?;
     files.write(&stem.with_extension("face"), |out| faces(out, mesh))?;
     files.write(&stem.with_extension("edge"), |out| edges(out, mesh))?;
-    files.write(&stem.with_extension("neigh"), |out| neighbors(out, mesh))
+    files.write(&stem.with_extension("neigh"), |out| neighbors(out, mesh))?;
+    files.write(&stem.with_extension("parents"), |out| parents::write(out, mesh))
 }
 
 fn nodes(out: &mut Out, mesh: &TetMesh, plc: &Plc, added: &[f64]) -> io::Result<()> {

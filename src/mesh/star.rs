@@ -1,5 +1,5 @@
 //! Stars: the tetrahedra around a vertex or an edge.
-use super::tables::{EDGE_OF, OTHERS};
+use super::tables::OTHERS;
 use super::{flag, Tetrahedra};
 
 /// Scratch space for star searches.
@@ -99,21 +99,5 @@ impl Iterator for EdgeRing<'_> {
         let next = self.mesh.adj[t as usize][k as usize] >> 2;
         self.current = if next == self.start { None } else { Some(next) };
         Some((t, i, j, k as u32, l as u32))
-    }
-}
-
-/// Sets or clears the subsegment flag of edge `a b` in every tetrahedron around it; `t` is one of them.
-pub fn flag_edge(mesh: &mut Tetrahedra, t: u32, a: u32, b: u32, on: bool) {
-    let mut current = t;
-    loop {
-        let (Some(i), Some(j)) = (mesh.slot_of(current, a), mesh.slot_of(current, b)) else { return };
-        let bit = flag::EDGE << EDGE_OF[i as usize][j as usize];
-        let flags = &mut mesh.flags[current as usize];
-        *flags = if on { *flags | bit } else { *flags & !bit };
-        let [k, _] = OTHERS[i as usize][j as usize];
-        current = mesh.adj[current as usize][k as usize] >> 2;
-        if current == t {
-            return;
-        }
     }
 }

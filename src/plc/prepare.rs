@@ -4,7 +4,7 @@
 //! one, then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
 use super::duplicates::first_equal;
 use super::intersect::{find_intersections, IntersectInput, Intersections};
-use super::merge::{merge, Guide};
+use super::merge::Merger;
 use super::patch::{connect, FixedEdge};
 use super::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
 use super::split::split;
@@ -108,24 +108,28 @@ impl Prepared {
         &self.surface
     }
 
-    /// Merges facets, if the options ask for it, and finds segments and patches. `guide` steers the merging (see [`merge`]).
+    /// Finds segments and patches, without merging facets.
     ///
     /// # Errors
     /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
-    pub fn connect(
-        self,
-        plc: &Plc,
-        options: &Options,
-        guide: Option<&mut Guide>,
-        observer: &mut dyn Observer,
-    ) -> Result<Surface, Error> {
+    pub fn connect(self, plc: &Plc, observer: &mut dyn Observer) -> Result<Surface, Error> {
         let Prepared { mut surface, fixed } = self;
-        if let Some(degrees) = options.merge_facets {
-            merge(&mut surface, &fixed, plc, degrees, guide, observer)?;
-        }
         connect(&mut surface, &fixed, |facet| plc.facet_marker(facet as usize))?;
         report(observer, Phase::Validate, 1.0)?;
         Ok(surface)
+    }
+
+    /// Begins the merging of facets that meet above `degrees`.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`].
+    pub fn merger<'a>(&'a mut self, plc: &'a Plc, degrees: f64) -> Result<Merger<'a>, Error> {
+        Merger::new(&mut self.surface, std::mem::take(&mut self.fixed), plc, degrees)
+    }
+
+    /// The surface when merging is done.
+    pub fn into_surface(self) -> Surface {
+        self.surface
     }
 }
 
@@ -135,7 +139,10 @@ impl Prepared {
 /// All defects found, with the worst class as status; without `options.validate` crossings of elements are not looked for.
 /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
 pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Surface, Error> {
-    check_and_split(plc, options, observer)?.connect(plc, options, None, observer)
+    let mut prepared = check_and_split(plc, options, observer)?;
+    let Some(degrees) = options.merge_facets else { return prepared.connect(plc, observer) };
+    prepared.merger(plc, degrees)?.run(None, observer)?;
+    Ok(prepared.into_surface())
 }
 
 /// The first part of [`prepare`]: everything that does not depend on the Delaunay tetrahedralization.
@@ -155,8 +162,7 @@ pub fn check_and_split(plc: &Plc, options: &Options, observer: &mut dyn Observer
     triangulate_facets(plc, &mut surface, &mut fixed, &mut defects, observer)?;
     let marker = |facet: u32| plc.facet_marker(facet as usize);
     if options.validate {
-        let mut part = Part { observer: &mut *observer, from: 0.3, to: 0.9 };
-        let found = intersect(&surface, &fixed, &mut defects, &mut part)?;
+        let found = intersect(&surface, &mut fixed, &mut defects, observer)?;
         if defects.is_empty() {
             let may_join = |f: u32, g: u32| f == g || marker(f) == marker(g);
             let crossings = split(&mut surface, &mut fixed.edges, &found, may_join)?;
@@ -207,11 +213,53 @@ impl Observer for Part<'_> {
     }
 }
 
-/// Finds all contacts; those that are defects are added to the others.
+/// Finds all contacts; those that are defects are added to the others. Edges of facets in the interior of other facets are fixed.
 fn intersect(
     surface: &Surface,
-    fixed: &Fixed,
+    fixed: &mut Fixed,
     defects: &mut Defects,
+    observer: &mut dyn Observer,
+) -> Result<Intersections, Error> {
+    let given = fixed.edges.len();
+    let mut part = Part { observer: &mut *observer, from: 0.3, to: 0.8 };
+    let mut found = contacts(surface, fixed, defects.limit, &mut part)?;
+    let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+    let mut known: Vec<[u32; 2]> = Vec::new();
+    known.try_reserve_exact(given)?;
+    known.extend(fixed.edges.iter().map(|edge| sorted(edge.ends)));
+    known.sort_unstable();
+    for &(edge, facet) in found.edge_in_facet.iter().filter(|x| known.binary_search(&x.0).is_err()) {
+        fixed.push(edge, Element::Facet(facet))?;
+    }
+    if fixed.edges.len() > given {
+        let mut part = Part { observer, from: 0.8, to: 0.9 };
+        found = contacts(surface, fixed, defects.limit, &mut part)?;
+    }
+    let owner = |element: Element| match element {
+        Element::Segment(i) => fixed.owner[i as usize],
+        other => other,
+    };
+    let is_edge = |element: Element| matches!(element, Element::Segment(i) if i as usize >= given);
+    for d in &found.defects {
+        let point = d.point.map(|p| p.map(|x| scale(x, -surface.scale)));
+        let facets = is_edge(d.first) || d.second.is_some_and(is_edge);
+        let (first, second) = (owner(d.first), d.second.map(owner));
+        let kind = match (first, second) {
+            (Element::Facet(_), Some(Element::Facet(_))) if facets => DefectKind::FacetFacet,
+            (Element::Facet(_), Some(Element::Segment(_))) if facets => DefectKind::SegmentFacet,
+            _ => d.kind,
+        };
+        defects.push(kind, first, second, point);
+    }
+    defects.count += found.defect_count - found.defects.len().min(found.defect_count);
+    Ok(found)
+}
+
+/// All contacts of facets, fixed edges and vertices.
+fn contacts(
+    surface: &Surface,
+    fixed: &Fixed,
+    max_defects: usize,
     observer: &mut dyn Observer,
 ) -> Result<Intersections, Error> {
     let mut vertices: Vec<u32> = Vec::new();
@@ -227,17 +275,7 @@ fn intersect(
         triangle_facet: &surface.triangle_facet,
         segments: &segments,
     };
-    let found = find_intersections(&input, defects.limit, observer)?;
-    let owner = |element: Element| match element {
-        Element::Segment(i) => fixed.owner[i as usize],
-        other => other,
-    };
-    for d in &found.defects {
-        let point = d.point.map(|p| p.map(|x| scale(x, -surface.scale)));
-        defects.push(d.kind, owner(d.first), d.second.map(owner), point);
-    }
-    defects.count += found.defect_count - found.defects.len().min(found.defect_count);
-    Ok(found)
+    find_intersections(&input, max_defects, observer)
 }
 
 /// Reports every defect of a PLC.

@@ -134,7 +134,7 @@ impl Groups {
                     self.sets.join(t, u);
                     self.crossed.try_reserve(1)?;
                     self.crossed.push(edge);
-                } else {
+                } else if !found.meet_in_vertex(run[0].0, edge) {
                     crossings.try_reserve(1)?;
                     crossings.push((run[0].0, t));
                 }

@@ -557,15 +557,30 @@ fn facets_that_meet_in_a_t() {
         facets: vec![ring_facet(&[&[0, 1, 2, 3]]), ring_facet(&[&[4, 5, 6, 7]])],
         ..Plc::default()
     };
-    match run(&plc) {
-        Ok(s) => assert_eq!(s.triangles.iter().filter(|t| t.contains(&4) && t.contains(&5)).count(), 3),
-        Err(error) => assert_eq!(error.status, Status::SelfIntersection),
+    let mut with_edge = plc.clone();
+    with_edge.facets[0].polygons.push(vec![4, 5]);
+    for plc in [&plc, &with_edge] {
+        let s = run(plc).unwrap();
+        assert_eq!(s.triangles.iter().filter(|t| t.contains(&4) && t.contains(&5)).count(), 3);
+        assert_eq!((s.segments.len(), s.patch_count), (8, 2));
     }
-    // With the foot as an edge of the floor it is always fine.
-    plc.facets[0].polygons.push(vec![4, 5]);
+    // A foot that ends beyond the floor at one of its corners, or in a vertex on its edge.
+    plc.points[4] = [-1., 0., 0.];
+    plc.points[5] = [3., 3., 0.];
+    (plc.points[6], plc.points[7]) = ([3., 3., 2.], [-1., 0., 2.]);
+    let error = run(&plc).unwrap_err();
+    assert_eq!(error.defects[0].kind, DefectKind::FacetFacet);
+    assert_eq!(
+        (error.defects[0].first, error.defects[0].second),
+        (Element::Facet(1), Some(Element::Facet(0)))
+    );
+    plc.points.push([0., 0.75, 0.]);
     let s = run(&plc).unwrap();
-    assert_eq!(s.triangles.iter().filter(|t| t.contains(&4) && t.contains(&5)).count(), 3);
-    assert_eq!((s.segments.len(), s.patch_count), (8, 2));
+    assert!(s.segments.contains(&[4, 8]) && s.segments.contains(&[5, 8]));
+    // A wall that pierces the floor.
+    (plc.points[4], plc.points[5]) = ([1., 2., -1.], [3., 2., -1.]);
+    (plc.points[6], plc.points[7]) = ([3., 2., 2.], [1., 2., 2.]);
+    assert_eq!(run(&plc).unwrap_err().defects[0].kind, DefectKind::FacetFacet);
 }
 
 #[test]

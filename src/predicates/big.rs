@@ -7,9 +7,6 @@
 use super::{expansion::Expansion, range, Sign};
 use std::cmp::Ordering;
 
-/// The unit is `2^-UNIT`: below the lowest bit of any point (bits of the exact range, and of t from 2^-60 in 53 bits).
-const UNIT: i32 = -range::LOWEST_EXPONENT + 60 + 53;
-
 #[derive(Clone, Debug)]
 pub(crate) struct Big {
     negative: bool,
@@ -55,15 +52,22 @@ fn trim(mut digits: Vec<u32>) -> Vec<u32> {
 }
 
 impl Big {
-    /// The value of an expansion, in units.
-    pub(crate) fn of(value: &Expansion) -> Big {
-        let zero = Big { negative: false, digits: Vec::new() };
-        value.components().iter().fold(zero, |sum, &x| sum.combine(&Big::of_double(x), false))
+    /// Coordinates in a common unit: the lowest bit set in any of them.
+    pub(crate) fn rows<const N: usize>(points: &[[Expansion; 3]; N]) -> [[Big; 3]; N] {
+        let components = points.iter().flatten().flat_map(|x| x.components());
+        let unit = components.filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(0);
+        std::array::from_fn(|i| std::array::from_fn(|k| Big::of(&points[i][k], unit)))
     }
 
-    fn of_double(x: f64) -> Big {
+    /// The value of an expansion in units of two to the power of `unit`, which divides all its components.
+    fn of(value: &Expansion, unit: i32) -> Big {
+        let zero = Big { negative: false, digits: Vec::new() };
+        value.components().iter().fold(zero, |sum, &x| sum.combine(&Big::of_double(x, unit), false))
+    }
+
+    fn of_double(x: f64, unit: i32) -> Big {
         let (mantissa, exponent) = range::decompose(x);
-        let shift = (exponent + UNIT).max(0) as usize;
+        let shift = exponent.saturating_sub(unit).max(0) as usize;
         let mut digits = vec![0u32; shift / 32];
         let wide = u128::from(mantissa) << (shift % 32);
         digits.extend([wide as u32, (wide >> 32) as u32, (wide >> 64) as u32]);

@@ -72,7 +72,7 @@ impl Points {
             let [a, b, c, d, e] = ids.map(|i| self.xyz(i));
             return robust_insphere(a, b, c, d, e);
         }
-        exact::insphere(&self.big(ids))
+        self.insphere_leading(ids).unwrap_or_else(|| exact::insphere(&self.big(ids)))
     }
 
     /// [`insphere`](Points::insphere), with ties broken by the perturbation: never zero for five distinct points that

@@ -23,7 +23,7 @@ mod wide;
 pub use expansion::Expansion;
 pub use orient::dot_sign;
 pub use points::Points;
-pub use range::{in_range, range_scale, scale};
+pub use range::{in_range, is_parameter, range_scale, scale, to_range};
 
 /// The sign of a determinant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

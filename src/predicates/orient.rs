@@ -40,6 +40,9 @@ impl Points {
         if explicit && size <= self.grid() * 65536.0 {
             return Sign::of(det);
         }
+        if !explicit && self.three_on_a_segment(ids) {
+            return Sign::Zero;
+        }
         if let Some(rows) = self.differences(ids) {
             return wide::orient3d(&rows);
         }
@@ -77,7 +80,7 @@ impl Points {
             let mut order = compare(self.xyz(a)[axis], self.xyz(b)[axis]);
             if order.is_eq() && !known {
                 let [p, q] = [a, b].map(|i| self.exact_coordinates(i));
-                // Expansions cannot underflow here: Steiner points have no bits below 2^-327, and differences no others.
+                // Expansions cannot underflow here: Steiner points have no bits below 2^-1014, and differences no others.
                 order = match p[axis].difference(&q[axis]).sign() {
                     Sign::Negative => Ordering::Less,
                     Sign::Zero => Ordering::Equal,
@@ -118,6 +121,6 @@ pub fn dot_sign(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
     }
     match differences([b, c, a]) {
         Some(rows) => wide::dot_sign(&rows),
-        None => exact::dot_sign(&[a, b, c].map(|p| p.map(|x| Big::of(&Expansion::from(x))))),
+        None => exact::dot_sign(&Big::rows(&[a, b, c].map(|p| p.map(Expansion::from)))),
     }
 }

@@ -53,6 +53,9 @@ impl Points {
         });
         let [(au, av, al), (bu, bv, bl), (cu, cv, cl)] = rows;
         let det = al * (bu * cv - bv * cu) + bl * (cu * av - cv * au) + cl * (au * bv - av * bu);
+        if det.abs() > self.incircle_bounds[axis] {
+            return Sign::of(det);
+        }
         let spread = self.spread(ids, !self.any_implicit(&ids));
         if spread.size[u] == 0.0 || spread.size[v] == 0.0 {
             return Sign::Zero;

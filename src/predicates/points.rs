@@ -4,13 +4,14 @@
 //! points; the static bounds hold for all differences between stored points; the ends of an implicit point are
 //! explicit. Source: implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t,
 //! so that all coordinates have denominator one: sums of two doubles in nearly all cases, and integers on a common
-//! grid.
+//! grid. Where segments run so close to each other that a double is too coarse, t is the sum of several.
 
 use super::big::Big;
-use super::expansion::Expansion;
+use super::expansion::{two_product, two_sum, Expansion};
 use super::filter::{larger, Spread};
 use super::range::{self, in_range};
-use super::wide::Differences;
+use super::wide::{self, Differences};
+use super::Sign;
 use crate::error::Error;
 
 /// An implicit point.
@@ -19,12 +20,23 @@ struct Implicit {
     a: u32,
     b: u32,
     t: f64,
+    /// What the parameter has beyond the nearest double `t`: components, smallest first. Hardly ever there.
+    low: Box<[f64]>,
     /// The nearest doubles of `exact − nearest double`.
     rest: [f64; 3],
     /// Whether nearest double plus rest is exact in all coordinates.
     two_doubles: bool,
     /// Whether a coordinate has bits below the exact range: filters could underflow.
     fine: bool,
+}
+
+impl Implicit {
+    fn parameter(&self) -> Expansion {
+        if self.low.is_empty() {
+            return Expansion::from(self.t);
+        }
+        self.low.iter().fold(Expansion::from(self.t), |sum, &x| sum.sum(&Expansion::from(x)))
+    }
 }
 
 /// All points of a triangulation, with exact predicates on them by index.
@@ -42,6 +54,8 @@ pub struct Points {
     grid: f64,
     pub(super) orient3d_bound: f64,
     pub(super) insphere_bound: f64,
+    /// Of circles, per axis that the projection drops.
+    pub(super) incircle_bounds: [f64; 3],
 }
 
 const NONE: u32 = u32::MAX;
@@ -60,6 +74,7 @@ impl Points {
             grid: f64::MAX,
             orient3d_bound: f64::INFINITY,
             insphere_bound: f64::INFINITY,
+            incircle_bounds: [f64::INFINITY; 3],
         };
         let mut lowest = i32::MAX;
         for p in &xyz {
@@ -90,6 +105,7 @@ impl Points {
         }
         self.orient3d_bound = spread.orient3d_bound();
         self.insphere_bound = spread.insphere_bound();
+        self.incircle_bounds = [0, 1, 2].map(|axis| spread.incircle_bound((axis + 1) % 3, (axis + 2) % 3));
     }
 
     /// The number of points.
@@ -132,8 +148,8 @@ impl Points {
     }
 
     /// `(a, b, t)` of an implicit point `a + t (b − a)`; `None` for an explicit one.
-    pub fn implicit_parameters(&self, i: u32) -> Option<(u32, u32, f64)> {
-        self.implicit(i).map(|p| (p.a, p.b, p.t))
+    pub fn implicit_parameters(&self, i: u32) -> Option<(u32, u32, Expansion)> {
+        self.implicit(i).map(|p| (p.a, p.b, p.parameter()))
     }
 
     /// Appends an explicit point.
@@ -179,8 +195,8 @@ impl Points {
     /// Appends the point `a + t (b − a)`: explicit if every coordinate is exactly a double, implicit otherwise.
     ///
     /// # Errors
-    /// `Internal` unless `a` and `b` are explicit and `2^-60 <= t < 1`; `OutOfMemory`, `TooLarge`.
-    pub fn push_on_segment(&mut self, a: u32, b: u32, t: f64) -> Result<u32, Error> {
+    /// `Internal` unless `a` and `b` are explicit, `0 < t < 1` and t a multiple of `2^-800`; `OutOfMemory`, `TooLarge`.
+    pub fn push_on_segment(&mut self, a: u32, b: u32, t: &Expansion) -> Result<u32, Error> {
         match self.on_segment(a, b, t)? {
             (p, None) => self.push(p),
             (p, implicit) => self.append(p, implicit),
@@ -188,10 +204,10 @@ impl Points {
     }
 
     /// Nearest doubles of `a + t (b − a)`, and what else is to know if they are not exact.
-    fn on_segment(&self, a: u32, b: u32, t: f64) -> Result<([f64; 3], Option<Implicit>), Error> {
+    fn on_segment(&self, a: u32, b: u32, t: &Expansion) -> Result<([f64; 3], Option<Implicit>), Error> {
         let known = |i: u32| (i as usize) < self.xyz.len() && self.is_explicit(i);
-        if !known(a) || !known(b) || !(range::scale(1.0, -60)..1.0).contains(&t) {
-            return Err(Error::internal(format!("invalid Steiner point: {a}, {b}, {t}")));
+        if !known(a) || !known(b) || !range::is_parameter(t) {
+            return Err(Error::internal(format!("invalid Steiner point: {a}, {b}, {}", t.approximate())));
         }
         let exact = on_segment(self.xyz(a), self.xyz(b), t);
         let lowest = exact.iter().filter_map(|e| range::lowest_exponent(*e.components().first()?)).min();
@@ -203,22 +219,33 @@ impl Points {
         let beyond = [0, 1, 2].map(|i| exact[i].difference(&Expansion::from(p[i])).compressed());
         let two_doubles = beyond.iter().all(|e| e.components().len() <= 1);
         let rest = [0, 1, 2].map(|i| beyond[i].nearest());
-        Ok((p, Some(Implicit { a, b, t, rest, two_doubles, fine })))
+        let nearest = t.nearest();
+        let low = match t.components() {
+            [_] => Box::default(),
+            _ => t.difference(&Expansion::from(nearest)).compressed().components().into(),
+        };
+        Ok((p, Some(Implicit { a, b, t: nearest, low, rest, two_doubles, fine })))
     }
 
-    /// Square of the distance between `a + t (b − a)` and its nearest double point, approximately; zero exactly if it is one.
+    /// Square of the distance between `a + t (b − a)` and its nearest double point, approximately; zero hardly ever unless it
+    /// is one. Twice the precision of doubles is enough to choose by.
     pub fn rounding_error(&self, a: u32, b: u32, t: f64) -> f64 {
-        self.on_segment(a, b, t)
-            .ok()
-            .and_then(|(_, implicit)| implicit)
-            .map_or(0.0, |implicit| implicit.rest.iter().map(|x| x * x).sum())
+        let (a, b) = (self.xyz(a), self.xyz(b));
+        let error = |axis: usize| {
+            let (high, low) = two_sum(b[axis], -a[axis]);
+            let (product, rest) = two_product(high, t);
+            let (sum, beyond) = two_sum(a[axis], product);
+            let rest = beyond + (rest + low * t);
+            rest - ((sum + rest) - sum)
+        };
+        (0..3).map(|axis| error(axis) * error(axis)).sum()
     }
 
     /// Moves an implicit point along its segment, to parameter `t`; it becomes explicit where it can.
     ///
     /// # Errors
     /// `Internal` if `i` was never implicit or `t` is out of range.
-    pub fn move_on_segment(&mut self, i: u32, ends: [u32; 2], t: f64) -> Result<(), Error> {
+    pub fn move_on_segment(&mut self, i: u32, ends: [u32; 2], t: &Expansion) -> Result<(), Error> {
         let (p, implicit) = self.on_segment(ends[0], ends[1], t)?;
         let slot = i.checked_sub(self.first_implicit).and_then(|k| self.slots.get_mut(k as usize));
         let Some(slot) = slot else {
@@ -280,7 +307,7 @@ impl Points {
     pub fn exact_coordinates(&self, i: u32) -> [Expansion; 3] {
         match self.implicit(i) {
             None => self.xyz(i).map(Expansion::from),
-            Some(p) => on_segment(self.xyz(p.a), self.xyz(p.b), p.t),
+            Some(p) => on_segment(self.xyz(p.a), self.xyz(p.b), &p.parameter()),
         }
     }
 
@@ -302,15 +329,42 @@ impl Points {
         Differences::new(&coordinates)
     }
 
+    /// The insphere sign from the leading bits of the differences, if they decide.
+    pub(super) fn insphere_leading(&self, ids: [u32; 5]) -> Option<Sign> {
+        let mut coordinates = [[[0.0; 2]; 3]; 5];
+        let mut lost = 0.0f64;
+        for (to, &i) in coordinates.iter_mut().zip(&ids) {
+            let (p, implicit) = (self.xyz(i), self.implicit(i));
+            for axis in 0..3 {
+                let rest = implicit.map_or(0.0, |implicit| implicit.rest[axis]);
+                to[axis] = [p[axis], rest];
+                if implicit.is_some_and(|implicit| !implicit.two_doubles) {
+                    // Rounded to nearest; the smallest double where that underflows.
+                    lost = lost.max(rest.abs() * f64::EPSILON + range::scale(1.0, -1074));
+                }
+            }
+        }
+        wide::insphere_leading(&coordinates, lost)
+    }
+
     /// Exact coordinates as big integers.
     pub(super) fn big<const N: usize>(&self, ids: [u32; N]) -> [[Big; 3]; N] {
-        ids.map(|i| self.exact_coordinates(i).map(|e| Big::of(&e)))
+        Big::rows(&ids.map(|i| self.exact_coordinates(i)))
     }
 
     /// Whether a point among these is implicit.
     #[inline(always)]
     pub(super) fn any_implicit(&self, ids: &[u32]) -> bool {
         self.first_implicit != NONE && ids.iter().any(|&i| !self.is_explicit(i))
+    }
+
+    /// Whether three of the points lie on one segment that an implicit one of them knows.
+    pub(super) fn three_on_a_segment(&self, ids: [u32; 4]) -> bool {
+        let ends = |i: u32| self.implicit(i).map(|p| [p.a, p.b]);
+        ids.iter().filter_map(|&i| ends(i)).any(|[a, b]| {
+            let on = |&&i: &&u32| i == a || i == b || ends(i) == Some([a, b]);
+            ids.iter().filter(on).count() >= 3
+        })
     }
 
     /// Whether a point among these needs big integers.
@@ -364,8 +418,12 @@ impl Points {
 }
 
 /// The exact `a + t (b − a)`.
-fn on_segment(a: &[f64; 3], b: &[f64; 3], t: f64) -> [Expansion; 3] {
-    [0, 1, 2].map(|i| Expansion::of_difference(b[i], a[i]).scale(t).sum(&Expansion::from(a[i])).compressed())
+fn on_segment(a: &[f64; 3], b: &[f64; 3], t: &Expansion) -> [Expansion; 3] {
+    [0, 1, 2].map(|i| {
+        let d = Expansion::of_difference(b[i], a[i]);
+        let along = if let [t] = t.components() { d.scale(*t) } else { d.product(t) };
+        along.sum(&Expansion::from(a[i])).compressed()
+    })
 }
 
 /// [`Points::exact_bits`] for one coordinate.

@@ -5,8 +5,11 @@
 //! Differences are at most `2^201`, the determinant's sums below `2^1015`: nothing overflows, and no factor of a
 //! product that is split (degree at most 4, below `2^815`) comes near `2^996` where splitting would.
 //!
-//! A Steiner point `a + t (b − a)` lies in the same box, but may have bits below `2^-214` (down to `2^-326`, as t is at
-//! least `2^-60` and has 53 bits): the store marks these, and integers decide all their signs, without filters.
+//! A Steiner point `a + t (b − a)` lies in the same box, but may have bits below `2^-214` (down to `2^-1014`, as t is a
+//! multiple of `2^-800`: no expansion of a coordinate underflows): the store marks these, and integers decide all their
+//! signs, without filters.
+
+use super::{Expansion, Sign};
 
 /// All coordinates in range are multiples of two to this.
 pub(crate) const LOWEST_EXPONENT: i32 = -214;
@@ -46,6 +49,27 @@ pub fn in_range(x: f64) -> bool {
     x.is_finite()
         && x.abs() <= scale(1.0, HIGHEST_EXPONENT)
         && lowest_exponent(x).is_none_or(|e| e >= LOWEST_EXPONENT)
+}
+
+/// The nearest multiple of the unit of coordinates in range; `x` itself unless it is tiny.
+pub fn to_range(x: f64) -> f64 {
+    let unit = scale(1.0, LOWEST_EXPONENT);
+    if x.abs() < unit * (1u64 << 53) as f64 {
+        (x / unit).round() * unit
+    } else {
+        x
+    }
+}
+
+/// All parameters of Steiner points are multiples of two to this. Segments at an angle α need a precision of α²: this is enough
+/// down to angles of `2^-390`, and doubles in range reach `2^-415`.
+const LOWEST_PARAMETER_EXPONENT: i32 = -800;
+
+/// Whether a Steiner point can have this parameter: strictly between 0 and 1, and not too fine.
+pub fn is_parameter(t: &Expansion) -> bool {
+    t.sign() == Sign::Positive
+        && t.difference(&Expansion::from(1.0)).sign() == Sign::Negative
+        && t.components().iter().all(|&x| lowest_exponent(x).is_none_or(|e| e >= LOWEST_PARAMETER_EXPONENT))
 }
 
 /// The power of two `k` such that all points times `2^k` are in the exact range; 0 if they are already.

@@ -8,7 +8,7 @@ use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
 /// Coordinates are exact integers in units of 2^-UNIT.
-const UNIT: i32 = 340;
+const UNIT: i32 = 480;
 
 struct Random(u64);
 
@@ -72,11 +72,11 @@ fn of_point(points: &Points, i: u32) -> Exact {
         None => points.xyz(i).map(integer),
         Some((a, b, t)) => {
             let (a, b) = (of_point(points, a), of_point(points, b));
-            let (mantissa, exponent) = range::decompose(t);
+            let t: BigInt = t.components().iter().map(|&x| integer(x)).sum();
             [0, 1, 2].map(|k| {
-                let scaled = (&b[k] - &a[k]) * BigInt::from(mantissa);
-                let shifted: BigInt = &scaled >> -exponent;
-                assert_eq!(&shifted << -exponent, scaled, "the unit is too coarse for the test");
+                let scaled = (&b[k] - &a[k]) * &t;
+                let shifted: BigInt = &scaled >> UNIT;
+                assert_eq!(&shifted << UNIT, scaled, "the unit is too coarse for the test");
                 &a[k] + shifted
             })
         }
@@ -218,10 +218,12 @@ fn circle_agrees_with_sphere(points: &Points, axis: usize, [a, b, c, d, e]: [u32
 fn with_steiner(points: Vec<[f64; 3]>, count: usize, bits: u32, random: &mut Random) -> Points {
     let n = points.len();
     let mut points = Points::new(points);
-    for _ in 0..count {
+    for i in 0..count {
         let [a, b] = random.distinct::<2>(n);
         let t = (random.below((1 << bits) - 1) + 1) as f64 / (1u64 << bits) as f64;
-        points.push_on_segment(a, b, t).expect("a point on a segment");
+        // Every fourth parameter has more bits than a double.
+        let rest = if i % 4 == 3 { scale(random.below(1 << 20) as f64 - 5e5, -110) } else { 0.0 };
+        points.push_on_segment(a, b, &Expansion::from(t).sum(&rest.into())).expect("a point on a segment");
     }
     points
 }
@@ -390,8 +392,8 @@ fn perturbed_delaunay_fills_the_hull() {
             let mut points = Points::new(corners);
             let last = points.len() as u32 - 1;
             if middle {
-                points.push_on_segment(0, last, 0.5).expect("valid");
-                points.push_on_segment(0, 1, 0.3).expect("valid");
+                points.push_on_segment(0, last, &0.5.into()).expect("valid");
+                points.push_on_segment(0, 1, &0.3.into()).expect("valid");
             }
             let n = points.len() as u32;
             let exact: Vec<Exact> = (0..n).map(|i| of_point(&points, i)).collect();
@@ -454,8 +456,8 @@ fn static_filter_decides() {
 fn collinear_steiner_points() {
     let mut points = Points::new(vec![[0.1, 0.2, 0.3], [0.7, 0.45, 0.11], [0.0, 1.0, 0.0], [0.9, 0.8, 0.7]]);
     let on: Vec<u32> =
-        [0.25, 0.375, 0.7].iter().map(|&t| points.push_on_segment(0, 1, t).expect("valid")).collect();
-    let same = points.push_on_segment(1, 0, 0.75).expect("valid");
+        [0.25, 0.375, 0.7].iter().map(|&t| points.push_on_segment(0, 1, &t.into()).expect("valid")).collect();
+    let same = points.push_on_segment(1, 0, &0.75.into()).expect("valid");
     assert!(points.same_position(same, on[0]));
     assert!(
         points.collinear(0, on[0], on[1])

@@ -166,7 +166,7 @@ fn orient3d_of<const L: usize, const M: usize, const T: usize>([a, b, c, _]: &[R
 
 fn insphere_of<const L: usize, const M: usize, const T: usize, const F: usize>(
     [a, b, c, d, _]: &[Row<L>; 5],
-) -> Sign {
+) -> [u64; F] {
     let (ab, ac, ad) = (minor::<L, M>(a, b, 0, 1), minor::<L, M>(a, c, 0, 1), minor::<L, M>(a, d, 0, 1));
     let (bc, bd, cd) = (minor::<L, M>(b, c, 0, 1), minor::<L, M>(b, d, 0, 1), minor::<L, M>(c, d, 0, 1));
     let bcd: [u64; T] = triple([(&b[2], &cd), (&c[2], &bd), (&d[2], &bc)]);
@@ -175,7 +175,7 @@ fn insphere_of<const L: usize, const M: usize, const T: usize, const F: usize>(
     let abc: [u64; T] = triple([(&a[2], &bc), (&b[2], &ac), (&c[2], &ab)]);
     let lift = |p| dot::<L, M>(p, p);
     let first: [u64; F] = triple([(&lift(a), &bcd), (&lift(b), &acd), (&lift(c), &abd)]);
-    sign(&subtract(&first, &multiply(&lift(d), &abc)))
+    subtract(&first, &multiply(&lift(d), &abc))
 }
 
 fn incircle_of<const L: usize, const M: usize, const F: usize>(
@@ -199,9 +199,61 @@ pub(crate) fn orient3d(rows: &Differences<4>) -> Sign {
 /// Positive when e is inside the circumsphere of the positive tetrahedron (a, b, c, d).
 pub(crate) fn insphere(rows: &Differences<5>) -> Sign {
     match rows {
-        Differences::Short(rows) => insphere_of::<1, 2, 3, 5>(rows),
-        Differences::Long(rows) => insphere_of::<2, 4, 6, 10>(rows),
+        Differences::Short(rows) => sign(&insphere_of::<1, 2, 3, 5>(rows)),
+        Differences::Long(rows) => sign(&insphere_of::<2, 4, 6, 10>(rows)),
     }
+}
+
+/// The insphere sign from the leading 122 bits of the differences, `None` if these do not decide; for points that span
+/// too many bits otherwise. Coordinates are sums of two doubles, off by less than `lost` each.
+///
+/// Cutting off takes less than one unit from each of a coordinate's two doubles, `lost` is at most one unit: differences
+/// are off by less than δ = 4. With Y a bound of their sizes, exact and cut off, the determinant is off by less than
+/// 24 (3 Y² δ 3 Y² + Y³ 6 Y δ) = 1440 Y⁴ < 2^11 Y⁴ (replacing columns as in `filter`; the squares are off by 6 Y δ).
+pub(crate) fn insphere_leading(points: &[[[f64; 2]; 3]; 5], lost: f64) -> Option<Sign> {
+    let beyond = |x: f64| mantissa(x).1 + 53;
+    let mut widest = 0.0f64;
+    for p in points {
+        for (x, last) in p.iter().zip(&points[4]) {
+            widest = widest.max((x[0] - last[0]).abs() + x[1].abs() + last[1].abs());
+        }
+    }
+    let low = (beyond(widest) + 1 - 123).max(beyond(lost));
+    // Modulo 2^128: coordinates may be larger, differences are not.
+    let integer = |x: f64| {
+        let (m, exponent) = mantissa(x);
+        match exponent - low {
+            128.. => 0,
+            shift @ 0.. => i128::from(m) << shift,
+            shift => i128::from(m) >> shift.unsigned_abs().min(127),
+        }
+    };
+    let integers = points.map(|p| p.map(|[a, b]| integer(a).wrapping_add(integer(b))));
+    let mut size = 0;
+    let rows = integers.map(|p| {
+        let mut row = [[0; 2]; 3];
+        for axis in 0..3 {
+            let x = p[axis].wrapping_sub(integers[4][axis]);
+            size |= x.unsigned_abs();
+            row[axis] = [x as u64, (x >> 64) as u64];
+        }
+        row
+    });
+    // Y + 4 <= 2^bits.
+    let bits = u128::BITS - size.leading_zeros() + 3;
+    if bits > 125 {
+        return None;
+    }
+    let det = insphere_of::<2, 4, 6, 10>(&rows);
+    let sign = sign(&det);
+    let size = if sign == Sign::Negative { subtract(&[0; 10], &det) } else { det };
+    (highest_bit(&size)? >= 11 + 4 * bits).then_some(sign)
+}
+
+/// The place of the highest bit of a number that is not negative; `None` for zero.
+fn highest_bit(digits: &[u64; 10]) -> Option<u32> {
+    let i = digits.iter().rposition(|&d| d != 0)?;
+    Some(64 * i as u32 + digits[i].ilog2())
 }
 
 /// Sign of the determinant with rows (u, v, squared distance in space) relative to the last point.

@@ -16,7 +16,7 @@ use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::mesh::star::{EdgeRing, StarSearch};
 use crate::mesh::{flag, NONE};
-use crate::predicates::{Points, Sign};
+use crate::predicates::{Expansion, Points, Sign};
 use crate::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
 use rustc_hash::FxHashMap;
 
@@ -155,7 +155,7 @@ impl<'a> Recovery<'a> {
         if !(t > sub.t[0] && t < sub.t[1]) {
             return Ok(false);
         }
-        let v = self.points.push_on_segment(a, b, t)?;
+        let v = self.points.push_on_segment(a, b, &Expansion::from(t))?;
         self.delaunay.vertex_tet.try_reserve(1)?;
         self.delaunay.vertex_tet.push(NONE);
         // The tetrahedra whose closure has the point: it sees their boundary.

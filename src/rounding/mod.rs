@@ -12,7 +12,7 @@ use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::mesh::star::StarSearch;
 use crate::mesh::{flag, Tetrahedra};
-use crate::predicates::{orient3d, scale, Points, Sign};
+use crate::predicates::{orient3d, scale, to_range, Expansion, Points, Sign};
 use crate::region::{Components, Regions};
 use crate::INVALID;
 use candidates::{lattice, Candidate};
@@ -62,8 +62,7 @@ pub fn round(
 ) -> Result<Rounded, Error> {
     let mut rounded = Rounded::explicit(points);
     for p in &mut rounded.xyz[segments.first_steiner as usize..] {
-        // What comes back to the caller's scale may lose bits of subnormal numbers: round to what survives.
-        *p = p.map(|x| scale(scale(x, -scale_exponent), scale_exponent));
+        *p = p.map(|x| surviving(x, scale_exponent));
     }
     let mut bad: Vec<u32> = (0..delaunay.mesh.slot_count() as u32)
         .filter(|&t| kept.has(&delaunay.mesh, t) && !is_positive(&delaunay.mesh, points, &rounded.xyz, t))
@@ -99,6 +98,12 @@ pub fn round(
     }
     rounded.moved = repair.moved;
     Ok(rounded)
+}
+
+/// The nearest number that exact arithmetic can take, and that the caller's scale holds: that may lose bits of subnormal
+/// numbers.
+fn surviving(x: f64, scale_exponent: i32) -> f64 {
+    scale(scale(to_range(x), -scale_exponent), scale_exponent)
 }
 
 /// The implicit vertices of tetrahedra that are not positive.
@@ -214,9 +219,7 @@ impl Repair<'_> {
         let planes = self.planes(v, 1024.0 * unit);
         for power in 0..10 {
             let Some(d) = escape(&planes, unit * f64::from(1u32 << power)) else { continue };
-            let at: [f64; 3] = std::array::from_fn(|k| {
-                scale(scale(old[k] + d[k], -self.scale_exponent), self.scale_exponent)
-            });
+            let at: [f64; 3] = std::array::from_fn(|k| surviving(old[k] + d[k], self.scale_exponent));
             if self.bad_in_star(v, at, bad) < bad {
                 self.xyz[v as usize] = at;
                 self.moved += 1;
@@ -261,7 +264,7 @@ impl Repair<'_> {
             }
             x
         });
-        let survives = |x: f64| scale(scale(x, -self.scale_exponent), self.scale_exponent) == x;
+        let survives = |x: f64| surviving(x, self.scale_exponent) == x;
         at.iter().all(|&x| survives(x)).then_some(at)
     }
 
@@ -291,15 +294,15 @@ impl Repair<'_> {
     fn try_parameter(&mut self, v: u32, candidate: &Candidate, t: f64) -> Result<bool, Error> {
         let old = self.xyz[v as usize];
         let bad = self.bad_in_star(v, old, usize::MAX);
-        self.points.move_on_segment(v, candidate.ends, t)?;
-        let at = self.points.xyz(v).map(|x| scale(scale(x, -self.scale_exponent), self.scale_exponent));
+        self.points.move_on_segment(v, candidate.ends, &Expansion::from(t))?;
+        let at = self.points.xyz(v).map(|x| surviving(x, self.scale_exponent));
         if self.bad_in_star(v, at, bad) < bad && self.star_is_valid() {
             self.xyz[v as usize] = at;
             self.segments.move_steiner(v, t);
             self.moved += 1;
             return Ok(true);
         }
-        self.points.move_on_segment(v, candidate.ends, candidate.t)?;
+        self.points.move_on_segment(v, candidate.ends, &Expansion::from(candidate.t))?;
         Ok(false)
     }
 

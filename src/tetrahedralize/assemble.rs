@@ -5,7 +5,7 @@ use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::mesh::{flag, Tetrahedra};
-use crate::output::{Region, SteinerPoint, Subface, Subsegment, TetMesh};
+use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
 use crate::predicates::scale;
@@ -232,6 +232,11 @@ fn steiner(
             segment: surface.segment_parent[s as usize],
             exact: exact && returned,
         });
+        let Some(exact) = segments.fine.get(&(i as u32)) else { continue };
+        let rest = exact.difference(&t.into()).compressed();
+        out.steiner_terms.try_reserve(rest.components().len())?;
+        let term = |&value: &f64| SteinerTerm { steiner: i as u32, value };
+        out.steiner_terms.extend(rest.components().iter().rev().map(term));
     }
     Ok(())
 }
@@ -245,7 +250,10 @@ fn subsegments(
 ) -> Result<(), Error> {
     out.subsegments.try_reserve(segments.pieces.len())?;
     let mut pieces: Vec<_> = segments.pieces.iter().collect();
-    pieces.sort_unstable_by(|x, y| x.segment.cmp(&y.segment).then(x.t[0].total_cmp(&y.t[0])));
+    pieces.sort_unstable_by(|x, y| {
+        let order = || segments.order(x.segment, [x.ends[0], y.ends[0]], [x.t[0], y.t[0]]);
+        x.segment.cmp(&y.segment).then_with(order)
+    });
     for piece in pieces {
         let segment = surface.segment_parent[piece.segment as usize];
         let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);

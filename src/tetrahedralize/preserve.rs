@@ -45,7 +45,7 @@ impl Run<'_> {
     ) -> Result<TetMesh, Error> {
         let mut first = Vec::new();
         if !options.keep_hull && options.merge_facets.is_none() {
-            let surface = prepared.clone().connect(plc, options, None, self.observer)?;
+            let surface = prepared.clone().connect(plc, self.observer)?;
             first = first_points(&surface)?;
             self.lap(Phase::Validate);
             if let Some(embedded) = self.reconnect(&surface, options, &first)? {

@@ -277,3 +277,110 @@ fn the_number_of_threads_changes_nothing() {
     let none = Options { threads: 0, ..Options::default() };
     assert_eq!(run(&cube(1.0), &none).unwrap_err().status, Status::InvalidArgument);
 }
+
+/// A fan of triangles whose edges from the common vertex are an ulp apart.
+#[test]
+fn segments_an_ulp_apart_from_a_common_vertex() {
+    let grid = [
+        [4, 3, 3],
+        [3, 2, 3],
+        [3, 3, 1],
+        [2, 0, 4],
+        [4, 1, 4],
+        [0, 2, 3],
+        [0, 4, 1],
+        [4, 2, 0],
+        [4, 3, 1],
+        [1, 0, 3],
+        [0, 1, 1],
+    ];
+    let mut points = corners([0.0; 3], [0.4; 3]);
+    points.extend(grid.map(|p| p.map(|x| f64::from(x) * 0.1)));
+    let triangles = vec![[8, 9, 10], [8, 11, 12], [8, 13, 14], [8, 15, 16], [8, 17, 18]];
+    let plc = Plc { points, triangles, ..Plc::default() };
+    let mesh = run(&plc, &Options { keep_hull: true, ..Options::default() }).unwrap();
+    assert!(mesh.steiner.len() < 30 && !mesh.steiner_terms.is_empty(), "{} points", mesh.steiner.len());
+    for term in &mesh.steiner_terms {
+        assert!(term.value.abs() <= f64::EPSILON * mesh.steiner[term.steiner as usize].t);
+    }
+}
+
+/// Bundles of segments much closer to each other than an ulp of their length: with a common end, parallel, skew; and
+/// vertices close to a segment's end or middle.
+#[test]
+fn segments_far_less_than_an_ulp_apart() {
+    let v = |x: f64, y: f64, z: f64| [x, y, z];
+    for d in [1e-5, 1e-10, 1e-16, 1e-25, 1e-40, 1e-60] {
+        let o = v(0., 0., 0.);
+        let along = [v(-0.75, 0., 0.), v(0.75, 0., 0.)];
+        let crowd =
+            [[v(d, d, 0.), v(d, -d, 0.5 * d)], [v(2. * d, 0.1 * d, 0.1 * d), v(3. * d, 0.1 * d, 0.1 * d)]];
+        let bundles = [
+            vec![[o, v(0.75, 0., 0.)], [o, v(0.5, d, 0.)], [o, v(0.3, 0., d)], [o, v(0.6, -d, -d)]],
+            vec![[o, v(0.75, 0., 0.)], crowd[0], crowd[1]],
+            vec![along, crowd[0], crowd[1]],
+            vec![
+                along,
+                [v(-0.3, d, 0.), v(0.9, d, 0.)],
+                [v(-0.6, 0., d), v(0.5, 0., d)],
+                [v(-0.5, -d, -d), v(0.55, -d, -d)],
+            ],
+            vec![along, [v(-0.3, d, 3. * d), v(0.9, d, -5. * d)], [v(-0.6, -2. * d, d), v(0.5, 7. * d, d)]],
+        ];
+        for bundle in bundles {
+            let mut plc = Plc { points: corners([-1.0; 3], [1.0; 3]), ..Plc::default() };
+            for ends in bundle {
+                let base = plc.points.len() as u32;
+                plc.points.extend(ends);
+                plc.segments.push(Segment { ends: [base, base + 1], marker: 1 });
+            }
+            let mesh = run(&plc, &Options { keep_hull: true, ..Options::default() }).unwrap();
+            assert!(mesh.steiner.len() <= 30, "{} points at {d}", mesh.steiner.len());
+        }
+    }
+}
+
+/// A Steiner point on a segment across the plane x = 0 comes so near to it that its double would have bits below the range of
+/// exact arithmetic.
+#[test]
+fn steiner_points_are_rounded_into_the_exact_range() {
+    let grid = [
+        [0, 2, 0],
+        [1, 1, 2],
+        [3, 1, 3],
+        [0, 4, 4],
+        [4, 1, 4],
+        [3, 4, 2],
+        [3, 0, 3],
+        [1, 3, 4],
+        [2, 0, 4],
+        [0, 3, 2],
+        [2, 3, 3],
+    ];
+    let mut points = corners([0.0; 3], [4e30; 3]);
+    points.extend(grid.map(|p| p.map(|x| f64::from(x) * 1e30)));
+    let triangles = vec![[8, 9, 10], [8, 11, 12], [8, 13, 14], [8, 15, 16], [8, 17, 18]];
+    run(&Plc { points, triangles, ..Plc::default() }, &Options { keep_hull: true, ..Options::default() })
+        .unwrap();
+}
+
+/// A wall that stands on a floor which does not list its foot, and one that leaves the floor at a vertex on its edge.
+#[test]
+fn a_wall_on_a_floor_that_does_not_list_it() {
+    let mut plc = cube(4.0);
+    let wall = [[1., 2., 0.], [3., 2., 0.], [3., 2., 2.], [1., 2., 2.]];
+    plc.points.extend(wall);
+    plc.facets.push(Facet { polygons: vec![vec![8, 9, 10, 11]], marker: 7, ..Facet::default() });
+    let mesh = run(&plc, &Options::default()).unwrap();
+    assert_eq!((mesh.regions.len(), volume6(&mesh)), (1, 6.0 * 64.0));
+    assert!(mesh.subfaces.iter().any(|face| face.marker == 7));
+    // Both ends of the wall touch the sides: two rooms below it and above it are one region.
+    (plc.points[8], plc.points[9]) = ([0., 2., 0.], [4., 2., 0.]);
+    (plc.points[10], plc.points[11]) = ([4., 2., 4.], [0., 2., 4.]);
+    let mesh = run(&plc, &Options::default()).unwrap();
+    assert_eq!((mesh.regions.len(), volume6(&mesh)), (2, 6.0 * 64.0));
+    // Through the floor it is an error.
+    plc.points[8][2] = -1.0;
+    plc.points[9][2] = -1.0;
+    assert_eq!(run(&plc, &Options::default()).unwrap_err().status, Status::SelfIntersection);
+}

@@ -45,7 +45,7 @@ fn tetgen_files_to_the_letter() {
     let folder = Folder::new("ele");
     let (mesh, plc) = small_mesh();
     write(&folder.file("m.ele"), &mesh, &plc, &WriteOptions::default()).unwrap();
-    assert_eq!(folder.names(), ["m.edge", "m.ele", "m.face", "m.neigh", "m.node"]);
+    assert_eq!(folder.names(), ["m.edge", "m.ele", "m.face", "m.neigh", "m.node", "m.parents"]);
     let text = |name: &str| std::fs::read_to_string(folder.file(name)).unwrap();
     let node = text("m.node");
     assert_eq!(node.lines().next(), Some("5  3  1  1"));
@@ -58,6 +58,8 @@ fn tetgen_files_to_the_letter() {
     assert_eq!(text("m.face"), "2  1\n0 0 1 2 -4\n1 0 1 3 6\n");
     assert_eq!(text("m.edge"), "2  1\n0 0 4 8\n1 0 1 0\n");
     assert_eq!(text("m.neigh"), "2  4\n0 -1 -1 -1 1\n1 -1 -1 -1 0\n");
+    let facets: Vec<String> = mesh.subfaces.iter().map(|face| format!("{}\n", face.facet as i32)).collect();
+    assert_eq!(text("m.parents"), format!("1  2  0  0\n0 1 -1 0.25\n{}", facets.concat()));
     for path in ["m.ele", "m.node", "m"] {
         let back = read_mesh(&folder.file(path)).unwrap();
         assert_eq!(

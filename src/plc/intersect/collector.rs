@@ -33,6 +33,9 @@ pub(super) struct Collector {
     /// The listed defects; cut to the first `max_defects` when it has grown well beyond.
     listed: Vec<Defect>,
     crossings: Vec<EdgeCrossing>,
+    /// Pairs of segments that cross, and segments that pierce triangles (index, facet).
+    segments: Vec<([u32; 2], [f64; 3])>,
+    piercings: Vec<([u32; 3], [f64; 3])>,
 }
 
 /// Lists shorter than this are not worth compacting.
@@ -47,6 +50,8 @@ impl Collector {
             compacted_keys: 0,
             listed: Vec::new(),
             crossings: Vec::new(),
+            segments: Vec::new(),
+            piercings: Vec::new(),
         }
     }
 
@@ -70,6 +75,11 @@ impl Collector {
         push(&mut self.found.segment_in_facet, (segment, triangle))
     }
 
+    /// An edge of a triangle runs through the interior of another one, in its plane.
+    pub(super) fn edge_in_facet(&mut self, edge: [u32; 2], of: &Triangle) -> Result<(), Error> {
+        push(&mut self.found.edge_in_facet, (sorted(edge), of.facet))
+    }
+
     /// Two triangles meet where they must not.
     pub(super) fn triangles(
         &mut self,
@@ -89,18 +99,12 @@ impl Collector {
         triangle: &Triangle,
         point: [f64; 3],
     ) -> Result<(), Error> {
-        self.defect(
-            DefectKind::SegmentFacet,
-            Element::Segment(segment),
-            Element::Facet(triangle.facet),
-            point,
-        )
+        push(&mut self.piercings, ([segment, triangle.index, triangle.facet], point))
     }
 
     /// Two input segments cross.
     pub(super) fn segments(&mut self, a: u32, b: u32, point: [f64; 3]) -> Result<(), Error> {
-        let (first, second) = (Element::Segment(a.min(b)), Element::Segment(a.max(b)));
-        self.defect(DefectKind::SegmentSegment, first, second, point)
+        push(&mut self.segments, ([a.min(b), a.max(b)], point))
     }
 
     /// An input segment crosses edge `k` of a triangle at an inner point of both.
@@ -121,10 +125,13 @@ impl Collector {
     pub(super) fn is_empty(&self) -> bool {
         self.keys.is_empty()
             && self.crossings.is_empty()
+            && self.segments.is_empty()
+            && self.piercings.is_empty()
             && self.found.vertex_on_segment.is_empty()
             && self.found.vertex_on_edge.is_empty()
             && self.found.vertex_in_triangle.is_empty()
             && self.found.segment_in_facet.is_empty()
+            && self.found.edge_in_facet.is_empty()
     }
 
     fn defect(
@@ -168,6 +175,9 @@ impl Collector {
         for group in crossings.chunk_by(|x, y| (x.segment, x.edge) == (y.segment, y.edge)) {
             let flat = group.len() > 1 && group.iter().all(|c| c.coplanar);
             if let (false, Some(c)) = (flat, group.first()) {
+                if self.found.meet_in_vertex(c.segment, c.edge) {
+                    continue;
+                }
                 let (first, second) = (Element::Segment(c.segment), Element::Facet(c.facet));
                 self.defect(DefectKind::SegmentSegment, first, second, c.point)?;
             }
@@ -175,18 +185,39 @@ impl Collector {
         Ok(())
     }
 
+    /// Two segments that cross at a vertex are split there, and so are a segment and a triangle that it pierces at one.
+    fn resolve_segments(&mut self) -> Result<(), Error> {
+        for ([a, b], point) in std::mem::take(&mut self.segments) {
+            let on_b = |v: u32| self.found.vertex_on_segment.binary_search(&(b, v)).is_ok();
+            if !self.found.on_segment(a).any(on_b) {
+                self.defect(DefectKind::SegmentSegment, Element::Segment(a), Element::Segment(b), point)?;
+            }
+        }
+        for ([segment, triangle, facet], point) in std::mem::take(&mut self.piercings) {
+            let inside = |v: u32| self.found.vertex_in_triangle.binary_search(&(triangle, v)).is_ok();
+            if !self.found.on_segment(segment).any(inside) {
+                let (first, second) = (Element::Segment(segment), Element::Facet(facet));
+                self.defect(DefectKind::SegmentFacet, first, second, point)?;
+            }
+        }
+        Ok(())
+    }
+
     /// The sorted lists.
     pub(super) fn finish(mut self) -> Result<Intersections, Error> {
+        sort_unique(&mut self.found.vertex_on_segment);
+        sort_unique(&mut self.found.vertex_on_edge);
+        sort_unique(&mut self.found.vertex_in_triangle);
+        sort_unique(&mut self.found.segment_in_facet);
+        sort_unique(&mut self.found.edge_in_facet);
+        self.found.edge_in_facet.dedup_by_key(|x| x.0);
         self.resolve_crossings()?;
+        self.resolve_segments()?;
         self.compact_keys();
         self.compact_listed();
         let mut found = self.found;
         found.defect_count = self.keys.len();
         found.defects = self.listed;
-        sort_unique(&mut found.vertex_on_segment);
-        sort_unique(&mut found.vertex_on_edge);
-        sort_unique(&mut found.vertex_in_triangle);
-        sort_unique(&mut found.segment_in_facet);
         Ok(found)
     }
 }

@@ -106,6 +106,21 @@ impl Projection {
         let flat = |p: &[f64; 3]| [p[usize::from(self.x)], p[usize::from(self.y)]];
         orient2d(flat(a), flat(b), flat(c))
     }
+
+    /// Which end of `p q` (0 or 1) a point `r` on its line in the projection lies strictly beyond, if it does.
+    #[inline]
+    pub(super) fn beyond(&self, p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Option<usize> {
+        // Along the line a coordinate that differs between p and q grows or falls strictly.
+        let axis = [self.x, self.y].map(usize::from).into_iter().find(|&axis| p[axis] != q[axis])?;
+        let (p, q, r) = (p[axis], q[axis], r[axis]);
+        if r > p.max(q) {
+            Some(usize::from(q > p))
+        } else if r < p.min(q) {
+            Some(usize::from(q < p))
+        } else {
+            None
+        }
+    }
 }
 
 /// Where a point of the plane lies with respect to a triangle.

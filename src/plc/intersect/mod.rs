@@ -43,7 +43,7 @@ pub struct IntersectInput<'a> {
     pub segments: &'a [[u32; 2]],
 }
 
-/// What was found. The first four lists are legal contacts.
+/// What was found. The lists before the defects are legal contacts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Intersections {
     /// (segment, vertex): the vertex lies strictly inside the segment and splits it.
@@ -54,10 +54,25 @@ pub struct Intersections {
     pub vertex_in_triangle: Vec<(u32, u32)>,
     /// (segment, triangle): the segment lies in the triangle's plane and passes through its interior.
     pub segment_in_facet: Vec<(u32, u32)>,
+    /// (edge of a triangle as sorted ends, its facet): it runs through the interior of another triangle, in its plane. Whether it
+    /// crosses edges there is found when it is given as a segment.
+    pub edge_in_facet: Vec<([u32; 2], u32)>,
     /// Defects, at most as many as the caller allows: the first ones in the order of elements and kinds.
     pub defects: Vec<Defect>,
     /// How many defects there are in all.
     pub defect_count: usize,
+}
+
+impl Intersections {
+    /// Whether a vertex lies on both a segment and an edge of triangles: where they cross, then. The lists must be sorted.
+    pub fn meet_in_vertex(&self, segment: u32, edge: [u32; 2]) -> bool {
+        self.on_segment(segment).any(|v| self.vertex_on_edge.binary_search(&(edge, v)).is_ok())
+    }
+
+    fn on_segment(&self, segment: u32) -> impl Iterator<Item = u32> + '_ {
+        let begin = self.vertex_on_segment.partition_point(|x| x.0 < segment);
+        self.vertex_on_segment[begin..].iter().take_while(move |x| x.0 == segment).map(|x| x.1)
+    }
 }
 
 /// How many candidate pairs are classified between two calls of the observer.

@@ -78,7 +78,24 @@ fn collinear(part: &[P]) -> bool {
 }
 
 fn in_an_edge(part: &[P], t: &[P; 3]) -> bool {
-    (0..3).any(|k| part.iter().all(|p| on_segment(p, &t[k], &t[(k + 1) % 3])))
+    edge_with(part, t).is_some()
+}
+
+fn edge_with(part: &[P], t: &[P; 3]) -> Option<usize> {
+    (0..3).find(|k| part.iter().all(|p| on_segment(p, &t[*k], &t[(k + 1) % 3])))
+}
+
+/// The edge of one of two triangles that runs through the other's interior, in its plane: which triangle, which edge.
+fn edge_inside(a: &[P; 3], b: &[P; 3]) -> Option<(usize, usize)> {
+    let part = common_part(a, b);
+    if part.len() < 2 || !collinear(&part) {
+        return None;
+    }
+    match (edge_with(&part, a), edge_with(&part, b)) {
+        (Some(k), None) => Some((0, k)),
+        (None, Some(k)) => Some((1, k)),
+        _ => None,
+    }
 }
 
 /// The defect of two triangles, if any, from their common set.
@@ -88,7 +105,7 @@ fn judge_triangles(a: &[P; 3], b: &[P; 3]) -> Option<DefectKind> {
         0 => None,
         1 => (!a.contains(&part[0]) && !b.contains(&part[0])).then_some(DefectKind::FacetFacet),
         _ if collinear(&part) => {
-            (!(in_an_edge(&part, a) && in_an_edge(&part, b))).then_some(DefectKind::FacetFacet)
+            (!in_an_edge(&part, a) && !in_an_edge(&part, b)).then_some(DefectKind::FacetFacet)
         }
         _ if a.iter().all(|p| b.contains(p)) => Some(DefectKind::DuplicateFacet),
         _ => Some(DefectKind::Overlap),
@@ -120,6 +137,12 @@ fn expected(model: &Model) -> (Found, Intersections) {
             if let Some(kind) = judge_triangles(a, b) {
                 defects.insert((kind, Element::Facet(i as u32), Element::Facet(j as u32)));
             }
+            if let Some((which, k)) = edge_inside(a, b) {
+                let t = [i, j][which];
+                let mut edge = [model.triangles[t][k], model.triangles[t][(k + 1) % 3]];
+                edge.sort();
+                lists.edge_in_facet.push((edge, t as u32));
+            }
         }
         for (v, p) in points.iter().enumerate() {
             if common_part(&[*p], a).is_empty() || a.contains(p) {
@@ -135,6 +158,8 @@ fn expected(model: &Model) -> (Found, Intersections) {
             }
         }
     }
+    lists.edge_in_facet.sort();
+    lists.edge_in_facet.dedup_by_key(|x| x.0);
     lists.vertex_on_edge.sort();
     lists.vertex_on_edge.dedup();
     for (i, s) in segments.iter().enumerate() {
@@ -161,7 +186,7 @@ fn expect_segment(
         }
     }
     for (j, t) in segments.iter().enumerate().skip(i + 1) {
-        if proper_crossing(&s[0], &s[1], &t[0], &t[1]).is_some() {
+        if proper_crossing(&s[0], &s[1], &t[0], &t[1]).is_some_and(|x| !points.contains(&x)) {
             defects.insert((DefectKind::SegmentSegment, id, Element::Segment(j as u32)));
         }
     }
@@ -170,11 +195,11 @@ fn expect_segment(
         if part.len() == 2 && !in_an_edge(&part, t) {
             lists.segment_in_facet.push((i as u32, j as u32));
         }
-        if part.len() == 1 && !s.contains(&part[0]) && !t.contains(&part[0]) && !in_an_edge(&part, t) {
+        if part.len() == 1 && !points.contains(&part[0]) && !in_an_edge(&part, t) {
             defects.insert((DefectKind::SegmentFacet, id, Element::Facet(j as u32)));
         }
         for k in 0..3 {
-            if proper_crossing(&s[0], &s[1], &t[k], &t[(k + 1) % 3]).is_none() {
+            if proper_crossing(&s[0], &s[1], &t[k], &t[(k + 1) % 3]).is_none_or(|x| points.contains(&x)) {
                 continue;
             }
             let ends = [model.triangles[j][k], model.triangles[j][(k + 1) % 3]];
@@ -227,6 +252,7 @@ fn compare(model: &Model) {
     assert_eq!(found.vertex_on_edge, lists.vertex_on_edge, "{model:?}");
     assert_eq!(found.vertex_in_triangle, lists.vertex_in_triangle, "{model:?}");
     assert_eq!(found.segment_in_facet, lists.segment_in_facet, "{model:?}");
+    assert_eq!(found.edge_in_facet, lists.edge_in_facet, "{model:?}");
 }
 
 #[test]

@@ -2,8 +2,8 @@
 //!
 //! Most candidate pairs are neighbours. Two triangles with a common edge and different planes meet in that edge alone; two with a
 //! common vertex are done when the other corners of one lie strictly on one side of the other's plane. The rest is
-//! decided on the line where the planes meet: a crossing by an open edge is a defect; without one, the common part
-//! ends in vertices, and is legal if it is a point or runs along an edge of both.
+//! decided on the line where the planes meet: what runs through the interior of both is a defect, what runs along an edge of
+//! both is legal. An edge of one in the interior of the other is as good as a segment given there.
 use super::collector::Collector;
 use super::coplanar::{self, centroid, opposite, record_vertex};
 use super::locate_point::{locate_in_plane, Location, Triangle};
@@ -49,20 +49,32 @@ fn classify_close(a: &Triangle, b: &Triangle, shared: usize, out: &mut Collector
 }
 
 /// Whether in `a`'s projection the line of one of `a`'s edges has all corners of `b` on its outer side, and those on the line are
-/// common corners. Then nothing else is common, in space either. This spares exact signs in flat patches.
+/// common corners or beyond the edge's ends, all beyond the same. Then nothing else is common, in space either. This spares
+/// exact signs in flat patches.
 fn separated_in_projection(a: &Triangle, b: &Triangle, b_shared: &[bool; 3]) -> bool {
     let Some(projection) = a.projection else {
         return false;
     };
     (0..3).any(|k| {
         let ([p, q], ends) = (a.edge_points(k), a.edge(k));
-        (0..3).all(|i| {
+        // Per end of the edge: common with `b`; some corner of `b` on the line beyond it.
+        let (mut common, mut beyond) = ([false; 2], [false; 2]);
+        let outside = (0..3).all(|i| {
+            let (id, corner) = (b.ids[i], &b.corners[i]);
             if b_shared[i] {
-                ends.contains(&b.ids[i])
-            } else {
-                projection.turn(p, q, &b.corners[i]) == Sign::Negative
+                common = [common[0] || id == ends[0], common[1] || id == ends[1]];
+                return ends.contains(&id);
             }
-        })
+            match projection.turn(p, q, corner) {
+                Sign::Negative => true,
+                Sign::Positive => false,
+                Sign::Zero => projection.beyond(p, q, corner).is_some_and(|end| {
+                    beyond[end] = true;
+                    true
+                }),
+            }
+        });
+        outside && !(beyond[0] && (beyond[1] || common[1])) && !(beyond[1] && common[0])
     })
 }
 
@@ -87,13 +99,21 @@ fn classify_exactly(
     }
     let on_a = vertices_on(a, b, &b_sides, out)?;
     let on_b = vertices_on(b, a, &a_sides, out)?;
-    if let Some(point) = crossing(a, &a_sides, b).or_else(|| crossing(b, &b_sides, a)) {
-        return out.triangles(DefectKind::FacetFacet, a, b, point);
-    }
+    let crossing = crossing(a, &a_sides, b).or_else(|| crossing(b, &b_sides, a));
     // Two corners in the other's plane: the line where the planes meet carries an edge; else it runs through the interior.
     let along_edge = |sides: &[Sign; 3]| sides.iter().filter(|&&s| s == Sign::Zero).count() == 2;
-    if shared + on_a.count + on_b.count < 2 || (along_edge(&a_sides) && along_edge(&b_sides)) {
+    let along = [along_edge(&a_sides), along_edge(&b_sides)];
+    if along == [true; 2] || (crossing.is_none() && shared + on_a.count + on_b.count < 2) {
         return Ok(());
+    }
+    // All that is common lies on an edge of one of them, in the plane of the other.
+    match along {
+        [true, _] => return out.edge_in_facet(edge_along(a, &a_sides), a),
+        [_, true] => return out.edge_in_facet(edge_along(b, &b_sides), b),
+        _ => {}
+    }
+    if let Some(point) = crossing {
+        return out.triangles(DefectKind::FacetFacet, a, b, point);
     }
     out.triangles(DefectKind::FacetFacet, a, b, middle_of_contact(a, b, &on_a, &on_b))
 }
@@ -109,6 +129,12 @@ fn sides(t: &Triangle, shared: &[bool; 3], of: &Triangle) -> [Sign; 3] {
 fn apart(sides: &[Sign; 3], shared: usize) -> bool {
     let count = |sign| sides.iter().filter(|&&s| s == sign).count();
     count(Sign::Zero) == shared && (count(Sign::Positive) == 0 || count(Sign::Negative) == 0)
+}
+
+/// The edge between the two corners in the other's plane.
+fn edge_along(t: &Triangle, sides: &[Sign; 3]) -> [u32; 2] {
+    let off = (0..3).find(|&k| sides[k] != Sign::Zero).unwrap_or(0);
+    t.edge((off + 1) % 3)
 }
 
 /// Where an open edge of `a` pierces `b` at a point that is no vertex.

@@ -137,6 +137,11 @@ impl<'a> Flipper<'a> {
         Ok(())
     }
 
+    /// Whether any edge was flipped.
+    pub(super) fn is_started(&self) -> bool {
+        !self.records.is_empty()
+    }
+
     pub(super) fn is_exhausted(&self) -> bool {
         self.records.len() / FLIPS_PER_TRIANGLE > self.surface.triangles.len()
     }
@@ -188,7 +193,10 @@ impl<'a> Flipper<'a> {
         match rule {
             Rule::Angles => {
                 let quadrilateral = quadrilateral();
-                quadrilateral.is_not_delaunay() && quadrilateral.is_within(&self.bound)
+                quadrilateral.is_not_delaunay()
+                    && quadrilateral.is_within(&self.bound)
+                    && !(guide.avoids([candidate.vertices[2], candidate.vertices[3]])
+                        && self.new_deviation(candidate) > self.negligible)
             }
             Rule::Cost => self.is_cheaper(guide, candidate) && quadrilateral().is_within(&self.bound),
         }

@@ -11,11 +11,12 @@
 //! leave the input's surface.
 //!
 //! Only facets given as triangles, and not split by vertices in them, take part: a flip can be told in terms of the input then.
-use super::patch::FixedEdge;
+use super::patch::{connect, FixedEdge};
 use super::surface::Surface;
 use super::Plc;
 use crate::error::Error;
 use crate::progress::Observer;
+use crate::INVALID;
 use flipper::{Flipper, Rule};
 
 mod edges;
@@ -44,28 +45,65 @@ impl Guide<'_> {
 /// Passes over all edges at most: a flip may become possible when another one far away has made room.
 const PASSES: usize = 8;
 
-/// Flips the edges between triangles of facets with equal markers that meet above `degrees` before and after, and records the flips
-/// in the surface. `fixed` are the edges that must stay.
-///
-/// # Errors
-/// `Cancelled`, `OutOfMemory`.
-pub fn merge(
-    surface: &mut Surface,
-    fixed: &[FixedEdge],
-    plc: &Plc,
-    degrees: f64,
-    guide: Option<&mut Guide>,
-    observer: &mut dyn Observer,
-) -> Result<(), Error> {
-    let mut flipper = Flipper::new(surface, fixed, plc, degrees)?;
-    let mut none = Guide { is_edge: &mut |_| true, avoid: &[], avoid_all: false };
-    flipper.run(Rule::Angles, &mut none, PASSES, observer)?;
-    if let Some(guide) = guide {
-        flipper.run(Rule::Cost, guide, PASSES, observer)?;
-        flipper.take_back(guide, observer)?;
-        flipper.run(Rule::Cost, guide, PASSES, observer)?;
+/// Merging that can be taken up again: where it turns out that new edges are to be avoided.
+pub struct Merger<'a> {
+    flipper: Flipper<'a>,
+    fixed: Vec<FixedEdge>,
+    plc: &'a Plc,
+}
+
+impl<'a> Merger<'a> {
+    /// Prepares the merging of triangles of facets with equal markers that meet above `degrees` before and after. `fixed` are the edges
+    /// that must stay.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn new(
+        surface: &'a mut Surface,
+        fixed: Vec<FixedEdge>,
+        plc: &'a Plc,
+        degrees: f64,
+    ) -> Result<Merger<'a>, Error> {
+        Ok(Merger { flipper: Flipper::new(surface, &fixed, plc, degrees)?, fixed, plc })
     }
-    let beside = flipper.edges_beside()?;
-    surface.edges_beside = beside;
-    Ok(())
+
+    /// The surface as it is now.
+    pub fn surface(&self) -> &Surface {
+        self.flipper.surface
+    }
+
+    /// Makes edges stay segments from now on.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn keep(&mut self, edges: &[[u32; 2]]) -> Result<(), Error> {
+        self.fixed.try_reserve(edges.len())?;
+        for &ends in edges {
+            self.flipper.edges.fix(ends);
+            self.fixed.push(FixedEdge { ends, parent: INVALID });
+        }
+        Ok(())
+    }
+
+    /// Flips edges, or flips them back where the guide says so now, and records that in the surface; then finds its segments and patches.
+    ///
+    /// # Errors
+    /// `Cancelled`, `OutOfMemory`, `TooLarge`.
+    pub fn run(&mut self, guide: Option<&mut Guide>, observer: &mut dyn Observer) -> Result<(), Error> {
+        let flipper = &mut self.flipper;
+        if !flipper.is_started() {
+            let (avoid, avoid_all) =
+                guide.as_ref().map_or((&[][..], false), |guide| (guide.avoid, guide.avoid_all));
+            let mut none = Guide { is_edge: &mut |_| true, avoid, avoid_all };
+            flipper.run(Rule::Angles, &mut none, PASSES, observer)?;
+        }
+        if let Some(guide) = guide {
+            flipper.run(Rule::Cost, guide, PASSES, observer)?;
+            flipper.take_back(guide, observer)?;
+            flipper.run(Rule::Cost, guide, PASSES, observer)?;
+        }
+        let beside = flipper.edges_beside()?;
+        flipper.surface.edges_beside = beside;
+        connect(flipper.surface, &self.fixed, |facet| self.plc.facet_marker(facet as usize))
+    }
 }

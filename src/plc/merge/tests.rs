@@ -197,18 +197,42 @@ fn split_triangles_and_polygons_stay() {
 #[test]
 fn missing_edges_beside_the_surface_are_taken_back() {
     let plc = tube(24, 9);
-    let options = Options { merge_facets: Some(179.9), ..Options::default() };
     let with = |is_edge: &mut dyn FnMut([u32; 2]) -> bool, avoid_all| {
         let mut guide = Guide { is_edge, avoid: &[], avoid_all };
-        let prepared = crate::plc::check_and_split(&plc, &options, &mut Silent).unwrap();
-        prepared.connect(&plc, &options, Some(&mut guide), &mut Silent).unwrap()
+        let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &mut Silent).unwrap();
+        prepared.merger(&plc, 179.9).unwrap().run(Some(&mut guide), &mut Silent).unwrap();
+        prepared.into_surface()
     };
     let all = with(&mut |_| true, false);
     assert!(!all.edges_beside.is_empty());
     // Nothing is an edge: every new edge beside the surface goes again.
-    for surface in [with(&mut |_| false, false), with(&mut |_| true, true)] {
+    let back = with(&mut |_| false, false);
+    assert!(back.facet_flips.len() > all.facet_flips.len());
+    // All are unwanted: they are not made.
+    let none = with(&mut |_| true, true);
+    assert!(none.facet_flips.len() < all.facet_flips.len());
+    for surface in [back, none] {
         assert_eq!(surface.edges_beside, Vec::<[u32; 2]>::new());
-        assert!(surface.facet_flips.len() > all.facet_flips.len());
         assert_eq!(defects(&surface, &[]), 0);
     }
+}
+
+#[test]
+fn merging_is_taken_up_again() {
+    let plc = tube(24, 9);
+    let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &mut Silent).unwrap();
+    let mut merger = prepared.merger(&plc, 179.9).unwrap();
+    let mut guide = Guide { is_edge: &mut |_| true, avoid: &[], avoid_all: false };
+    merger.run(Some(&mut guide), &mut Silent).unwrap();
+    let beside = merger.surface().edges_beside.clone();
+    let (unwanted, pinned) = (&beside[..1], &beside[1..]);
+    merger.keep(pinned).unwrap();
+    let mut guide = Guide { is_edge: &mut |_| true, avoid: unwanted, avoid_all: false };
+    merger.run(Some(&mut guide), &mut Silent).unwrap();
+    let surface = prepared.into_surface();
+    assert!(!surface.edges_beside.contains(&unwanted[0]));
+    for edge in pinned {
+        assert!(surface.segments.contains(edge), "{edge:?}");
+    }
+    assert_eq!(defects(&surface, &[]), 0);
 }

@@ -40,6 +40,47 @@ fn widest_integers() {
     assert!(wide_enough[0] > 300 && wide_enough[1] > 900, "{wide_enough:?}");
 }
 
+/// Leading bits decide rightly or not at all, and nearly always unless the five points are cospherical.
+#[test]
+fn leading_bits() {
+    let mut random = Random(31);
+    let mut undecided = [0, 0];
+    for round in 0..6000 {
+        // Far from the origin as seen from each other, with bits far down in the second double.
+        let [high, low] = [[60, 0], [90, 0], [150, 60], [170, 100]][round % 4];
+        let far = [0; 3].map(|_| if round % 3 == 0 { 0.0 } else { scale(random.unit(), high + 30) });
+        let corner = |random: &mut Random, i: u64| -> [[f64; 2]; 3] {
+            std::array::from_fn(|axis| {
+                let cube = far[axis] + scale((i >> axis & 1) as f64, high);
+                let other = far[axis] + scale(random.unit(), high);
+                [if round % 5 == 0 { cube } else { other }, 0.0]
+            })
+        };
+        let mut p = [0, 1, 2, 4, 7].map(|i| corner(&mut random, i));
+        let cospherical = round % 5 == 0 && round % 2 == 0;
+        if !cospherical {
+            for x in p.iter_mut().flatten() {
+                x[1] = (random.unit() - 0.5) * scale(1.0, low);
+            }
+        }
+        let exact = p.map(|q| q.map(|[x, y]| integer(x) + integer(y)));
+        match wide::insphere_leading(&p, 0.0) {
+            Some(sign) => assert_eq!(sign, exact_insphere(&exact)),
+            None => undecided[usize::from(cospherical)] += 1,
+        }
+        // What is lost counts: no decision may come from bits below it.
+        if let Some(sign) = wide::insphere_leading(&p, scale(1.0, high - 60)) {
+            let moved = p.map(|q| q.map(|[x, y]| integer(x) + integer(y) + integer(scale(0.9, high - 60))));
+            let mixed =
+                [0, 1, 2, 3, 4]
+                    .map(|i| if round >> i & 1 == 0 { exact[i].clone() } else { moved[i].clone() });
+            assert_eq!(sign, exact_insphere(&mixed));
+        }
+    }
+    assert_eq!(undecided[1], 600);
+    assert!(undecided[0] < 20, "{undecided:?}");
+}
+
 #[test]
 fn nearest_is_rounded_correctly() {
     let mut random = Random(8);
@@ -107,7 +148,7 @@ fn exact_bits_are_sound_and_maximal() {
             let all =
                 if bits <= 6 { (1..=last).collect() } else { vec![1, 3, last / 2, last / 3, last - 2, last] };
             all.iter().all(|&k| {
-                let i = points.push_on_segment(0, 1, k as f64 / (last + 1) as f64).expect("valid");
+                let i = points.push_on_segment(0, 1, &(k as f64 / (last + 1) as f64).into()).expect("valid");
                 points.is_explicit(i)
             })
         };
@@ -120,22 +161,28 @@ fn exact_bits_are_sound_and_maximal() {
 #[test]
 fn store_of_points() {
     let mut points = Points::new(vec![[0.0; 3], [1.0, 1.0, 1.0], [0.1, 0.2, 0.3], [0.7, 0.9, 0.8]]);
-    assert_eq!(points.push_on_segment(0, 1, 0.5).ok(), Some(4));
+    assert_eq!(points.push_on_segment(0, 1, &0.5.into()).ok(), Some(4));
     assert!(points.is_explicit(4));
-    assert_eq!(points.push_on_segment(2, 3, 1.0 / 3.0).ok(), Some(5));
-    assert_eq!(points.implicit_parameters(5), Some((2, 3, 1.0 / 3.0)));
+    assert_eq!(points.push_on_segment(2, 3, &(1.0 / 3.0).into()).ok(), Some(5));
+    assert_eq!(points.implicit_parameters(5).map(|p| p.2.nearest()), Some(1.0 / 3.0));
     assert_eq!(points.push([0.5, 0.1, 0.3]).ok(), Some(6));
     assert!(points.is_explicit(6) && !points.is_explicit(5));
-    assert!(points.push_on_segment(2, 5, 0.5).is_err(), "an implicit end");
-    assert!(points.push_on_segment(2, 9, 0.5).is_err(), "no such point");
-    assert!(points.push_on_segment(2, 3, 1e-19).is_err() && points.push_on_segment(2, 3, 1.0).is_err());
-    assert!(points.push_on_segment(2, 3, f64::NAN).is_err() && points.push_on_segment(2, 3, 0.0).is_err());
+    assert!(points.push_on_segment(2, 5, &0.5.into()).is_err(), "an implicit end");
+    assert!(points.push_on_segment(2, 9, &0.5.into()).is_err(), "no such point");
+    assert!(
+        points.push_on_segment(2, 3, &scale(1.0, -801).into()).is_err()
+            && points.push_on_segment(2, 3, &1.0.into()).is_err()
+    );
+    assert!(
+        points.push_on_segment(2, 3, &f64::NAN.into()).is_err()
+            && points.push_on_segment(2, 3, &0.0.into()).is_err()
+    );
     assert!(points.push([f64::NAN, 0.0, 0.0]).is_err() && points.push([1e-70, 0.0, 0.0]).is_err());
     let [x, ..] = points.exact_coordinates(5);
     assert_eq!(x.nearest(), points.xyz(5)[0]);
     points.truncate(5);
     assert_eq!(points.len(), 5);
-    assert_eq!(points.push_on_segment(2, 3, 0.3).ok(), Some(5));
+    assert_eq!(points.push_on_segment(2, 3, &0.3.into()).ok(), Some(5));
     assert!(!points.is_explicit(5));
     points.truncate(6);
     assert!(!points.is_explicit(5));

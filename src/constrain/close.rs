@@ -1,0 +1,136 @@
+//! Where to split a subsegment beside a vertex that is extremely near to it: parameters of more bits than a double has.
+//!
+//! Let a vertex be at distance h from a piece of length L. Split at the same radius round a common vertex, or at the foot of
+//! the perpendicular, the piece and the vertex's own segment stop splitting each other; but only if the position is right up
+//! to a part of (h/L)² of L: a diametric sphere recedes from its segment by that much. Off by more, both go on splitting each
+//! other down to pieces of length h, and there may be 2⁵³ of these. So the position is computed to this precision, which
+//! for segments an ulp apart is twice that of a double. Any position strictly inside gives a valid mesh: only the number
+//! of Steiner points is at stake, and lengths that choose the precision are approximate.
+use crate::predicates::{Expansion, Points, Sign};
+
+/// Bits beyond (h/L)²: copies of copies of a radius have to agree.
+const SPARE_BITS: i32 = 20;
+/// Most corrections of the first approximation, of about 50 bits each.
+const MOST_STEPS: usize = 20;
+/// The finest grid of parameters.
+const FINEST: i32 = -780;
+
+/// What is known about the piece and the vertex beside it.
+pub struct Beside {
+    /// The ends of the segment.
+    pub ends: [u32; 2],
+    /// The parameters of the piece's ends.
+    pub t: [Expansion; 2],
+    /// The vertex.
+    pub reference: u32,
+    /// The end that the vertex's own segment has in common with this one.
+    pub shared: Option<usize>,
+}
+
+/// Distance of the vertex from the segment's line, as a part of the segment's length.
+pub fn relative_distance(points: &Points, ends: [u32; 2], p: u32) -> f64 {
+    let [a, b, p_near] = [ends[0], ends[1], p].map(|v| points.xyz(v));
+    let (d, w): ([f64; 3], [f64; 3]) =
+        (std::array::from_fn(|k| b[k] - a[k]), std::array::from_fn(|k| p_near[k] - a[k]));
+    let cross: [f64; 3] = std::array::from_fn(|k| {
+        let (u, v) = ((k + 1) % 3, (k + 2) % 3);
+        w[u] * d[v] - w[v] * d[u]
+    });
+    let square = |x: &[f64; 3]| x.iter().map(|x| x * x).sum::<f64>();
+    (square(&cross)).sqrt() / square(&d)
+}
+
+/// As [`relative_distance`], from exact coordinates.
+fn exact_relative_distance(d: &Vector, w: &Vector) -> f64 {
+    let cross = std::array::from_fn::<f64, 3, _>(|k| {
+        let (u, v) = ((k + 1) % 3, (k + 2) % 3);
+        w[u].product(&d[v]).difference(&w[v].product(&d[u])).compressed().approximate()
+    });
+    let length = dot(d, d).approximate();
+    // Twice a root, not the root of a square: squares may underflow.
+    let largest = cross.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    if largest == 0.0 {
+        return 0.0;
+    }
+    let ratio: f64 = cross.iter().map(|x| (x / largest) * (x / largest)).sum();
+    largest * ratio.sqrt() / length
+}
+
+type Vector = [Expansion; 3];
+
+fn vector(points: &Points, from: u32, to: u32) -> Vector {
+    let (p, q) = (points.exact_coordinates(from), points.exact_coordinates(to));
+    std::array::from_fn(|k| q[k].difference(&p[k]).compressed())
+}
+
+fn dot(a: &Vector, b: &Vector) -> Expansion {
+    (0..3).fold(Expansion::zero(), |sum, k| sum.sum(&a[k].product(&b[k]))).compressed()
+}
+
+impl Beside {
+    /// The parameter that matches the vertex, if that is strictly inside the piece.
+    pub fn matched(&self, points: &Points) -> Option<Expansion> {
+        let from = self.shared.unwrap_or(0);
+        let d = vector(points, self.ends[from], self.ends[1 - from]);
+        let w = vector(points, self.ends[from], self.reference);
+        let span = self.t[1].difference(&self.t[0]).approximate();
+        let apart = exact_relative_distance(&d, &w);
+        let window = apart * apart / span;
+        let exponent = window.log2().floor().max(f64::from(FINEST + SPARE_BITS)) as i32 - SPARE_BITS;
+        let quantum = f64::from(exponent.max(FINEST)).exp2();
+        let t = if self.shared.is_some() { sphere(&d, &w, quantum) } else { foot(&d, &w, quantum) };
+        let t = if from == 0 { t } else { Expansion::from(1.0).difference(&t).compressed() };
+        self.is_inside(&t).then_some(t)
+    }
+
+    /// The middle of the piece, in not too many bits.
+    pub fn middle(&self) -> Option<Expansion> {
+        let span = self.t[1].difference(&self.t[0]).approximate();
+        let quantum = (span.log2().floor() - 30.0).max(f64::from(FINEST)).exp2();
+        let t = rounded(&self.t[0].sum(&self.t[1]).scale(0.5), quantum);
+        self.is_inside(&t).then_some(t)
+    }
+
+    fn is_inside(&self, t: &Expansion) -> bool {
+        t.difference(&self.t[0]).sign() == Sign::Positive && self.t[1].difference(t).sign() == Sign::Positive
+    }
+}
+
+/// The nearest multiple of `quantum`, a power of two, or one beside it.
+fn rounded(x: &Expansion, quantum: f64) -> Expansion {
+    let multiples = x.components().iter().map(|&x| Expansion::from((x / quantum).round() * quantum));
+    multiples.fold(Expansion::zero(), |sum, x| sum.sum(&x)).compressed()
+}
+
+/// The t with |t d| = |w|, to a multiple of `quantum`: by Newton's method with exact residuals.
+fn sphere(d: &Vector, w: &Vector, quantum: f64) -> Expansion {
+    let (length, radius) = (dot(d, d), dot(w, w));
+    let slope = length.approximate();
+    let start = (radius.approximate() / slope).sqrt();
+    correct(start, quantum, |t| {
+        let residual = radius.difference(&t.product(t).product(&length)).compressed();
+        residual.approximate() / (2.0 * t.approximate() * slope)
+    })
+}
+
+/// The t with (w − t d)·d = 0, to a multiple of `quantum`.
+fn foot(d: &Vector, w: &Vector, quantum: f64) -> Expansion {
+    let (length, along) = (dot(d, d), dot(w, d));
+    let slope = length.approximate();
+    correct(along.approximate() / slope, quantum, |t| {
+        along.difference(&t.product(&length)).compressed().approximate() / slope
+    })
+}
+
+/// Adds corrections, in multiples of `quantum`, until they vanish.
+fn correct(start: f64, quantum: f64, correction: impl Fn(&Expansion) -> f64) -> Expansion {
+    let mut t = rounded(&Expansion::from(start), quantum);
+    for _ in 0..MOST_STEPS {
+        let step = rounded(&Expansion::from(correction(&t)), quantum);
+        if step.sign() == Sign::Zero {
+            break;
+        }
+        t = t.sum(&step).compressed();
+    }
+    t
+}

@@ -1,0 +1,60 @@
+//! Half-edges of a cavity's boundary by their ends, for cavities whose vertices do not fit a square table.
+//!
+//! Open addressing with linear probing, at most half full. Looked up by key only, so the order inside does not matter.
+
+use crate::error::Error;
+
+/// Corner codes of directed edges.
+#[derive(Clone, Default)]
+pub(super) struct EdgeTable {
+    /// Edge and code; the edge from the ghost to itself marks free places.
+    entries: Vec<(u64, u32)>,
+    /// The hash is the product's leading bits: this many are dropped.
+    shift: u32,
+}
+
+const FREE: u64 = u64::MAX;
+
+fn key(a: u32, b: u32) -> u64 {
+    u64::from(a) << 32 | u64::from(b)
+}
+
+impl EdgeTable {
+    /// Empties the table and makes room for `count` edges.
+    pub(super) fn clear(&mut self, count: usize) -> Result<(), Error> {
+        let places = (2 * count).next_power_of_two().max(2);
+        self.entries.clear();
+        self.entries.try_reserve(places)?;
+        self.entries.resize(places, (FREE, 0));
+        self.shift = u64::BITS - places.ilog2();
+        Ok(())
+    }
+
+    /// The place of the edge, or the free one where it belongs.
+    fn place(&self, key: u64) -> usize {
+        // Fibonacci hashing (Knuth, volume 3, section 6.4): multiples of the golden ratio spread evenly.
+        let mut place = ((key ^ key >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
+        while self.entries[place].0 != key && self.entries[place].0 != FREE {
+            place = (place + 1) % self.entries.len();
+        }
+        place
+    }
+
+    /// Puts the edge from `a` to `b` in the table, which has it not yet.
+    pub(super) fn insert(&mut self, a: u32, b: u32, code: u32) {
+        let key = key(a, b);
+        let place = self.place(key);
+        self.entries[place] = (key, code);
+    }
+
+    /// The code of the edge from `a` to `b`.
+    pub(super) fn get(&self, a: u32, b: u32) -> Option<u32> {
+        let (found, code) = self.entries[self.place(key(a, b))];
+        (found != FREE).then_some(code)
+    }
+
+    /// Bytes held.
+    pub(super) fn bytes(&self) -> usize {
+        16 * self.entries.capacity()
+    }
+}

@@ -1,0 +1,95 @@
+//! `.parents`, beside TetGen's files: what they cannot say and an exact check needs. Ours, plain text, numbered from 0.
+//!
+//! First line: the number of Steiner points (the last points of `.node`), of faces (those of `.face`), of facet flips, and 1 if
+//! the convex hull was kept, else 0. Then a line per Steiner point: the two ends `a` and `b` of its edge (input points), the
+//! input segment or -1, and the parameter `t` with any further terms of it: exactly, the point is `a + t (b − a)`. Then a line
+//! per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two facets.
+//! Doubles read back bit for bit.
+use super::output_files::Out;
+use super::text::{bad, float, Line, Lines};
+use crate::error::{Error, Status};
+use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, TetMesh};
+use crate::INVALID;
+use std::io;
+
+/// Writes the file.
+pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
+    let counts = [mesh.steiner.len(), mesh.subfaces.len(), mesh.facet_flips.len()];
+    out.put(format!("{}  {}  {}  {}\n", counts[0], counts[1], counts[2], u8::from(mesh.hull_kept)))?;
+    let mut terms = mesh.steiner_terms.iter().peekable();
+    for (i, point) in mesh.steiner.iter().enumerate() {
+        out.int(point.ends[0])?;
+        out.blank_int(point.ends[1])?;
+        out.blank_int(or_none(point.segment))?;
+        out.blank_float(point.t)?;
+        while let Some(term) = terms.next_if(|term| term.steiner as usize == i) {
+            out.blank_float(term.value)?;
+        }
+        out.put(b"\n")?;
+    }
+    for face in &mesh.subfaces {
+        out.int(or_none(face.facet))?;
+        out.put(b"\n")?;
+    }
+    for flip in &mesh.facet_flips {
+        let [a, b] = flip.old;
+        let [c, d] = flip.new;
+        let [f, g] = flip.facets;
+        out.put(format!("{a} {b} {c} {d} {f} {g}\n"))?;
+    }
+    Ok(())
+}
+
+fn or_none(index: u32) -> i64 {
+    if index == INVALID {
+        -1
+    } else {
+        i64::from(index)
+    }
+}
+
+/// Reads the file into a mesh that has its points and faces already.
+pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
+    let mut lines = Lines::new(bytes);
+    let mut line = lines.expect("the numbers of Steiner points, faces and flips")?;
+    let available = lines.remaining().len();
+    let steiner = line.count("the number of Steiner points", 8, available)?;
+    let faces = line.count("the number of faces", 2, available)?;
+    let flips = line.count("the number of flips", 12, available)?;
+    mesh.hull_kept = line.optional_int("whether the hull was kept")?.unwrap_or(0) != 0;
+    if steiner > mesh.points.len() || faces != mesh.subfaces.len() {
+        let message = "the numbers of points and faces are not those of the mesh beside it";
+        return Err(Error::new(Status::Format, message));
+    }
+    mesh.steiner.try_reserve_exact(steiner)?;
+    for i in 0..steiner as u32 {
+        let mut line = lines.expect("a Steiner point")?;
+        let ends = [index(&mut line)?, index(&mut line)?];
+        let segment = index(&mut line)?;
+        mesh.steiner.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact: false });
+        while let Some(token) = line.token() {
+            let value = float(token).ok_or_else(|| bad(line.number(), "a term is no number"))?;
+            mesh.steiner_terms.try_reserve(1)?;
+            mesh.steiner_terms.push(SteinerTerm { steiner: i, value });
+        }
+    }
+    for face in &mut mesh.subfaces {
+        face.facet = index(&mut lines.expect("the facet of a face")?)?;
+    }
+    mesh.facet_flips.try_reserve_exact(flips)?;
+    for _ in 0..flips {
+        let mut line = lines.expect("a flip")?;
+        let mut pair = || -> Result<[u32; 2], Error> { Ok([index(&mut line)?, index(&mut line)?]) };
+        mesh.facet_flips.push(FacetFlip { old: pair()?, new: pair()?, facets: pair()? });
+    }
+    lines.expect_end("line")
+}
+
+/// An index, or -1 for none. Whether it refers to something is asked by the check.
+fn index(line: &mut Line<'_>) -> Result<u32, Error> {
+    let value = line.int("an index")?;
+    if value == -1 {
+        return Ok(INVALID);
+    }
+    u32::try_from(value).map_err(|_| bad(line.number(), format_args!("{value} is no index")))
+}
