@@ -126,7 +126,8 @@ impl Hollow {
         if self.corners.len() > MOST_VERTICES {
             return Ok(false);
         }
-        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges, without: None };
+        let polyhedron =
+            Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges, without: None };
         reconnect.fill(points, &polyhedron, budget, new)
     }
 
@@ -201,6 +202,9 @@ impl Hollow {
             ranked.push((sign, ring.len(), edge, ring));
         }
         ranked.sort_unstable();
+        // Convex edges are hardly ever in the way.
+        let blocking = ranked.iter().filter(|r| r.0 != Sign::Positive).count();
+        ranked.truncate(blocking.max(2));
         Ok(ranked.into_iter().map(|r| r.3).collect())
     }
 

@@ -24,10 +24,12 @@ pub struct Target<'a> {
     pub triangles: &'a [[u32; 3]],
     /// Patch of each.
     pub patch: &'a [u32],
+    /// Input facet of each.
+    pub facet: &'a [u32],
 }
 
 /// What flips took.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Flips {
     /// Flips in the plane.
     pub flips: u64,
@@ -36,7 +38,7 @@ pub struct Flips {
     /// Sides of flips that needed a point inside.
     pub placed: u64,
     /// Triangles that were not reached.
-    pub missing: u64,
+    pub missing: Vec<[u32; 3]>,
 }
 
 /// Retriangulates patches.
@@ -49,14 +51,16 @@ pub struct Retarget<'a> {
     pub inside: &'a mut Inside,
     /// Pieces of segments on no facet.
     pub isolated: &'a FxHashSet<[u32; 2]>,
-    /// Steps per search.
-    pub budget: u32,
+    /// How far the surroundings of a flip grow.
+    pub growth: Growth,
     hollow: Hollow,
     reconnect: Reconnect,
     /// A corner code of each subface.
     code_of: FxHashMap<[u32; 3], u32>,
     /// Apexes of the triangles at each edge of the patch at hand: at most two.
     apexes: FxHashMap<[u32; 2], Vec<u32>>,
+    /// A neighbour of each of its vertices.
+    neighbor: FxHashMap<u32, u32>,
     axis: usize,
     count: Flips,
 }
@@ -75,25 +79,30 @@ impl<'a> Retarget<'a> {
         points: &'a mut Points,
         inside: &'a mut Inside,
         isolated: &'a FxHashSet<[u32; 2]>,
-        budget: u32,
+        growth: Growth,
     ) -> Self {
         Retarget {
             solid,
             points,
             inside,
             isolated,
-            budget,
+            growth,
             hollow: Hollow::default(),
             reconnect: Reconnect::default(),
             code_of: FxHashMap::default(),
             apexes: FxHashMap::default(),
+            neighbor: FxHashMap::default(),
             axis: 0,
             count: Flips::default(),
         }
     }
 
     /// Makes every triangle of the target a face, as far as its patch is in the mesh.
-    pub fn run(&mut self, target: &Target) -> Result<Flips, Error> {
+    pub fn run(
+        &mut self,
+        target: &Target,
+        tick: &mut dyn FnMut(f64) -> Result<(), Error>,
+    ) -> Result<Flips, Error> {
         // (patch, triangle) of the target where one is missing, and (patch, key) of what is there instead.
         let mut wrong: Vec<u32> = Vec::new();
         for (&triangle, &patch) in target.triangles.iter().zip(target.patch) {
@@ -121,7 +130,9 @@ impl<'a> Retarget<'a> {
                 .filter(|x| wrong.binary_search(&x.0).is_ok()),
         );
         wanted.sort_unstable();
-        for patch in wrong {
+        let count = wrong.len() as f64;
+        for (i, patch) in wrong.into_iter().enumerate() {
+            tick(i as f64 / count)?;
             let range = |list: &[(u32, [u32; 3])]| {
                 list.partition_point(|x| x.0 < patch)..list.partition_point(|x| x.0 <= patch)
             };
@@ -131,7 +142,7 @@ impl<'a> Retarget<'a> {
                 self.patch(patch, now, then)?;
             }
         }
-        Ok(self.count)
+        Ok(std::mem::take(&mut self.count))
     }
 
     fn note_codes(&mut self, t: u32, wrong: &[u32], present: &mut Vec<(u32, [u32; 3])>) -> Result<(), Error> {
@@ -154,6 +165,7 @@ impl<'a> Retarget<'a> {
     /// One patch: its triangles now, and those it shall have.
     fn patch(&mut self, patch: u32, now: &[(u32, [u32; 3])], then: &[(u32, [u32; 3])]) -> Result<(), Error> {
         self.apexes.clear();
+        self.neighbor.clear();
         let Some(axis) = axis_of(self.points, &now[0].1) else {
             return Err(Error::internal("a subface is degenerate"));
         };
@@ -161,6 +173,7 @@ impl<'a> Retarget<'a> {
         for &(_, [a, b, c]) in now {
             for (x, y, z) in [(a, b, c), (b, c, a), (c, a, b)] {
                 self.apexes.entry(edge_key(x, y)).or_default().push(z);
+                self.neighbor.insert(x, y);
             }
         }
         let mut edges: Vec<[u32; 2]> = Vec::new();
@@ -175,8 +188,8 @@ impl<'a> Retarget<'a> {
                 self.insert_edge(patch, edge)?;
             }
         }
-        let missing = then.iter().filter(|x| !self.solid.patch_of.contains_key(&face_key(x.1))).count();
-        self.count.missing += missing as u64;
+        let missing = then.iter().map(|x| x.1).filter(|t| !self.solid.patch_of.contains_key(&face_key(*t)));
+        self.count.missing.extend(missing);
         Ok(())
     }
 
@@ -206,26 +219,32 @@ impl<'a> Retarget<'a> {
         self.points.orient_in_plane(self.axis, a, b, c)
     }
 
+    /// The edge opposite `a` in the triangle that `ab` enters at `a`.
+    fn opposite(&self, a: u32, b: u32) -> Result<Option<[u32; 2]>, Error> {
+        let mut around: Vec<u32> = Vec::new();
+        around.extend(self.neighbor.get(&a));
+        let mut next = 0;
+        while next < around.len() {
+            let w = around[next];
+            next += 1;
+            for &x in self.apexes.get(&edge_key(a, w)).into_iter().flatten() {
+                let (s, t) = (self.side(a, b, w), self.side(a, b, x));
+                if s != Sign::Zero && s == -t && self.side(w, x, b) == -self.side(w, x, a) {
+                    return Ok(Some(edge_key(w, x)));
+                }
+                if !around.contains(&x) {
+                    around.try_reserve(1)?;
+                    around.push(x);
+                }
+            }
+        }
+        Ok(None)
+    }
+
     /// The edges of the patch's triangulation that cross `ab`, in order.
     fn crossing(&self, a: u32, b: u32) -> Result<VecDeque<[u32; 2]>, Error> {
         let mut out = VecDeque::new();
-        // The triangle at `a` that `ab` enters: some edge of it has `a` as apex.
-        let mut starts: Vec<[u32; 2]> = self
-            .apexes
-            .iter()
-            .filter(|(e, apexes)| {
-                apexes.contains(&a) && {
-                    let (x, y) = (self.side(a, b, e[0]), self.side(a, b, e[1]));
-                    x != Sign::Zero && x == -y && {
-                        let beyond = self.side(e[0], e[1], b);
-                        beyond == -self.side(e[0], e[1], a)
-                    }
-                }
-            })
-            .map(|(e, _)| *e)
-            .collect();
-        starts.sort_unstable();
-        let Some(&first) = starts.first() else { return Ok(out) };
+        let Some(first) = self.opposite(a, b)? else { return Ok(out) };
         let (mut edge, mut behind) = (first, a);
         for _ in 0..self.apexes.len() {
             out.try_reserve(1)?;
@@ -291,6 +310,9 @@ impl<'a> Retarget<'a> {
         }
         self.apexes.remove(&edge_key(a, b));
         self.apexes.insert(edge_key(c, d), vec![a, b]);
+        for (v, w) in [(a, c), (b, c), (c, d), (d, c)] {
+            self.neighbor.insert(v, w);
+        }
         for (edge, old, new) in [([a, c], b, d), ([b, c], a, d), ([a, d], b, c), ([b, d], a, c)] {
             if let Some(list) = self.apexes.get_mut(&edge_key(edge[0], edge[1])) {
                 for v in list.iter_mut().filter(|v| **v == old) {
@@ -352,7 +374,7 @@ impl<'a> Retarget<'a> {
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
         let mut new = Vec::new();
         let polyhedron = Polyhedron { faces: &side.faces, inner: &[], ..Polyhedron::default() };
-        if self.reconnect.fill(self.points, &polyhedron, self.budget, &mut new)? {
+        if self.reconnect.fill(self.points, &polyhedron, self.growth.budget, &mut new)? {
             return Ok(Some(new));
         }
         let walls = [side.faces[side.faces.len() - 2], side.faces[side.faces.len() - 1]];
@@ -366,7 +388,7 @@ impl<'a> Retarget<'a> {
             avoid: [a, b],
             taken,
         };
-        let growth = Growth { budget: self.budget, branches: 8, tries: 60 };
+        let growth = Growth { budget: self.growth.budget / 4, ..self.growth };
         let Retarget { solid, points, reconnect, isolated, hollow, .. } = self;
         if let Some(new) = hollow.grow(solid, points, reconnect, &start, isolated, growth)? {
             self.count.grown += 1;

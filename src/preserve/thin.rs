@@ -29,15 +29,18 @@ impl Thin {
         inside: &mut Inside,
         isolated: &FxHashSet<[u32; 2]>,
         growth: Growth,
+        tick: &mut dyn FnMut() -> Result<(), Error>,
     ) -> Result<u64, Error> {
         let mut gone = 0;
         loop {
             let before = gone;
             for i in (0..inside.list.len()).rev() {
+                tick()?;
                 gone += u64::from(self.delete(solid, points, inside.list[i], isolated, growth)?);
             }
             inside.sweep(solid);
             for i in (0..inside.list.len()).rev() {
+                tick()?;
                 gone += u64::from(self.merge(solid, points, inside, inside.list[i], growth.budget)?);
             }
             inside.sweep(solid);

@@ -66,8 +66,6 @@ pub struct Unsplit<'a> {
     options: Vec<Vec<Vec<[u32; 3]>>>,
     filled: FxHashMap<(usize, [usize; 2]), Option<Vec<[u32; 4]>>>,
     fills: usize,
-    stat_fills: u64,
-    stat_ok: u64,
     faces: Vec<[u32; 3]>,
 }
 
@@ -93,15 +91,8 @@ impl<'a> Unsplit<'a> {
             options: Vec::new(),
             filled: FxHashMap::default(),
             fills: 0,
-            stat_fills: 0,
-            stat_ok: 0,
             faces: Vec::new(),
         }
-    }
-
-    /// dbg
-    pub fn reconnect_stats(&self) -> (u64, u64) {
-        (self.stat_fills, self.stat_ok)
     }
 
     /// Tries to take `v` away; `ends` are its neighbours on its segment.
@@ -243,15 +234,11 @@ impl<'a> Unsplit<'a> {
             true
         } else {
             self.fills += 1;
-            self.stat_fills += 1;
             let walled = self.star.walls.iter().any(|w| w.sides.iter().any(|side| side.0 == s));
             let edges: &[[u32; 2]] = if walled { &[] } else { &[ends] };
             let polyhedron = Polyhedron { faces: &self.faces, edges, ..Polyhedron::default() };
             self.reconnect.fill(self.points, &polyhedron, budget, &mut new)?
         };
-        if found {
-            self.stat_ok += 1;
-        }
         self.filled.insert(key, found.then_some(new));
         Ok(found)
     }

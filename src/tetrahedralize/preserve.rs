@@ -14,6 +14,7 @@ use crate::output::TetMesh;
 use crate::plc::patch::Patches;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
+use crate::predicates::scale;
 use crate::preserve::from_constrained;
 use crate::preserve::inside::Inside;
 use crate::preserve::order::first_points;
@@ -60,7 +61,12 @@ impl Run<'_> {
         counts.missing_edges = segments.missing;
         counts.by_splits = segments.missing;
         let patch = surface.triangle_patch.clone();
-        self.free_surface(plc, &surface, options, Embedded { engine, segments, subfaces, patch, inside: Vec::new() })
+        self.free_surface(
+            plc,
+            &surface,
+            options,
+            Embedded { engine, segments, subfaces, patch, inside: Vec::new() },
+        )
     }
 
     /// Carves the domain and takes all points off the surface.
@@ -77,8 +83,13 @@ impl Run<'_> {
         let carved = std::mem::take(&mut engine.delaunay.mesh);
         let mut solid = Solid::carve(carved, engine.points.len(), &components, &regions, &subfaces)?;
         drop((subfaces, components));
-        let target = Target { triangles: &engine.map(&surface.triangles)?, patch: &patch };
+        let target = Target {
+            triangles: &engine.map(&surface.triangles)?,
+            patch: &patch,
+            facet: &surface.triangle_facet,
+        };
         let observer = &mut *self.observer;
+        let exponent = engine.scale;
         let inside = from_constrained(
             &mut solid,
             &mut engine.points,
@@ -87,7 +98,13 @@ impl Run<'_> {
             Inside::of(inside),
             &mut self.statistics.preserve,
             &mut |fraction| report(observer, Phase::Preserve, fraction),
-        )?;
+        )
+        .map_err(|mut error| {
+            for point in error.defects.iter_mut().filter_map(|d| d.point.as_mut()) {
+                *point = point.map(|x| scale(x, -exponent));
+            }
+            error
+        })?;
         self.statistics.missing_segments = segments.missing;
         let mut mesh = assemble::preserved(&engine, plc, surface, &solid, &inside.list, &regions)?;
         mesh.hull_kept = options.keep_hull;

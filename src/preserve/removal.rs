@@ -1,0 +1,129 @@
+//! All points off the segments: those that go easily first, the last made first; relocation comes last.
+use super::inside::Inside;
+use super::retarget::Target;
+use super::solid::Solid;
+use super::unsplit::{Effort, Outcome, Unsplit};
+use super::{BUDGET, SOME};
+use crate::constrain::edge_key;
+use crate::constrain::segment::Segments;
+use crate::error::Error;
+use crate::mesh::NONE;
+use crate::predicates::Points;
+use rustc_hash::FxHashSet;
+
+/// What is tried, in this order.
+const EFFORTS: [Effort; 4] = [
+    Effort { budget: BUDGET, walls: 3, growth: None, relocate: false },
+    Effort { budget: 500, walls: 8, growth: None, relocate: false },
+    Effort { budget: BUDGET, walls: 3, growth: Some(SOME), relocate: false },
+    Effort { budget: BUDGET, walls: 3, growth: Some(SOME), relocate: true },
+];
+
+/// What became of the points on segments.
+#[derive(Clone, Debug, Default)]
+pub struct Removal {
+    /// Points that went without a replacement.
+    pub deleted: u64,
+    /// Points that points inside replaced.
+    pub relocated: u64,
+    /// Points that could not be taken away.
+    pub left: Vec<u32>,
+    /// Pieces of segments on no facet.
+    pub isolated: FxHashSet<[u32; 2]>,
+}
+
+/// Steiner points and their neighbours on their segments.
+struct Along {
+    first: u32,
+    ends: Vec<[u32; 2]>,
+}
+
+impl Along {
+    fn new(segments: &Segments) -> Result<Along, Error> {
+        let list = segments.steiner_by_segment();
+        let mut ends = Vec::new();
+        ends.try_reserve(list.len())?;
+        ends.resize(list.len(), [NONE; 2]);
+        for (i, &(s, _, v)) in list.iter().enumerate() {
+            let [a, b] = segments.ends[s as usize];
+            let before = if i > 0 && list[i - 1].0 == s { list[i - 1].2 } else { a };
+            let after = list.get(i + 1).filter(|next| next.0 == s).map_or(b, |next| next.2);
+            ends[(v - segments.first_steiner) as usize] = [before, after];
+        }
+        Ok(Along { first: segments.first_steiner, ends })
+    }
+
+    fn of(&self, v: u32) -> [u32; 2] {
+        self.ends[(v - self.first) as usize]
+    }
+
+    fn remove(&mut self, v: u32) {
+        let [a, b] = self.of(v);
+        for (end, side, other) in [(a, 1, b), (b, 0, a)] {
+            if let Some(ends) = end.checked_sub(self.first).and_then(|i| self.ends.get_mut(i as usize)) {
+                ends[side] = other;
+            }
+        }
+    }
+}
+
+/// Takes the points on segments away.
+pub fn remove_all(
+    solid: &mut Solid,
+    points: &mut Points,
+    segments: &Segments,
+    target: &Target,
+    inside: &mut Inside,
+    tick: &mut dyn FnMut(f64) -> Result<(), Error>,
+) -> Result<Removal, Error> {
+    let mut along = Along::new(segments)?;
+    let mut wanted: FxHashSet<[u32; 2]> = FxHashSet::default();
+    for &[a, b, c] in target.triangles {
+        wanted.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
+    }
+    let mut removal = Removal { isolated: isolated_pieces(solid, segments), ..Removal::default() };
+    let mut left: Vec<u32> = Vec::new();
+    left.try_reserve(along.ends.len())?;
+    left.extend((0..along.ends.len() as u32).rev().map(|i| along.first + i));
+    let total = left.len().max(1) as f64;
+    let mut unsplit = Unsplit::new(solid, points, &wanted, &mut removal.isolated, inside);
+    for effort in EFFORTS {
+        loop {
+            let before = left.len();
+            let mut kept = Vec::new();
+            kept.try_reserve(before)?;
+            for (i, &v) in left.iter().enumerate() {
+                if i % 16 == 0 {
+                    tick(1.0 - (before - i + kept.len()) as f64 / total)?;
+                }
+                match unsplit.remove(v, along.of(v), effort)? {
+                    Outcome::Deleted => removal.deleted += 1,
+                    Outcome::Relocated => removal.relocated += 1,
+                    Outcome::Kept => {
+                        kept.push(v);
+                        continue;
+                    }
+                }
+                along.remove(v);
+            }
+            left = kept;
+            if left.is_empty() || left.len() == before {
+                break;
+            }
+        }
+    }
+    removal.left = left;
+    Ok(removal)
+}
+
+/// The pieces of segments that no subface has.
+fn isolated_pieces(solid: &Solid, segments: &Segments) -> FxHashSet<[u32; 2]> {
+    let mut isolated: FxHashSet<[u32; 2]> = FxHashSet::default();
+    isolated.extend(segments.pieces.iter().map(|piece| edge_key(piece.ends[0], piece.ends[1])));
+    for &[a, b, c] in solid.patch_of.keys() {
+        for edge in [[a, b], [b, c], [a, c]] {
+            isolated.remove(&edge);
+        }
+    }
+    isolated
+}

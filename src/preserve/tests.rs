@@ -1,0 +1,238 @@
+//! Invariants after every step, on small models of their own.
+use super::center::{center, Plane};
+use super::check::check_solid;
+use super::polygon::Polygons;
+use super::retarget::Target;
+use super::solid::Solid;
+use super::*;
+use crate::constrain::facet::FacetRecovery;
+use crate::constrain::segment::Recovery;
+use crate::constrain::subface::{Subfaces, Triangles};
+use crate::constrain::{edge_key, face_key};
+use crate::delaunay::Delaunay;
+use crate::region::{components, label, Seeds};
+
+/// A triangulated surface whose triangles are patches of their own, but for those that share a number in `patch`.
+struct Model {
+    points: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    patch: Vec<u32>,
+    keep_hull: bool,
+}
+
+impl Model {
+    fn new(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> Model {
+        let patch = (0..triangles.len() as u32).collect();
+        Model { points: points.to_vec(), triangles: triangles.to_vec(), patch, keep_hull: false }
+    }
+
+    fn segments(&self) -> Vec<[u32; 2]> {
+        let mut uses: Vec<([u32; 2], u32)> = Vec::new();
+        for (&[a, b, c], &patch) in self.triangles.iter().zip(&self.patch) {
+            uses.extend([(a, b), (b, c), (c, a)].map(|(x, y)| (edge_key(x, y), patch)));
+        }
+        uses.sort_unstable();
+        uses.chunk_by(|x, y| x.0 == y.0)
+            .filter(|group| group.len() != 2 || group[0].1 != group[1].1)
+            .map(|group| group[0].0)
+            .collect()
+    }
+
+    /// The constrained mesh of the domain, with its points and segments.
+    fn carve(&self) -> (Solid, Points, Segments) {
+        let mut points = Points::new(self.points.clone());
+        let mut delaunay = Delaunay::new();
+        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+        delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
+        delaunay.index_vertices(points.len()).unwrap();
+        let mut segments = Segments::new(&points, self.segments()).unwrap();
+        Recovery::new(&mut delaunay, &mut points, &mut segments, None).run(&mut |_, _| Ok(())).unwrap();
+        let facet = vec![0; self.triangles.len()];
+        let triangles = Triangles {
+            corners: &self.triangles,
+            facet: &facet,
+            patch: &self.patch,
+            patch_count: self.patch.len(),
+        };
+        let subfaces = Subfaces::build(&points, &triangles, &segments).unwrap();
+        FacetRecovery::new(&mut delaunay, &points, &subfaces).unwrap().run(&mut |_, _| Ok(())).unwrap();
+        for flags in &mut delaunay.mesh.flags {
+            *flags &= crate::mesh::flag::FACES | crate::mesh::flag::DEAD;
+        }
+        let parts = components(&delaunay.mesh).unwrap();
+        let seeds = Seeds { holes: &[], regions: &[] };
+        let regions = label(&delaunay.mesh, &mut points, &parts, &seeds, self.keep_hull).unwrap();
+        let solid = Solid::carve(delaunay.mesh, points.len(), &parts, &regions, &subfaces).unwrap();
+        check_solid(&solid, &points).unwrap();
+        (solid, points, segments)
+    }
+
+    /// Takes all points off the surface and checks what is left; returns the statistics.
+    fn free(&self) -> PreserveStatistics {
+        let (mut solid, mut points, segments) = self.carve();
+        let before = volume(&solid, &points);
+        let facet = vec![0; self.triangles.len()];
+        let target = Target { triangles: &self.triangles, patch: &self.patch, facet: &facet };
+        let mut statistics = PreserveStatistics::default();
+        let inside = from_constrained(
+            &mut solid,
+            &mut points,
+            &segments,
+            &target,
+            Inside::default(),
+            &mut statistics,
+            &mut |_| Ok(()),
+        )
+        .unwrap();
+        check_solid(&solid, &points).unwrap();
+        for &triangle in &self.triangles {
+            assert!(solid.patch_of.contains_key(&face_key(triangle)), "{triangle:?} is no face");
+        }
+        assert_eq!(solid.patch_of.len(), self.triangles.len());
+        for (v, &t) in solid.vertex_tet.iter().enumerate().skip(self.points.len()) {
+            assert_eq!(t != crate::mesh::NONE, inside.list.contains(&(v as u32)), "point {v}");
+        }
+        assert!((volume(&solid, &points) - before).abs() <= 1e-9 * before);
+        assert_eq!(statistics.interior, inside.list.len() as u64);
+        assert_eq!(statistics.deleted + statistics.relocated, segments.steiner_t.len() as u64);
+        statistics
+    }
+}
+
+fn volume(solid: &Solid, points: &Points) -> f64 {
+    let mut sum = 0.0;
+    for t in (0..solid.mesh.slot_count() as u32).filter(|&t| solid.mesh.is_live(t) && !solid.mesh.is_ghost(t))
+    {
+        let [a, b, c, d] = solid.mesh.verts[t as usize].map(|v| *points.xyz(v));
+        let u = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        sum += u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1])
+            - u[0][1] * (u[1][0] * u[2][2] - u[1][2] * u[2][0])
+            + u[0][2] * (u[1][0] * u[2][1] - u[1][1] * u[2][0]);
+    }
+    sum / 6.0
+}
+
+/// Schönhardt's polyhedron: a prism twisted so far that no diagonal is inside.
+fn schoenhardt() -> Model {
+    let ring = |z: f64, turn: f64| {
+        [0.0, 1.0, 2.0].map(|k: f64| {
+            let angle = turn + k * std::f64::consts::TAU / 3.0;
+            [angle.cos(), angle.sin(), z]
+        })
+    };
+    let points = [ring(0.0, 0.0), ring(1.0, std::f64::consts::FRAC_PI_6)].concat();
+    // The diagonals that span the larger angle are reflex.
+    let mut triangles = vec![[0, 2, 1], [3, 4, 5]];
+    for i in 0..3u32 {
+        let j = (i + 1) % 3;
+        triangles.push([i, 3 + j, 3 + i]);
+        triangles.push([i, j, 3 + j]);
+    }
+    Model::new(&points, &triangles)
+}
+
+/// A cube of `2n²` triangles a side with all diagonals leaning the same way.
+fn cube(n: u32, keep_hull: bool) -> Model {
+    let mut points: Vec<[f64; 3]> = Vec::new();
+    let mut triangles = Vec::new();
+    let mut patch = Vec::new();
+    let mut number = |p: [u32; 3]| {
+        let p = p.map(f64::from);
+        points.iter().position(|q| *q == p).unwrap_or_else(|| {
+            points.push(p);
+            points.len() - 1
+        }) as u32
+    };
+    for axis in 0..3 {
+        for side in [0, n] {
+            for i in 0..n {
+                for j in 0..n {
+                    let mut at = |di: u32, dj: u32| {
+                        let mut p = [side; 3];
+                        p[(axis + 1) % 3] = i + di;
+                        p[(axis + 2) % 3] = j + dj;
+                        number(p)
+                    };
+                    let [a, b, c, d] = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)];
+                    // The corner that both triangles share alternates between sides.
+                    triangles.extend(if side == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
+                    patch.extend([2 * axis as u32 + u32::from(side > 0); 2]);
+                }
+            }
+        }
+    }
+    Model { points, triangles, patch, keep_hull }
+}
+
+#[test]
+fn schoenhardt_needs_exactly_one_point() {
+    let statistics = schoenhardt().free();
+    assert_eq!(statistics.interior, 1, "{statistics:?}");
+}
+
+#[test]
+fn a_cube_gets_its_triangles_back() {
+    for n in 1..5 {
+        for keep_hull in [false, true] {
+            let statistics = cube(n, keep_hull).free();
+            assert!(statistics.interior <= 1, "{n}: {statistics:?}");
+        }
+    }
+}
+
+#[test]
+fn a_fin_in_a_box_is_freed_on_both_sides() {
+    // A dangling triangle inside a long tetrahedron, whose edges are not Delaunay: thin points crowd round it.
+    let mut model = cube(1, false);
+    model.points.extend([[0.1, 0.1, 0.5], [0.9, 0.9, 0.5], [0.5, 0.5, 0.9]]);
+    for i in 0..6 {
+        let t = 0.2 + 0.1 * f64::from(i);
+        model.points.push([t + 0.015625, t - 0.015625, 0.5 + 0.00390625 * f64::from(i % 2)]);
+    }
+    model.triangles.push([8, 9, 10]);
+    model.patch.push(6);
+    let statistics = model.free();
+    assert!(statistics.deleted + statistics.relocated > 0, "nothing was to be done: {statistics:?}");
+}
+
+#[test]
+fn the_center_of_a_box_is_found() {
+    let plane = |normal, offset| Plane { normal, offset };
+    let planes = [
+        plane([1.0, 0.0, 0.0], 1.0),
+        plane([-1.0, 0.0, 0.0], 3.0),
+        plane([0.0, 1.0, 0.0], 0.5),
+        plane([0.0, -1.0, 0.0], 0.5),
+        plane([0.0, 0.0, 1.0], 2.0),
+        plane([0.0, 0.0, -1.0], 2.0),
+    ];
+    let (p, distance) = center(&planes, 16.0);
+    assert!((distance - 0.5).abs() < 1e-9 && p[1].abs() < 1e-9, "{p:?} {distance}");
+    // Two half-spaces without a common point.
+    let (_, distance) = center(&[plane([1.0, 0.0, 0.0], -1.0), plane([-1.0, 0.0, 0.0], -1.0)], 16.0);
+    assert!(distance < 0.0);
+}
+
+#[test]
+fn polygons_are_triangulated_as_wanted() {
+    // A notched polygon with three corners in a row.
+    let xy = [[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [4.0, 2.0], [4.0, 4.0], [0.0, 4.0]];
+    let points = Points::new(xy.iter().map(|p| [p[0], p[1], 1.0]).collect());
+    let polygon = [0, 1, 2, 3, 4, 5];
+    let mut polygons = Polygons::default();
+    let area = |list: &[[u32; 3]]| -> f64 {
+        list.iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|v| xy[v as usize]);
+                ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2.0
+            })
+            .sum()
+    };
+    let all = polygons.triangulations(&points, 2, &polygon, &|_, _| false).unwrap();
+    assert!(all.len() > 1);
+    for list in &all {
+        assert_eq!((list.len(), area(list)), (4, 14.0));
+    }
+    let wanted = polygons.triangulations(&points, 2, &polygon, &|a, b| edge_key(a, b) == [1, 4]).unwrap();
+    assert!(wanted[0].iter().filter(|t| t.contains(&1) && t.contains(&4)).count() == 2);
+}
