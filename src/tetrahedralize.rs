@@ -149,7 +149,8 @@ impl Engine {
             *v = engine_of[*v as usize];
         }
         let points = Points::new(xyz);
-        let engine = Engine { points, delaunay: Delaunay::new(), input_of, rounds, engine_of, scale: surface.scale };
+        let engine =
+            Engine { points, delaunay: Delaunay::new(), input_of, rounds, engine_of, scale: surface.scale };
         Ok((engine, order))
     }
 
@@ -311,12 +312,7 @@ impl Run<'_> {
     }
 
     /// Inserts the vertices in this order.
-    fn delaunay_in(
-        &mut self,
-        engine: &mut Engine,
-        order: &mut [u32],
-        threads: usize,
-    ) -> Result<(), Error> {
+    fn delaunay_in(&mut self, engine: &mut Engine, order: &mut [u32], threads: usize) -> Result<(), Error> {
         let total = order.len().max(1) as f64;
         let observer = &mut *self.observer;
         engine.delaunay.build_rounds(&engine.points, order, &engine.rounds, threads, &mut |done| {

@@ -121,11 +121,9 @@ impl Rounded {
             }
         }
         let [tet, triangle] = known;
-        if (tet[0] && tet[1])
-            || (triangle[0] && triangle[1])
-            || (tet[0] && triangle[0])
-            || (tet[1] && triangle[1])
-        {
+        let both_sides = |of: [bool; 2]| of == [true; 2];
+        let same_side = (0..2).any(|k| tet[k] && triangle[k]);
+        if both_sides(tet) || both_sides(triangle) || same_side {
             return Some(false);
         }
         let all = |signs: [Option<Sign>; 2]| Some([signs[0]?, signs[1]?]);

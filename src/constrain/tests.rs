@@ -3,7 +3,7 @@ use super::fill::{Filler, Half};
 use super::gift_wrap::gift_wrap;
 use super::placement::round_parameter;
 use crate::delaunay::Delaunay;
-use crate::predicates::Points;
+use crate::predicates::{Expansion, Points};
 
 fn sorted(mut tets: Vec<[u32; 4]>) -> Vec<[u32; 4]> {
     for t in &mut tets {
@@ -125,7 +125,7 @@ fn steiner_points_move_to_other_lists_of_segments() {
     let mut points = Points::new(vec![[0.0; 3], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 8.0]]);
     let mut old = Segments::new(&points, vec![[0, 1], [2, 3], [1, 2]]).unwrap();
     for (segment, ends, t) in [(0, [0, 1], 0.5), (2, [1, 2], 0.25), (0, [0, 1], 0.25)] {
-        points.push_on_segment(ends[0], ends[1], t).unwrap();
+        points.push_on_segment(ends[0], ends[1], &Expansion::from(t)).unwrap();
         old.steiner_segment.push(segment);
         old.steiner_t.push(t);
     }

@@ -18,6 +18,9 @@ use crate::predicates::{Points, Sign};
 use crate::reconnect::{Polyhedron, Reconnect};
 use rustc_hash::{FxHashMap, FxHashSet};
 
+/// The tetrahedra of a filled sector, or none where the search has failed.
+type Filling = Option<Vec<[u32; 4]>>;
+
 /// Most fillings tried for one point, and most combinations of wall triangulations looked at.
 const MOST_FILLS: usize = 48;
 const MOST_CHOICES: usize = 256;
@@ -64,7 +67,7 @@ pub struct Unsplit<'a> {
     star: Star,
     /// Triangulations of each wall, and the chosen ones.
     options: Vec<Vec<Vec<[u32; 3]>>>,
-    filled: FxHashMap<(usize, [usize; 2]), Option<Vec<[u32; 4]>>>,
+    filled: FxHashMap<(usize, [usize; 2]), Filling>,
     fills: usize,
     faces: Vec<[u32; 3]>,
 }
