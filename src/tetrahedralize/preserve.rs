@@ -8,7 +8,7 @@ use super::{assemble, Engine, Run};
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::{Subfaces, Triangles};
-use crate::error::Error;
+use crate::error::{Error, Status};
 use crate::options::Options;
 use crate::output::TetMesh;
 use crate::plc::patch::Patches;
@@ -49,7 +49,11 @@ impl Run<'_> {
             first = first_points(&surface)?;
             self.lap(Phase::Validate);
             if let Some(embedded) = self.reconnect(&surface, options, &first)? {
-                return self.free_surface(plc, &surface, options, embedded);
+                match self.free_surface(plc, &surface, options, embedded) {
+                    // Another mesh may leave more room.
+                    Err(e) if e.status == Status::Rounding => {}
+                    done => return done,
+                }
             }
             self.statistics.preserve = Default::default();
         }
