@@ -88,6 +88,9 @@ impl Geometry {
 pub(super) fn parameters(mesh: &TetMesh) -> impl Iterator<Item = Expansion> + '_ {
     let mut terms = mesh.steiner_terms.iter().peekable();
     mesh.steiner.iter().enumerate().map(move |(i, s)| {
+        if s.is_inside() {
+            return Expansion::zero();
+        }
         let mut t = Expansion::from(s.t);
         while let Some(term) = terms.next_if(|term| term.steiner as usize == i) {
             t = t.sum(&Expansion::from(term.value));
