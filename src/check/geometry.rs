@@ -86,14 +86,12 @@ impl Geometry {
 
 /// The exact parameters of the Steiner points, whose terms must be in order.
 pub(super) fn parameters(mesh: &TetMesh) -> impl Iterator<Item = Expansion> + '_ {
-    let mut terms = mesh.steiner_terms.iter().peekable();
+    let mut next = 0;
     mesh.steiner.iter().enumerate().map(move |(i, s)| {
-        if s.is_inside() {
-            return Expansion::zero();
-        }
         let mut t = Expansion::from(s.t);
-        while let Some(term) = terms.next_if(|term| term.steiner as usize == i) {
-            t = t.sum(&Expansion::from(term.value));
+        while next < mesh.steiner_terms.len() && mesh.steiner_terms[next].steiner as usize == i {
+            t = t.sum(&Expansion::from(mesh.steiner_terms[next].value));
+            next += 1;
         }
         t.compressed()
     })
