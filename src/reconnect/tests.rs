@@ -140,3 +140,34 @@ fn stars_of_random_vertices_are_filled_without_them_and_with_them() {
     assert!(all > 200);
     assert_eq!(without, all, "a Delaunay vertex can always be deleted");
 }
+
+/// A cone from an end of the required edge would lack the triangle, which has the inside on both sides: there is no filling at all.
+#[test]
+fn a_face_with_the_inside_on_both_sides_is_kept() {
+    let points = Points::new(vec![
+        [1.0, 0.0, 0.0],
+        [-1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.0, 0.0, -1.0],
+    ]);
+    let mut faces = vec![[0, 1, 4], [0, 4, 1]];
+    for x in [0, 1] {
+        for y in [2, 3] {
+            for z in [4, 5] {
+                let turn = (x + y + z) % 2 == 1;
+                faces.push(if turn { [x, z, y] } else { [x, y, z] });
+            }
+        }
+    }
+    // Not by `fill`: both sides of the triangle cancel in its sum of faces.
+    let found = |edge: [u32; 2]| {
+        let polyhedron = Polyhedron { faces: &faces, edges: &[edge], ..Default::default() };
+        let mut tets = Vec::new();
+        Reconnect::default().fill(&points, &polyhedron, BUDGET, &mut tets).unwrap().then_some(tets)
+    };
+    assert!(found([4, 5]).is_none());
+    let tets = found([0, 1]).unwrap();
+    assert_eq!(tets.iter().filter(|t| [0, 1, 4].iter().all(|v| t.contains(v))).count(), 2);
+}
