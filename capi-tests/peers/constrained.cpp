@@ -1,13 +1,12 @@
 // Constrained Delaunay tetrahedralizations beside TetGen's: peers_constrained <off files>. For each model the volume against the
 // enclosed volume (exact rationals) and TetGen's, every facet covered, every unconstrained face locally Delaunay by CGAL's exact
 // predicates. Prints a table; what the same tests say of TetGen's meshes is counted, not judged.
-#include "peers.hpp"
+#include "ours.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <delotet/delotet.hpp>
 #include <map>
 #include <set>
 
@@ -116,17 +115,10 @@ int main(int argc, char **argv)
             continue;
         }
         models++;
-        delotet::Error error;
-        delotet::Mesh mesh;
-        delotet::Plc plc(model.points);
-        std::vector<delotet::Index> corners;
-        for (const Triangle &t : model.triangles)
-            corners.insert(corners.end(), t.begin(), t.end());
-        plc.add_triangles(corners);
-        const Stopwatch watch;
-        const delotet::Status status = delotet::tetrahedralize(plc, {}, mesh, error);
-        Result ours;
-        ours.seconds = watch.seconds();
+        Ours run(model, {});
+        delotet::Mesh &mesh = run.mesh;
+        const delotet::Status status = run.status;
+        Result &ours = run.result;
         const Result theirs = tetgen(model.points, model.triangles, 60);
         std::printf("%-34.34s %8zu | ", name, model.triangles.size());
         std::string complaints;
@@ -137,8 +129,6 @@ int main(int argc, char **argv)
             }
         };
         if (status == DELOTET_STATUS_OK) {
-            ours.points.assign(mesh.points().begin(), mesh.points().end());
-            ours.tets.assign(mesh.tets().begin(), mesh.tets().end());
             bool rounded = false;
             for (const delotet::SteinerPoint &s : mesh.steiner_points())
                 rounded = rounded || !s.exact;
@@ -173,7 +163,7 @@ int main(int argc, char **argv)
             }
         } else {
             std::printf("%33s | ", delotet_status_name(status));
-            expect(false, error.message());
+            expect(false, run.error.message());
         }
         if (theirs.ok()) {
             const std::size_t wrong = not_delaunay(theirs);

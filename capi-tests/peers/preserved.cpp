@@ -2,13 +2,12 @@
 // point is added on the surface, every tetrahedron is positive and the volume is the enclosed one, exactly. Prints a table with
 // points inside, seconds, the smallest dihedral angle and the largest ratio of circumradius to shortest edge, ours and theirs; what
 // the same tests say of TetGen's meshes is counted, not judged.
-#include "peers.hpp"
+#include "ours.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <delotet/delotet.hpp>
 #include <map>
 
 using Vector = std::array<double, 3>;
@@ -159,17 +158,10 @@ int main(int argc, char **argv)
             continue;
         }
         models++;
-        delotet::Error error;
-        delotet::Mesh mesh;
-        delotet::Plc plc(model.points);
-        std::vector<delotet::Index> corners;
-        for (const Triangle &t : model.triangles)
-            corners.insert(corners.end(), t.begin(), t.end());
-        plc.add_triangles(corners);
-        const Stopwatch watch;
-        const delotet::Status status = delotet::tetrahedralize(plc, options, mesh, error);
-        Result ours;
-        ours.seconds = watch.seconds();
+        Ours run(model, options);
+        delotet::Mesh &mesh = run.mesh;
+        const delotet::Status status = run.status;
+        Result &ours = run.result;
         const Result theirs = renumbered(tetgen(model.points, model.triangles, 60, true), model);
         const std::size_t inputs = model.points.size();
         std::printf("%-30.30s %8zu | ", slash ? slash + 1 : argv[i], model.triangles.size());
@@ -181,16 +173,14 @@ int main(int argc, char **argv)
             }
         };
         if (status == DELOTET_STATUS_OK) {
-            ours.points.assign(mesh.points().begin(), mesh.points().end());
-            ours.tets.assign(mesh.tets().begin(), mesh.tets().end());
             print(ours, inputs);
             const std::size_t missing = not_faces(model, ours);
             expect(std::equal(model.points.begin(), model.points.end(), ours.points.begin()), "the points come first");
             expect(missing == 0, std::to_string(missing) + " triangles are no faces");
             expect(added_on_surface(ours, inputs) == 0, "no added point is on the boundary");
             expect(not_positive(ours) == 0, "every tetrahedron is positive");
-            const bool passes = mesh.check_preserved(plc, 10, error) == DELOTET_STATUS_OK;
-            expect(passes, error.message());
+            const bool passes = mesh.check_preserved(run.plc, 10, run.error) == DELOTET_STATUS_OK;
+            expect(passes, run.error.message());
             expect(mesh.stats().preserve_interior == ours.points.size() - inputs, "the points inside are counted");
             if (is_one_surface(model)) {
                 const std::string volume = exact_volume(ours.points, ours.tets);
@@ -200,7 +190,7 @@ int main(int argc, char **argv)
             }
         } else {
             std::printf("%44s", delotet_status_name(status));
-            expect(false, error.message());
+            expect(false, run.error.message());
         }
         std::printf(" | ");
         if (theirs.ok()) {

@@ -287,6 +287,40 @@ impl Subfaces {
         convex.then_some([a, d])
     }
 
+    /// The subfaces connected to `s` through edges that the mesh lacks, but for those `present`; they are noted in `in_region`, which
+    /// must be clear.
+    pub fn collect_region(
+        &self,
+        s: u32,
+        present: &[bool],
+        in_region: &mut [bool],
+        region: &mut Vec<u32>,
+        mut has_edge: impl FnMut([u32; 2]) -> bool,
+    ) -> Result<(), Error> {
+        region.clear();
+        region.try_reserve(1)?;
+        region.push(s);
+        in_region[s as usize] = true;
+        let mut next = 0;
+        while next < region.len() {
+            let t = region[next] as usize;
+            next += 1;
+            region.try_reserve(3)?;
+            for e in 0..3 {
+                let n = self.adj[t][e];
+                if n == NONE || in_region[(n / 3) as usize] || present[(n / 3) as usize] {
+                    continue;
+                }
+                let v = self.verts[t];
+                if !has_edge([v[(e + 1) % 3], v[(e + 2) % 3]]) {
+                    in_region[(n / 3) as usize] = true;
+                    region.push(n / 3);
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// The edge between two triangles crosses the open segment between two vertices of the patch.
     pub fn crosses(&self, points: &Points, code: u32, [p, q]: [u32; 2]) -> bool {
         let (t, i) = ((code / 3) as usize, (code % 3) as usize);

@@ -7,6 +7,7 @@
 //! Invariants between operations: every live tetrahedron has four live neighbours; `adj[adj[c]] == c` for every corner code
 //! `c = 4·t + f`; the two tetrahedra share the three vertices of that face.
 pub mod check;
+pub mod refill;
 pub mod slots;
 pub mod star;
 pub mod tables;
@@ -21,6 +22,19 @@ pub const GHOST: u32 = u32::MAX;
 pub const NONE: u32 = u32::MAX;
 /// Most tetrahedra that corner codes can address.
 pub const MAX_TETS: usize = 1 << 30;
+
+/// An unordered vertex pair as a key.
+#[inline]
+pub fn edge_key(a: u32, b: u32) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// An unordered vertex triple as a key.
+#[inline]
+pub fn face_key(mut v: [u32; 3]) -> [u32; 3] {
+    v.sort_unstable();
+    v
+}
 
 /// Flag bits of a tetrahedron.
 pub mod flag {
@@ -205,6 +219,13 @@ impl Tetrahedra {
         let v = &self.verts[(c >> 2) as usize];
         let f = &FACE[(c & 3) as usize];
         [v[f[0] as usize], v[f[1] as usize], v[f[2] as usize]]
+    }
+
+    /// Flags the face of corner `c` as a subface, on both sides.
+    pub fn flag_face(&mut self, c: u32) {
+        for side in [c, self.across(c)] {
+            self.flags[(side >> 2) as usize] |= flag::FACE << (side & 3);
+        }
     }
 
     /// The vertex of corner `c`.

@@ -70,6 +70,16 @@ impl StarSearch {
     }
 }
 
+impl StarSearch {
+    /// A corner code of the face `a b c`, if the mesh has it; `start` has vertex `a`.
+    pub fn find_face(&mut self, mesh: &mut Tetrahedra, [a, b, c]: [u32; 3], start: u32) -> Option<u32> {
+        let t = self.find_edge(mesh, a, b, start)?;
+        EdgeRing::new(mesh, t, a, b)
+            .find(|&(t, _, _, _, l)| mesh.verts[t as usize][l as usize] == c)
+            .map(|(t, _, _, k, _)| 4 * t + k)
+    }
+}
+
 /// Walks once around an edge.
 ///
 /// Yields `(t, i, j, k, l)`: the tetrahedron, the slots of the edge's ends and of the two other vertices, such that

@@ -2,12 +2,13 @@
 //!
 //! Invariants: the faces of the boundary stay; subfaces (faces flagged on both sides) with both sides in the cavity count as boundary
 //! twice, once each way; constrained edges inside are listed, so that whoever fills the cavity keeps them.
-use crate::constrain::{edge_key, face_key};
+use crate::constrain::edge_key;
 use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::mesh::flag;
+use crate::mesh::refill::Refill;
 use crate::mesh::tables::EDGE;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashSet;
 
 /// Constrained edges that the mesh has.
 pub type Edges = FxHashSet<[u32; 2]>;
@@ -25,8 +26,8 @@ pub struct Cavity {
     pub edges: Vec<[u32; 2]>,
     on_boundary: FxHashSet<[u32; 2]>,
     corners: FxHashSet<u32>,
-    open: FxHashMap<[u32; 3], u32>,
-    constrained: FxHashSet<[u32; 3]>,
+    /// What puts it back.
+    pub refill: Refill,
 }
 
 impl Cavity {
@@ -117,60 +118,15 @@ impl Cavity {
         Ok(())
     }
 
-    /// Puts other tetrahedra in the place of the cavity's. `subfaces`: faces inside that become constrained.
+    /// Puts other tetrahedra in the place of the cavity's; their slots are then in `refill.fresh`. `subfaces`: faces inside that
+    /// become constrained.
     pub fn replace(
         &mut self,
         delaunay: &mut Delaunay,
         tets: &[[u32; 4]],
         subfaces: &[[u32; 3]],
     ) -> Result<(), Error> {
-        let Cavity { open, constrained, .. } = self;
-        open.clear();
-        constrained.clear();
-        let mesh = &mut delaunay.mesh;
-        mesh.reserve(tets.len())?;
-        for &t in &self.tets {
-            mesh.flags[t as usize] |= flag::MARK;
-        }
-        for &t in &self.tets {
-            for f in 0..4u32 {
-                let key = face_key(mesh.face(4 * t + f));
-                if mesh.flags[t as usize] & (flag::FACE << f) != 0 {
-                    constrained.insert(key);
-                }
-                let n = mesh.adj[t as usize][f as usize];
-                if mesh.flags[(n >> 2) as usize] & flag::MARK == 0 {
-                    open.insert(key, n);
-                }
-            }
-        }
-        constrained.extend(subfaces.iter().map(|&s| face_key(s)));
-        for &t in &self.tets {
-            mesh.release(t);
-        }
-        for v in tets {
-            let t = mesh.allocate(*v);
-            for w in v {
-                delaunay.vertex_tet[*w as usize] = t;
-            }
-            for f in 0..4u32 {
-                let code = 4 * t + f;
-                let key = face_key(mesh.face(code));
-                if constrained.contains(&key) {
-                    mesh.flags[t as usize] |= flag::FACE << f;
-                }
-                match open.remove(&key) {
-                    Some(other) => mesh.link(code, other),
-                    None => {
-                        open.insert(key, code);
-                    }
-                }
-            }
-        }
-        if !open.is_empty() {
-            return Err(Error::internal("the filling of a cavity does not fit its boundary"));
-        }
-        // A subface that became constrained is flagged on the outer side as well: it may lie on the cavity's boundary.
-        Ok(())
+        let Delaunay { mesh, vertex_tet, .. } = delaunay;
+        self.refill.replace(mesh, vertex_tet, &self.tets, tets, subfaces.iter().copied())
     }
 }

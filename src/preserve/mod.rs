@@ -1,7 +1,8 @@
 //! Keeping the surface as it is: a tetrahedralization without points on it.
 //!
-//! From the constrained Delaunay tetrahedralization, whose Steiner points lie on segments, to one that has every triangle of the
-//! surface as a face ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are taken away
+//! First edges and faces that the Delaunay tetrahedralization lacks are recovered by reconnecting tetrahedra ([`recover`], [`regions`]),
+//! with points on the edges that resist; where that is given up, the constrained Delaunay tetrahedralization takes its place.
+//! Then what lies on the surface goes ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are taken away
 //! ([`unsplit`]), patches get the surface's triangles again ([`retarget`]), points inside that are not needed go ([`thin`]), and
 //! the others move to better places ([`smooth`]).
 pub mod cavity;
@@ -14,6 +15,7 @@ pub mod order;
 pub mod place;
 pub mod polygon;
 pub mod recover;
+pub mod regions;
 pub mod removal;
 pub mod retarget;
 pub mod smooth;
@@ -95,10 +97,12 @@ fn crowding(target: &Target, points: &Points, near: impl Fn(&[u32; 3]) -> bool) 
         .collect();
     facets.sort_unstable();
     facets.dedup_by_key(|f| f.0);
-    let message = format!(
-        "the surface cannot be kept in doubles: points inside have no valid position at {} facets",
-        facets.len()
-    );
+    let place = match facets.len() {
+        0 => "beside a segment".to_string(),
+        count => format!("at {count} facets"),
+    };
+    let message =
+        format!("the surface cannot be kept in doubles: points inside have no valid position {place}");
     let mut error = Error::new(Status::Rounding, message);
     error.defect_count = facets.len();
     error.defects = facets

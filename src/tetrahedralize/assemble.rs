@@ -25,13 +25,7 @@ pub(super) fn mesh(
     rounded: &Rounded,
     constraints: Option<(&Segments, &Subfaces)>,
 ) -> Result<TetMesh, Error> {
-    let mut out = TetMesh {
-        input_point_count: plc.points.len() as u32,
-        point_alias: surface.alias.clone(),
-        regions: regions.regions.clone(),
-        facet_flips: surface.facet_flips.clone(),
-        ..TetMesh::default()
-    };
+    let mut out = without_elements(plc, surface, regions);
     let steiner_count = engine.points.len() - engine.input_of.len();
     out.points.try_reserve(plc.points.len() + steiner_count)?;
     out.points.extend_from_slice(&plc.points);
@@ -53,6 +47,17 @@ pub(super) fn mesh(
     Ok(out)
 }
 
+/// What does not depend on the tetrahedra.
+fn without_elements(plc: &Plc, surface: &Surface, regions: &Regions) -> TetMesh {
+    TetMesh {
+        input_point_count: plc.points.len() as u32,
+        point_alias: surface.alias.clone(),
+        regions: regions.regions.clone(),
+        facet_flips: surface.facet_flips.clone(),
+        ..TetMesh::default()
+    }
+}
+
 /// The output mesh of a domain without points on its surface.
 pub(super) fn preserved(
     engine: &Engine,
@@ -62,14 +67,7 @@ pub(super) fn preserved(
     inside: &[u32],
     regions: &Regions,
 ) -> Result<TetMesh, Error> {
-    let mut out = TetMesh {
-        input_point_count: plc.points.len() as u32,
-        point_alias: surface.alias.clone(),
-        regions: regions.regions.clone(),
-        facet_flips: surface.facet_flips.clone(),
-        preserved: true,
-        ..TetMesh::default()
-    };
+    let mut out = TetMesh { preserved: true, ..without_elements(plc, surface, regions) };
     let mut number_of: Vec<u32> = Vec::new();
     number_of.try_reserve(engine.points.len())?;
     number_of.extend_from_slice(&engine.input_of);
