@@ -3,9 +3,26 @@ use super::signs::Signs;
 use super::Polyhedron;
 use crate::error::Error;
 use crate::predicates::Points;
+use rustc_hash::FxHashMap;
 
 /// A face by local numbers, smallest first, turned so that the side to be filled is positive.
 type Face = [u8; 3];
+
+/// Which vertices are on which side of a face's plane, as sets of bits. Those in the plane are on neither.
+#[derive(Clone, Copy, Default)]
+struct Sides {
+    /// On the side to be filled.
+    ahead: u64,
+    behind: u64,
+}
+
+impl Sides {
+    /// The ends are on different sides.
+    fn part(self, [p, q]: [u8; 2]) -> bool {
+        let (p, q) = (1 << p, 1 << q);
+        (self.ahead & p != 0 && self.behind & q != 0) || (self.ahead & q != 0 && self.behind & p != 0)
+    }
+}
 
 /// One step: a front face, the apexes to try, and what the current one changed.
 #[derive(Clone, Default)]
@@ -33,6 +50,8 @@ pub struct Search {
     depth: usize,
     tets: Vec<[u8; 4]>,
     uses: Vec<(u8, u8, bool)>,
+    /// The sides of each face asked for.
+    sides_of: FxHashMap<Face, Sides>,
     xyz: Vec<[f64; 3]>,
 }
 
@@ -90,6 +109,7 @@ impl Search {
         self.xyz.try_reserve(self.signs.count())?;
         self.xyz.extend(self.signs.vertices.iter().map(|&v| *points.xyz(v)));
         self.tets.clear();
+        self.sides_of.clear();
         self.depth = 0;
         Ok(true)
     }
@@ -188,36 +208,43 @@ impl Search {
         Ok(false)
     }
 
+    /// Which vertices are on which side of a face.
+    fn sides(&mut self, points: &Points, face: Face) -> Sides {
+        if let Some(&sides) = self.sides_of.get(&face) {
+            return sides;
+        }
+        let [x, y, z] = face;
+        let mut sides = Sides::default();
+        for w in (0..self.signs.count() as u8).filter(|w| !face.contains(w)) {
+            let sign = self.signs.of(points, w, x, y, z);
+            sides.ahead |= u64::from(sign > 0) << w;
+            sides.behind |= u64::from(sign < 0) << w;
+        }
+        self.sides_of.insert(face, sides);
+        sides
+    }
+
     /// Puts the most constrained front face on the stack; false if a front face has no apex at all.
     fn descend(&mut self, points: &Points) -> Result<bool, Error> {
         let on_front = self.vertices_on_front();
-        let mut best: Option<(u32, usize)> = None;
+        let mut best: Option<(u32, usize, u64)> = None;
         for i in 0..self.front.len() {
-            let f = self.front[i];
-            let mut count = 0;
-            let mut rest = on_front & !(1 << f[0] | 1 << f[1] | 1 << f[2]);
-            while rest != 0 {
-                let w = rest.trailing_zeros() as u8;
-                rest &= rest - 1;
-                count += (self.signs.of(points, w, f[0], f[1], f[2]) > 0) as u32;
-            }
+            let set = on_front & self.sides(points, self.front[i]).ahead;
+            let count = set.count_ones();
             if count == 0 {
                 return Ok(false);
             }
             if best.is_none_or(|b| count < b.0) {
-                best = Some((count, i));
+                best = Some((count, i, set));
             }
         }
-        let Some((_, index)) = best else { return Ok(false) };
+        let Some((_, index, mut rest)) = best else { return Ok(false) };
         let face = self.front[index];
         let mut apexes: Vec<(f64, u8)> = Vec::new();
-        let mut rest = on_front & !(1 << face[0] | 1 << face[1] | 1 << face[2]);
         while rest != 0 {
             let w = rest.trailing_zeros() as u8;
             rest &= rest - 1;
-            if self.signs.of(points, w, face[0], face[1], face[2]) > 0
-                && self.is_free(points, w, face, on_front)
-            {
+            if self.is_free(points, w, face, on_front) {
                 let closes = other_faces(w, face).iter().filter(|g| self.front.contains(g)).count() as f64;
                 apexes.try_reserve(1)?;
                 apexes.push((self.quality(w, face) * (1.0 + closes), w));
@@ -309,53 +336,54 @@ impl Search {
 
     /// The tetrahedron holds no vertex, its new edges pierce no front face, and no front or required edge pierces its new faces.
     fn is_free(&mut self, points: &Points, w: u8, face: Face, on_front: u64) -> bool {
-        let [x, y, z] = face;
         if self.without.is_some_and(|[p, q]| (w == p && face.contains(&q)) || (w == q && face.contains(&p))) {
             return false;
         }
-        let mut rest = on_front & !(1 << w | 1 << x | 1 << y | 1 << z);
-        while rest != 0 {
-            let v = rest.trailing_zeros() as u8;
-            rest &= rest - 1;
-            if self.signs.of(points, v, x, y, z) >= 0
-                && self.signs.of(points, v, w, z, y) >= 0
-                && self.signs.of(points, v, w, x, z) >= 0
-                && self.signs.of(points, v, w, y, x) >= 0
-            {
-                return false;
-            }
+        let bit = |v: u8| 1u64 << v;
+        let base = bit(face[0]) | bit(face[1]) | bit(face[2]);
+        let others = other_faces(w, face);
+        let new = others.map(|g| self.sides(points, g));
+        let outside = new.iter().fold(self.sides(points, face).behind, |set, g| set | g.behind);
+        if on_front & !outside & !base & !bit(w) != 0 {
+            return false;
         }
         for i in 0..self.edges.len() {
             let edge = self.edges[i];
-            if other_faces(w, face).iter().any(|&g| self.pierces(points, edge, g)) {
-                return false;
+            for (g, sides) in others.into_iter().zip(new) {
+                if sides.part(edge) && self.meets(points, edge, g) {
+                    return false;
+                }
             }
         }
         for i in 0..self.front.len() {
-            let [p, q, r] = self.front[i];
-            if [x, y, z].iter().any(|&v| self.pierces(points, [w, v], [p, q, r])) {
+            let f = self.front[i];
+            let sides = self.sides(points, f);
+            let across = match (sides.ahead & bit(w) != 0, sides.behind & bit(w) != 0) {
+                (true, _) => sides.behind & base,
+                (_, true) => sides.ahead & base,
+                _ => 0,
+            };
+            if face.into_iter().any(|v| across & bit(v) != 0 && self.meets(points, [w, v], f)) {
                 return false;
             }
-            for edge in [[p, q], [q, r], [r, p]] {
-                // Each edge of the front belongs to two of its faces, one of which has it this way.
-                if edge[0] < edge[1] && other_faces(w, face).iter().any(|&g| self.pierces(points, edge, g)) {
-                    return false;
+            let corners = bit(f[0]) | bit(f[1]) | bit(f[2]);
+            for (g, sides) in others.into_iter().zip(new) {
+                if corners & sides.ahead == 0 || corners & sides.behind == 0 {
+                    continue;
+                }
+                for edge in [[f[0], f[1]], [f[1], f[2]], [f[2], f[0]]] {
+                    // Each edge of the front belongs to two of its faces, one of which has it this way.
+                    if edge[0] < edge[1] && sides.part(edge) && self.meets(points, edge, g) {
+                        return false;
+                    }
                 }
             }
         }
         true
     }
 
-    /// The open edge passes from one side of the face's plane to the other through the closed face.
-    fn pierces(&mut self, points: &Points, [p, q]: [u8; 2], face: Face) -> bool {
-        let [x, y, z] = face;
-        if face.contains(&p) || face.contains(&q) {
-            return false;
-        }
-        let side = self.signs.of(points, p, x, y, z);
-        if side == 0 || self.signs.of(points, q, x, y, z) != -side {
-            return false;
-        }
+    /// The line through two vertices on different sides of a face meets the closed face.
+    fn meets(&mut self, points: &Points, [p, q]: [u8; 2], [x, y, z]: Face) -> bool {
         let turns = [
             self.signs.of(points, p, q, x, y),
             self.signs.of(points, p, q, y, z),
