@@ -314,6 +314,21 @@ fn the_surface_is_preserved() {
 }
 
 #[test]
+fn the_outer_boundary_is_preserved() {
+    let dir = folder("preserve-outer");
+    std::fs::write(dir.join("two.poly"), two_rooms()).unwrap();
+    let outer =
+        ["mesh", "two.poly", "-o", "t.ele", "--mode", "preserve", "--preserve", "outer", "--stats", "s.json"];
+    let output = delotet(&outer, &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+    assert!(text(dir.join("s.json")).contains("\"on_internal_facets\": 0"));
+    let check = delotet(&["check", "t.ele", "--input", "two.poly", "--preserved=outer"], &dir);
+    assert_eq!(check.status.code(), Some(0), "{}", error_line(&check));
+    let refused = delotet(&["mesh", "two.poly", "-o", "t.ele", "--preserve", "outer"], &dir);
+    assert_eq!(refused.status.code(), Some(2), "{}", error_line(&refused));
+}
+
+#[test]
 fn check_says_that_the_surface_was_not_preserved() {
     let dir = folder("not-preserved");
     std::fs::write(dir.join("prism.off"), TWISTED_PRISM).unwrap();

@@ -1,8 +1,8 @@
 //! Random piecewise linear complexes on small integer grids, where degenerate cases are the norm: each valid one is meshed, and
 //! the mesh passes the exact checker. Reduced failures belong into a table of named regression cases, not here.
 use delotet::{
-    check_mesh, check_preserved, tetrahedralize, Error, Facet, Mode, Options, Plc, Segment, Silent, Status,
-    TetMesh,
+    check_mesh, check_preserved, check_preserved_outer, tetrahedralize, Error, Facet, Mode, Options, Plc,
+    Preserve, Segment, Silent, Status, TetMesh,
 };
 use proptest::prelude::*;
 
@@ -50,6 +50,21 @@ fn preserve(plc: &Plc, options: &Options, constrained: &TetMesh) -> Result<(), T
         return Err(TestCaseError::fail(format!("preserve: {error}: {:?}\n{plc:?}", error.defects)));
     }
     prop_assert_eq!(kept.regions.len(), constrained.regions.len());
+    let options = Options { preserve: Preserve::Outer, ..options };
+    match tetrahedralize(plc, &options, &mut Silent) {
+        Ok(outer) => {
+            if let Err(error) = check_preserved_outer(plc, &outer, 10) {
+                return Err(TestCaseError::fail(format!("outer: {error}: {:?}\n{plc:?}", error.defects)));
+            }
+            prop_assert_eq!(outer.regions.len(), constrained.regions.len());
+            let on_facets = outer.steiner.iter().filter(|s| !s.is_inside()).count() as u64;
+            prop_assert_eq!(on_facets, outer.statistics.preserve.on_internal_facets);
+        }
+        Err(error) if error.status == Status::Rounding => {}
+        Err(error) => {
+            return Err(TestCaseError::fail(format!("outer: {error}: {:?}\n{plc:?}", error.defects)))
+        }
+    }
     Ok(())
 }
 

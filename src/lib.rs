@@ -46,9 +46,9 @@ pub mod region;
 pub mod rounding;
 pub mod tetrahedralize;
 
-pub use check::{check_mesh, check_preserved};
+pub use check::{check_mesh, check_preserved, check_preserved_outer};
 pub use error::{Defect, DefectKind, Element, Error, Status};
-pub use options::{Mode, Options};
+pub use options::{Mode, Options, Preserve};
 pub use output::{
     FacetFlip, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment,
     TetMesh,

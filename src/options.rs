@@ -14,11 +14,24 @@ pub enum Mode {
     Preserve,
 }
 
+/// What [`Mode::Preserve`] keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Preserve {
+    /// Every facet and segment.
+    #[default]
+    All,
+    /// The outer boundary: facets with the mesh on one side, and segments on these. Other facets and segments (interfaces of regions,
+    /// dangling ones) are unions of faces and edges, with Steiner points on their segments where they would cost points inside.
+    Outer,
+}
+
 /// Settings of one run. `Options::default()` gives what the field docs call default.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// What is made. Default: [`Mode::Constrained`].
     pub mode: Mode,
+    /// What [`Mode::Preserve`] keeps; other modes do not ask. Default: [`Preserve::All`].
+    pub preserve: Preserve,
     /// Keep every tetrahedron of the convex hull, holes and outside included (holes given by seeds are still carved). Default: false.
     pub keep_hull: bool,
     /// Take facets with equal markers that meet above this angle (degrees, 90 to 180) as one smooth patch, and flip its
@@ -47,6 +60,7 @@ impl Default for Options {
     fn default() -> Self {
         Options {
             mode: Mode::Constrained,
+            preserve: Preserve::All,
             keep_hull: false,
             merge_facets: None,
             validate: true,

@@ -109,6 +109,8 @@ pub struct PreserveStatistics {
     pub relocated: u64,
     /// Points added inside that are left.
     pub interior: u64,
+    /// Points left on internal facets and segments ([`Preserve::Outer`](crate::Preserve::Outer)).
+    pub on_internal_facets: u64,
 }
 
 /// Counts and costs of a run.
@@ -167,7 +169,8 @@ pub struct TetMesh {
     /// The mesh is the convex hull's (nothing outside was carved).
     pub hull_kept: bool,
     /// The surface's triangles and segments are faces and edges as they are: Steiner points lie inside, and faces are not
-    /// necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)).
+    /// necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)). With [`Preserve::Outer`](crate::Preserve::Outer) that
+    /// holds for the outer boundary.
     pub preserved: bool,
     /// Counts and costs.
     pub statistics: Statistics,

@@ -109,7 +109,7 @@ static void options()
 static void preserve()
 {
     delotet::Options options;
-    options.mode(delotet::Mode::preserve);
+    options.mode(delotet::Mode::preserve).preserve(delotet::Preserve::outer);
     bool seen = false;
     options.on_progress([&](delotet::Phase phase, double) {
         seen = seen || phase == DELOTET_PHASE_PRESERVE;
@@ -118,9 +118,10 @@ static void preserve()
     const delotet::Plc plc = twisted_prism();
     const delotet::Mesh mesh = delotet::tetrahedralize(plc, options);
     mesh.check_preserved(plc);
+    mesh.check_preserved_outer(plc);
     CHECK(seen && mesh.points().size() == 7 && mesh.subfaces().size() == 8);
     CHECK(mesh.steiner_points().size() == 1 && mesh.steiner_points()[0].ends[0] == delotet::invalid_index);
-    CHECK(mesh.stats().preserve_interior == 1);
+    CHECK(mesh.stats().preserve_interior == 1 && mesh.stats().preserve_on_internal_facets == 0);
     delotet::Error error;
     const delotet::Mesh split = delotet::tetrahedralize(plc);
     CHECK(split.check_preserved(plc, 2, error) == DELOTET_STATUS_CHECK_FAILED);

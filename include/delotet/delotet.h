@@ -410,6 +410,11 @@ typedef struct DelotetDefectsView {
 typedef uint32_t DelotetMode;
 
 /**
+ * What DELOTET_MODE_PRESERVE keeps: one of the DELOTET_PRESERVE_ constants.
+ */
+typedef uint32_t DelotetPreserve;
+
+/**
  * Receives progress: `fraction` of `phase` is done, from 0 to 1, never falling within a phase. Return 0 to go on, anything
  * else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the thread that made the call. Must not throw,
  * must not longjmp, must not use the handles of the call.
@@ -771,6 +776,10 @@ typedef struct DelotetStats {
      * Points added inside that are left.
      */
     uint64_t preserve_interior;
+    /**
+     * Points left on internal facets and segments (DELOTET_PRESERVE_OUTER).
+     */
+    uint64_t preserve_on_internal_facets;
 } DelotetStats;
 
 /**
@@ -909,6 +918,17 @@ typedef struct DelotetSecondOrderView {
 #define DELOTET_MODE_PRESERVE 2
 
 /**
+ * Every facet and segment. The default.
+ */
+#define DELOTET_PRESERVE_ALL 0
+
+/**
+ * The outer boundary: facets with the mesh on one side, and segments on these. Others (interfaces of regions, dangling facets) are
+ * unions of faces and edges, with Steiner points on their segments where they would cost points inside.
+ */
+#define DELOTET_PRESERVE_OUTER 1
+
+/**
  * VTK, Abaqus and CalculiX (C3D10), Nastran: nodes on the edges 01 12 02 03 13 23.
  */
 #define DELOTET_NODE_ORDER_VTK 0
@@ -1004,6 +1024,14 @@ struct DelotetOptions *delotet_options_new(void);
 DELOTET_API
 enum DelotetStatus delotet_options_set_mode(struct DelotetOptions *options,
                                             DelotetMode mode);
+
+/**
+ * What DELOTET_MODE_PRESERVE keeps: a DELOTET_PRESERVE_ constant; other modes do not ask. Default: DELOTET_PRESERVE_ALL.
+ * Errors: INVALID_ARGUMENT (other values).
+ */
+DELOTET_API
+enum DelotetStatus delotet_options_set_preserve(struct DelotetOptions *options,
+                                                DelotetPreserve preserve);
 
 /**
  * Keep every tetrahedron of the convex hull, holes and outside included (holes given by seeds are still carved).
@@ -1419,6 +1447,18 @@ enum DelotetStatus delotet_mesh_check_preserved(const struct DelotetMesh *mesh,
                                                 const struct DelotetPlc *plc,
                                                 size_t max_defects,
                                                 struct DelotetError **out_error);
+
+/**
+ * Checks a mesh like delotet_mesh_check_preserved(), but of the outer boundary only, as DELOTET_PRESERVE_OUTER promises: other facets
+ * and segments must be covered, and may have added points. The error lists at most `max_defects`.
+ * Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_check_preserved_outer(const struct DelotetMesh *mesh,
+                                                      const struct DelotetPlc *plc,
+                                                      size_t max_defects,
+                                                      struct DelotetError **out_error);
 
 /**
  * Frees a mesh and all that was borrowed from it. NULL is ignored.

@@ -60,6 +60,8 @@ enum class Mode : std::uint32_t {
     preserve = DELOTET_MODE_PRESERVE
 };
 
+enum class Preserve : std::uint32_t { all = DELOTET_PRESERVE_ALL, outer = DELOTET_PRESERVE_OUTER };
+
 enum class NodeOrder : std::uint32_t {
     vtk = DELOTET_NODE_ORDER_VTK,
     gmsh = DELOTET_NODE_ORDER_GMSH,
@@ -298,6 +300,10 @@ class Options {
     Options &mode(Mode mode) noexcept
     {
         return keep(delotet_options_set_mode(get(), static_cast<DelotetMode>(mode)));
+    }
+    Options &preserve(Preserve preserve) noexcept
+    {
+        return keep(delotet_options_set_preserve(get(), static_cast<DelotetPreserve>(preserve)));
     }
     Options &keep_hull(bool on) noexcept { return keep(delotet_options_set_keep_hull(get(), on)); }
     Options &merge_facets(double angle) noexcept { return keep(delotet_options_set_merge_facets(get(), angle)); }
@@ -663,6 +669,12 @@ class Mesh {
             return delotet_mesh_check_preserved(get(), plc.get(), max_defects, e);
         });
     }
+    Status check_preserved_outer(const Plc &plc, std::size_t max_defects, Error &error) const noexcept
+    {
+        return detail::run(error, [&](DelotetError **e) {
+            return delotet_mesh_check_preserved_outer(get(), plc.get(), max_defects, e);
+        });
+    }
     Status write(const Plc &plc, const char *path, Error &error) const noexcept
     {
         return detail::run(error,
@@ -713,6 +725,10 @@ class Mesh {
     void check_preserved(const Plc &plc, std::size_t max_defects = 1000) const
     {
         detail::require([&](Error &e) { return check_preserved(plc, max_defects, e); });
+    }
+    void check_preserved_outer(const Plc &plc, std::size_t max_defects = 1000) const
+    {
+        detail::require([&](Error &e) { return check_preserved_outer(plc, max_defects, e); });
     }
     void write(const Plc &plc, const char *path) const
     {

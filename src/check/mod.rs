@@ -8,7 +8,7 @@
 //! 4. topology: faces shared by two tetrahedra at most, on opposite sides; neighbours; regions;
 //! 5. conformity: segments are chains of edges, facets are tiled exactly by their subfaces, the boundary lies on facets;
 //! 6. on request: every face that is no subface is locally Delaunay;
-//! 7. on request: the surface is the input's triangle by triangle, without any added point on it.
+//! 7. on request: the surface, or its outer boundary, is the input's triangle by triangle, without any added point on it.
 //!
 //! What follows from these: the mesh's boundary is the input's. What does not: that no two layers of tetrahedra without a
 //! common vertex cover the same space.
@@ -41,6 +41,7 @@ mod topology;
 pub use audit::audit;
 
 use crate::error::Error;
+use crate::options::Preserve;
 use crate::output::TetMesh;
 use crate::plc::Plc;
 use context::Context;
@@ -58,7 +59,7 @@ pub fn check_mesh(
     constrained_delaunay: bool,
     max_defects: usize,
 ) -> Result<(), Error> {
-    check(plc, mesh, Wish { constrained_delaunay, preserved: false }, max_defects)
+    check(plc, mesh, Wish { constrained_delaunay, preserved: None }, max_defects)
 }
 
 /// Checks `mesh` like [`check_mesh`], without the Delaunay property, and that it keeps the surface as
@@ -68,13 +69,23 @@ pub fn check_mesh(
 /// # Errors
 /// As [`check_mesh`].
 pub fn check_preserved(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<(), Error> {
-    check(plc, mesh, Wish { constrained_delaunay: false, preserved: true }, max_defects)
+    check(plc, mesh, Wish { constrained_delaunay: false, preserved: Some(Preserve::All) }, max_defects)
+}
+
+/// Checks `mesh` like [`check_mesh`], without the Delaunay property, and that it keeps the outer boundary as
+/// [`Preserve::Outer`](crate::Preserve::Outer) promises: where the mesh is on one side of a facet only, input triangles are faces
+/// (or, if input points lie on them, unions of faces between these), without any added point.
+///
+/// # Errors
+/// As [`check_mesh`].
+pub fn check_preserved_outer(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<(), Error> {
+    check(plc, mesh, Wish { constrained_delaunay: false, preserved: Some(Preserve::Outer) }, max_defects)
 }
 
 /// What is asked beyond validity.
 struct Wish {
     constrained_delaunay: bool,
-    preserved: bool,
+    preserved: Option<Preserve>,
 }
 
 fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<(), Error> {
@@ -91,8 +102,10 @@ fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<()
     topology::check_regions(&context, &adjacency, &subfaces, &mut report);
     check_conformity(&context, &mut report)?;
     boundary::check_boundary(&context, &adjacency, &subfaces, &mut report);
-    if wish.preserved {
-        preserved::check_preserved(&context, &mut report)?;
+    match wish.preserved {
+        Some(Preserve::All) => preserved::check_preserved(&context, &mut report)?,
+        Some(Preserve::Outer) => preserved::check_outer(&context, &mut report)?,
+        None => {}
     }
     if wish.constrained_delaunay {
         delaunay::check_delaunay(&context, &adjacency, &subfaces, &mut report);

@@ -5,8 +5,12 @@
 //! added point lies on the surface, as it could only be a vertex of these), whether no added point claims an input edge, and
 //! whether every input triangle is a face. A triangle that has input points on it besides its corners cannot be one: there the
 //! tiling by input points is all that is asked, and the same holds for general facets.
+//!
+//! Of the outer boundary the same is asked from the other side: every face there has input points for corners, and is a triangle of the
+//! input. As the faces tile the facets, no triangle of the outer boundary can be missing then.
 use super::carved::is_carved;
 use super::context::Context;
+use super::faces::sorted;
 use super::facets::flipped_triangles;
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
@@ -33,6 +37,38 @@ pub(super) fn check_preserved(context: &Context, report: &mut Report) -> Result<
         });
         if !excused {
             report.add(DefectKind::FacetMissing, Element::Facet(f as u32), None, context.position(a));
+        }
+    }
+    Ok(())
+}
+
+/// Reports added points on the outer boundary, and faces there that are no triangles of the input.
+pub(super) fn check_outer(context: &Context, report: &mut Report) -> Result<(), Error> {
+    let triangles = flipped_triangles(context, report)?;
+    let mut keys: Vec<[u32; 3]> = Vec::new();
+    keys.try_reserve_exact(triangles.len())?;
+    keys.extend(triangles.iter().map(|&t| sorted(t).0));
+    keys.sort_unstable();
+    for face in &context.mesh.subfaces {
+        if context.faces.find(face.corners).len() != 1 {
+            continue;
+        }
+        let corners = face.corners.map(|v| context.alias(v));
+        let element = Element::Facet(face.facet);
+        if let Some(&v) = corners.iter().find(|&&v| !context.is_input(v)) {
+            report.add(DefectKind::FacetMissing, element, Some(Element::Point(v)), context.position(v));
+            continue;
+        }
+        let excused = match triangles.get(face.facet as usize) {
+            // General facets have no triangles of their own.
+            None => true,
+            Some(&own) => {
+                corners.iter().any(|v| !own.contains(v))
+                    && corners.iter().all(|&v| own.contains(&v) || on_triangle(context, own, v))
+            }
+        };
+        if keys.binary_search(&sorted(corners).0).is_err() && !excused {
+            report.add(DefectKind::FacetMissing, element, None, context.position(corners[0]));
         }
     }
     Ok(())

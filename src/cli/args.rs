@@ -33,6 +33,14 @@ pub enum ModeArg {
     Preserve,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum PreserveArg {
+    /// Every facet and segment.
+    All,
+    /// The outer boundary; internal facets may get points.
+    Outer,
+}
+
 #[derive(Debug, ClapArgs)]
 pub struct MeshArgs {
     /// The surface: .off .stl .obj .ply .poly .smesh, or points: .node
@@ -43,6 +51,9 @@ pub struct MeshArgs {
     /// What is made (default: cdt; delaunay for a .node file)
     #[arg(long, value_enum)]
     pub mode: Option<ModeArg>,
+    /// With --mode preserve: what is kept
+    #[arg(long, value_enum, default_value = "all")]
+    pub preserve: PreserveArg,
     /// Flip the triangles of almost coplanar facets (above DEG degrees) to be Delaunay on the surface first
     #[arg(long, value_name = "DEG", num_args = 0..=1, require_equals = true, default_missing_value = "179.9")]
     pub merge_facets: Option<f64>,
@@ -85,9 +96,9 @@ pub struct CheckArgs {
     /// Do not require the mesh to be constrained Delaunay
     #[arg(long)]
     pub no_delaunay: bool,
-    /// Require the surface as it was: every triangle a face, no added point on it (implies --no-delaunay)
-    #[arg(long)]
-    pub preserved: bool,
+    /// Require the surface, or its outer boundary, as it was: every triangle a face, no added point on it (implies --no-delaunay)
+    #[arg(long, value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "all")]
+    pub preserved: Option<PreserveArg>,
     /// Write every defect as JSON
     #[arg(long, value_name = "FILE.json")]
     pub report: Option<PathBuf>,

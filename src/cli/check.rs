@@ -1,5 +1,5 @@
 //! `delotet check`.
-use super::args::CheckArgs;
+use super::args::{CheckArgs, PreserveArg};
 use super::{report, Failure};
 use delotet::io;
 use delotet::{Defect, DefectKind, Element, Error, Status, SteinerPoint, TetMesh};
@@ -25,7 +25,7 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         mesh.steiner.clear();
         mesh.steiner_terms.clear();
     }
-    if args.preserved {
+    if args.preserved == Some(PreserveArg::All) {
         // Where added points lie is not in the files; here none may lie on the surface.
         let added = |v: &u32| *v as usize >= plc.points.len();
         if let Some(&v) = mesh.subfaces.iter().flat_map(|face| &face.corners).find(|v| added(v)) {
@@ -40,8 +40,9 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
     super::attribute::attribute_subfaces(&plc, &mut mesh)?;
     let limit = if args.report.is_some() { 10_000_000 } else { 1000 };
     let verdict = match args.preserved {
-        true => delotet::check_preserved(&plc, &mesh, limit),
-        false => delotet::check_mesh(&plc, &mesh, !args.no_delaunay, limit),
+        Some(PreserveArg::All) => delotet::check_preserved(&plc, &mesh, limit),
+        Some(PreserveArg::Outer) => delotet::check_preserved_outer(&plc, &mesh, limit),
+        None => delotet::check_mesh(&plc, &mesh, !args.no_delaunay, limit),
     };
     verdict.map_err(|e| Failure::from(e).with_code(1))?;
     let mut out = std::io::stdout().lock();

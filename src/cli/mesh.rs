@@ -1,10 +1,10 @@
 //! `delotet mesh`.
-use super::args::{MeshArgs, ModeArg};
+use super::args::{MeshArgs, ModeArg, PreserveArg};
 use super::observer::Console;
 use super::{report, summary, Failure};
 use delotet::io::{Format, WriteOptions};
 use delotet::progress::report as tell;
-use delotet::{Error, Mode, Options, Phase, Plc, RegionSeed, Status, TetMesh};
+use delotet::{Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
 use serde_json::{json, Map, Value};
 use std::path::Path;
 use std::time::Instant;
@@ -58,12 +58,21 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         None if points_only => Mode::Delaunay,
         None => Mode::Constrained,
     };
+    let preserve = match args.preserve {
+        PreserveArg::All => Preserve::All,
+        PreserveArg::Outer if mode == Mode::Preserve => Preserve::Outer,
+        PreserveArg::Outer => {
+            let message = "--preserve outer goes with --mode preserve";
+            return Err(Error::new(Status::InvalidArgument, message).into());
+        }
+    };
     if let Some(angle) = args.merge_facets.filter(|a| !(90.0..=180.0).contains(a)) {
         let message = format!("--merge-facets={angle}: an angle of 90 to 180 degrees expected");
         return Err(Error::new(Status::InvalidArgument, message).into());
     }
     Ok(Options {
         mode,
+        preserve,
         keep_hull: args.keep_hull,
         merge_facets: args.merge_facets,
         threads: args.threads,
@@ -133,6 +142,7 @@ fn statistics(mesh: &TetMesh, total: f64) -> Value {
             "deleted": s.preserve.deleted,
             "relocated": s.preserve.relocated,
             "interior": s.preserve.interior,
+            "on_internal_facets": s.preserve.on_internal_facets,
         },
         "seconds": seconds,
     })

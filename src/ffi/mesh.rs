@@ -213,6 +213,8 @@ pub struct DelotetStats {
     pub preserve_relocated: u64,
     /// Points added inside that are left.
     pub preserve_interior: u64,
+    /// Points left on internal facets and segments (DELOTET_PRESERVE_OUTER).
+    pub preserve_on_internal_facets: u64,
 }
 const _: () = assert!(Phase::COUNT <= 16);
 
@@ -239,6 +241,7 @@ impl DelotetStats {
             preserve_deleted: statistics.preserve.deleted,
             preserve_relocated: statistics.preserve.relocated,
             preserve_interior: statistics.preserve.interior,
+            preserve_on_internal_facets: statistics.preserve.on_internal_facets,
         }
     }
 }
@@ -304,6 +307,26 @@ pub unsafe extern "C" fn delotet_mesh_check_preserved(
         guard(out_error, || {
             let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
             crate::check::check_preserved(plc, mesh, max_defects)
+        })
+    }
+}
+
+/// Checks a mesh like delotet_mesh_check_preserved(), but of the outer boundary only, as DELOTET_PRESERVE_OUTER promises: other facets
+/// and segments must be covered, and may have added points. The error lists at most `max_defects`.
+/// Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_mesh_check_preserved_outer(
+    mesh: *const DelotetMesh,
+    plc: *const DelotetPlc,
+    max_defects: usize,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes handles that nothing changes meanwhile.
+    unsafe {
+        guard(out_error, || {
+            let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
+            crate::check::check_preserved_outer(plc, mesh, max_defects)
         })
     }
 }

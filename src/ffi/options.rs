@@ -2,7 +2,7 @@
 use super::guard::{free, get_mut, guard_status, invalid, make};
 use super::status::{DelotetPhase, DelotetStatus};
 use crate::error::Error;
-use crate::options::{Mode, Options};
+use crate::options::{Mode, Options, Preserve};
 use crate::progress::{Observer, Phase};
 use std::ffi::{c_char, c_void, CString};
 use std::ops::ControlFlow;
@@ -17,6 +17,14 @@ pub const DELOTET_MODE_CONSTRAINED: DelotetMode = 1;
 /// A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation) is a
 /// face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
 pub const DELOTET_MODE_PRESERVE: DelotetMode = 2;
+
+/// What DELOTET_MODE_PRESERVE keeps: one of the DELOTET_PRESERVE_ constants.
+pub type DelotetPreserve = u32;
+/// Every facet and segment. The default.
+pub const DELOTET_PRESERVE_ALL: DelotetPreserve = 0;
+/// The outer boundary: facets with the mesh on one side, and segments on these. Others (interfaces of regions, dangling facets) are
+/// unions of faces and edges, with Steiner points on their segments where they would cost points inside.
+pub const DELOTET_PRESERVE_OUTER: DelotetPreserve = 1;
 
 /// Receives progress: `fraction` of `phase` is done, from 0 to 1, never falling within a phase. Return 0 to go on, anything
 /// else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the thread that made the call. Must not throw,
@@ -124,6 +132,26 @@ pub unsafe extern "C" fn delotet_options_set_mode(
                 DELOTET_MODE_CONSTRAINED => Mode::Constrained,
                 DELOTET_MODE_PRESERVE => Mode::Preserve,
                 _ => return Err(invalid("unknown mode")),
+            };
+            Ok(())
+        })
+    }
+}
+
+/// What DELOTET_MODE_PRESERVE keeps: a DELOTET_PRESERVE_ constant; other modes do not ask. Default: DELOTET_PRESERVE_ALL.
+/// Errors: INVALID_ARGUMENT (other values).
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_set_preserve(
+    options: *mut DelotetOptions,
+    preserve: DelotetPreserve,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses.
+    unsafe {
+        change(options, |options| {
+            options.options.preserve = match preserve {
+                DELOTET_PRESERVE_ALL => Preserve::All,
+                DELOTET_PRESERVE_OUTER => Preserve::Outer,
+                _ => return Err(invalid("unknown strength of preserving")),
             };
             Ok(())
         })

@@ -280,6 +280,21 @@ impl Points {
         Ok(())
     }
 
+    /// Puts a point, implicit or not, where these doubles are; it is explicit then.
+    ///
+    /// # Errors
+    /// `Internal` if a coordinate is not finite or outside the exact range.
+    pub fn settle(&mut self, i: u32, p: [f64; 3]) -> Result<(), Error> {
+        if !p.iter().all(|&x| in_range(x)) {
+            return Err(Error::internal("a point cannot be settled there"));
+        }
+        let slot = i.checked_sub(self.first_implicit).and_then(|k| self.slots.get_mut(k as usize));
+        if let Some(slot) = slot {
+            *slot = NONE;
+        }
+        self.move_to(i, p)
+    }
+
     /// Keeps grid, box and bounds true for a new explicit point.
     fn take_explicit(&mut self, p: [f64; 3]) {
         let lowest = p.iter().filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(1000);

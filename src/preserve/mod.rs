@@ -5,12 +5,16 @@
 //! Then what lies on the surface goes ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are taken away
 //! ([`unsplit`]), patches get the surface's triangles again ([`retarget`]), points inside that are not needed go ([`thin`]), and
 //! the others move to better places ([`smooth`]).
+//!
+//! Where only the outer boundary is kept, points on segments inside ([`internal`]) may stay; they get positions in doubles
+//! ([`mod@settle`]), and patches inside keep what triangles they have where the surface's would take points.
 pub mod cavity;
 pub mod center;
 pub mod check;
 pub mod corridor;
 pub mod hollow;
 pub mod inside;
+pub mod internal;
 pub mod order;
 pub mod place;
 pub mod polygon;
@@ -18,19 +22,24 @@ pub mod recover;
 pub mod regions;
 pub mod removal;
 pub mod retarget;
+pub mod settle;
 pub mod smooth;
 pub mod solid;
 pub mod star;
 pub mod thin;
 pub mod unsplit;
 
+use crate::constrain::face_key;
 use crate::constrain::segment::Segments;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
 use hollow::Growth;
 use inside::Inside;
+use internal::Internal;
 use retarget::{Retarget, Target};
+use rustc_hash::FxHashMap;
+use settle::Settled;
 use solid::Solid;
 use thin::Thin;
 
@@ -41,7 +50,18 @@ const BUDGET: u32 = 200;
 const SOME: Growth = Growth { budget: 50, branches: 3, tries: 24 };
 const MORE: Growth = Growth { budget: 50, branches: 3, tries: 60 };
 
-/// Takes all points off the surface; the mesh then has the target's triangles as faces. Returns the points inside.
+/// What [`from_constrained`] has left.
+#[derive(Clone, Debug, Default)]
+pub struct Freed {
+    /// The points inside.
+    pub inside: Inside,
+    /// Points on internal segments.
+    pub settled: Vec<Settled>,
+    /// The surface's faces, and the facet of each.
+    pub subfaces: Vec<([u32; 3], u32)>,
+}
+
+/// Takes all points off the surface, or off the outer boundary; the mesh then has the target's triangles as faces.
 ///
 /// # Errors
 /// [`Status::Rounding`] if a point inside has no valid position in doubles; [`Status::Cancelled`], [`Status::OutOfMemory`].
@@ -53,9 +73,11 @@ pub fn from_constrained(
     mut inside: Inside,
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-) -> Result<Inside, Error> {
+) -> Result<Freed, Error> {
     inside.sweep(solid);
-    let removal = removal::remove_all(solid, points, segments, target, &mut inside, &mut |f| tick(0.6 * f))?;
+    let internal = Internal::find(target.preserve, solid, segments)?;
+    let both = (segments, &internal);
+    let removal = removal::remove_all(solid, points, both, target, &mut inside, &mut |f| tick(0.6 * f))?;
     statistics.deleted += removal.deleted;
     statistics.relocated += removal.relocated;
     let crowded: Vec<[u32; 2]> = removal
@@ -68,8 +90,11 @@ pub fn from_constrained(
     }
     let isolated = removal.isolated;
     let growth = Growth { budget: BUDGET, ..MORE };
-    let flips = Retarget::new(solid, points, &mut inside, &isolated, growth)
-        .run(target, &mut |f| tick(0.6 + 0.2 * f))?;
+    let flips = Retarget::new(solid, points, &mut inside, (&isolated, &internal.patches), growth).run(
+        target,
+        segments.first_steiner,
+        &mut |f| tick(0.6 + 0.2 * f),
+    )?;
     if !flips.missing.is_empty() {
         return Err(crowding(target, points, |t| flips.missing.contains(t)));
     }
@@ -83,7 +108,33 @@ pub fn from_constrained(
         smooth::smooth(solid, points, &inside)?;
     }
     statistics.interior = inside.list.len() as u64;
-    Ok(inside)
+    statistics.on_internal_facets = removal.settled.len() as u64;
+    Ok(Freed { inside, settled: removal.settled, subfaces: subfaces(solid, target, &internal)? })
+}
+
+/// The surface's faces: its triangles, but for those in whose place internal patches have others. (All of a patch has one marker: which
+/// of its facets is named does not matter.)
+fn subfaces(solid: &Solid, target: &Target, internal: &Internal) -> Result<Vec<([u32; 3], u32)>, Error> {
+    let mut out = Vec::new();
+    out.try_reserve(target.triangles.len())?;
+    let mut facet_of: FxHashMap<u32, u32> = FxHashMap::default();
+    let mut left = solid.patch_of.clone();
+    left.retain(|_, patch| internal.patches.contains(patch));
+    for ((&triangle, &patch), &facet) in target.triangles.iter().zip(target.patch).zip(target.facet) {
+        let gone = internal.patches.contains(&patch) && left.remove(&face_key(triangle)).is_none();
+        if gone {
+            facet_of.entry(patch).or_insert(facet);
+        } else {
+            out.push((triangle, facet));
+        }
+    }
+    let mut others: Vec<(u32, [u32; 3])> = Vec::new();
+    others.try_reserve(left.len())?;
+    others.extend(left.into_iter().map(|(face, patch)| (patch, face)));
+    others.sort_unstable();
+    out.try_reserve(others.len())?;
+    out.extend(others.into_iter().filter_map(|(patch, face)| Some((face, *facet_of.get(&patch)?))));
+    Ok(out)
 }
 
 /// The error that names the facets round which points inside have no room.

@@ -111,7 +111,7 @@ fn accept(points: &mut Points, p: u32, q: [f64; 3], faces: &[[u32; 3]]) -> Resul
 }
 
 /// The double that many places above.
-fn step(mut x: f64, count: i32) -> f64 {
+pub(super) fn step(mut x: f64, count: i32) -> f64 {
     for _ in 0..count.abs() {
         x = if count > 0 { x.next_up() } else { x.next_down() };
     }

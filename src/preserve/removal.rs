@@ -1,6 +1,11 @@
 //! All points off the segments: those that go easily first, the last made first; relocation comes last.
+//!
+//! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place. The
+//! others get positions in doubles; where one has none, it is relocated after all.
 use super::inside::Inside;
+use super::internal::Internal;
 use super::retarget::Target;
+use super::settle::{settle, Settled};
 use super::solid::Solid;
 use super::unsplit::{Effort, Outcome, Unsplit};
 use super::{BUDGET, SOME};
@@ -30,6 +35,8 @@ pub struct Removal {
     pub left: Vec<u32>,
     /// Pieces of segments on no facet.
     pub isolated: FxHashSet<[u32; 2]>,
+    /// Points that stay.
+    pub settled: Vec<Settled>,
 }
 
 /// Steiner points and their neighbours on their segments.
@@ -71,7 +78,7 @@ impl Along {
 pub fn remove_all(
     solid: &mut Solid,
     points: &mut Points,
-    segments: &Segments,
+    (segments, internal): (&Segments, &Internal),
     target: &Target,
     inside: &mut Inside,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
@@ -96,6 +103,10 @@ pub fn remove_all(
                 if i % 16 == 0 {
                     tick(1.0 - (before - i + kept.len()) as f64 / total)?;
                 }
+                if effort.relocate && internal.may_stay(v) {
+                    kept.push(v);
+                    continue;
+                }
                 match unsplit.remove(v, along.of(v), effort)? {
                     Outcome::Deleted => removal.deleted += 1,
                     Outcome::Relocated => removal.relocated += 1,
@@ -110,6 +121,29 @@ pub fn remove_all(
             if left.is_empty() || left.len() == before {
                 break;
             }
+        }
+    }
+    let (mut staying, mut left): (Vec<u32>, Vec<u32>) = left.into_iter().partition(|&v| internal.may_stay(v));
+    staying.reverse();
+    while left.is_empty() {
+        let (settled, crowded) = settle(unsplit.solid, unsplit.points, segments, &staying)?;
+        if crowded.is_empty() {
+            removal.settled = settled;
+            break;
+        }
+        tick(1.0)?;
+        for v in crowded.into_iter().rev() {
+            let effort = EFFORTS[EFFORTS.len() - 1];
+            match unsplit.remove(v, along.of(v), effort)? {
+                Outcome::Deleted => removal.deleted += 1,
+                Outcome::Relocated => removal.relocated += 1,
+                Outcome::Kept => {
+                    left.push(v);
+                    continue;
+                }
+            }
+            along.remove(v);
+            staying.retain(|&w| w != v);
         }
     }
     removal.left = left;

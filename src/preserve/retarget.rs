@@ -13,6 +13,7 @@ use super::unsplit::axis_of;
 use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
 use crate::mesh::{flag, GHOST, NONE};
+use crate::options::Preserve;
 use crate::predicates::{Points, Sign};
 use crate::reconnect::{Polyhedron, Reconnect};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -26,6 +27,8 @@ pub struct Target<'a> {
     pub patch: &'a [u32],
     /// Input facet of each.
     pub facet: &'a [u32],
+    /// Which of them must be faces.
+    pub preserve: Preserve,
 }
 
 /// What flips took.
@@ -51,6 +54,8 @@ pub struct Retarget<'a> {
     pub inside: &'a mut Inside,
     /// Pieces of segments on no facet.
     pub isolated: &'a FxHashSet<[u32; 2]>,
+    /// Patches that get their triangles only where that takes no point inside.
+    pub loose: &'a FxHashSet<u32>,
     /// How far the surroundings of a flip grow.
     pub growth: Growth,
     hollow: Hollow,
@@ -78,7 +83,7 @@ impl<'a> Retarget<'a> {
         solid: &'a mut Solid,
         points: &'a mut Points,
         inside: &'a mut Inside,
-        isolated: &'a FxHashSet<[u32; 2]>,
+        (isolated, loose): (&'a FxHashSet<[u32; 2]>, &'a FxHashSet<u32>),
         growth: Growth,
     ) -> Self {
         Retarget {
@@ -86,6 +91,7 @@ impl<'a> Retarget<'a> {
             points,
             inside,
             isolated,
+            loose,
             growth,
             hollow: Hollow::default(),
             reconnect: Reconnect::default(),
@@ -101,6 +107,7 @@ impl<'a> Retarget<'a> {
     pub fn run(
         &mut self,
         target: &Target,
+        first_steiner: u32,
         tick: &mut dyn FnMut(f64) -> Result<(), Error>,
     ) -> Result<Flips, Error> {
         // (patch, triangle) of the target where one is missing, and (patch, key) of what is there instead.
@@ -137,8 +144,10 @@ impl<'a> Retarget<'a> {
                 list.partition_point(|x| x.0 < patch)..list.partition_point(|x| x.0 <= patch)
             };
             let (now, then) = (&present[range(&present)], &wanted[range(&wanted)]);
-            // A patch that is not in the mesh was carved.
-            if !now.is_empty() {
+            // A patch that is not in the mesh was carved; one with points that stay on it has them for corners.
+            let corners = now.iter().flat_map(|x| x.1);
+            let bent = self.loose.contains(&patch) && corners.into_iter().any(|v| v >= first_steiner);
+            if !now.is_empty() && !bent {
                 self.patch(patch, now, then)?;
             }
         }
@@ -188,6 +197,9 @@ impl<'a> Retarget<'a> {
                 self.insert_edge(patch, edge)?;
             }
         }
+        if self.loose.contains(&patch) {
+            return Ok(());
+        }
         let missing = then.iter().map(|x| x.1).filter(|t| !self.solid.patch_of.contains_key(&face_key(*t)));
         self.count.missing.extend(missing);
         Ok(())
@@ -196,7 +208,9 @@ impl<'a> Retarget<'a> {
     /// Flips edges that cross `ab` until it is there.
     fn insert_edge(&mut self, patch: u32, [a, b]: [u32; 2]) -> Result<(), Error> {
         let mut crossing = self.crossing(a, b)?;
-        let mut tries = 4 * crossing.len() * crossing.len() + 16;
+        // Flips that fail for want of a point fail again until others have changed the surroundings: one round must do.
+        let loose = self.loose.contains(&patch);
+        let mut tries = if loose { 2 * crossing.len() } else { 4 * crossing.len() * crossing.len() + 16 };
         while let Some([x, y]) = crossing.pop_front() {
             if tries == 0 {
                 return Ok(());
@@ -283,7 +297,7 @@ impl<'a> Retarget<'a> {
             let new = if ghost {
                 side.faces.iter().map(|&f| ghost_at(f)).collect()
             } else {
-                match self.fill_side(&mut side, &sectors, [a, b], [c, d])? {
+                match self.fill_side(patch, &mut side, &sectors, [[a, b], [c, d]])? {
                     Some(new) => new,
                     None => {
                         self.inside.shorten(before);
@@ -367,10 +381,10 @@ impl<'a> Retarget<'a> {
 
     fn fill_side(
         &mut self,
+        patch: u32,
         side: &mut Side,
         taken: &[Sector],
-        [a, b]: [u32; 2],
-        [c, d]: [u32; 2],
+        [[a, b], [c, d]]: [[u32; 2]; 2],
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
         let mut new = Vec::new();
         let polyhedron = Polyhedron { faces: &side.faces, inner: &[], ..Polyhedron::default() };
@@ -394,6 +408,9 @@ impl<'a> Retarget<'a> {
             self.count.grown += 1;
             side.tets = std::mem::take(&mut hollow.tets);
             return Ok(Some(new));
+        }
+        if self.loose.contains(&patch) {
+            return Ok(None);
         }
         let [pa, pb, pc, pd] = [a, b, c, d].map(|v| *self.points.xyz(v));
         let (from, normal) = crossing_point(pa, pb, pc, pd);

@@ -72,9 +72,10 @@ impl Model {
         let (mut solid, mut points, segments) = self.carve();
         let before = volume(&solid, &points);
         let facet = vec![0; self.triangles.len()];
-        let target = Target { triangles: &self.triangles, patch: &self.patch, facet: &facet };
+        let preserve = crate::options::Preserve::All;
+        let target = Target { triangles: &self.triangles, patch: &self.patch, facet: &facet, preserve };
         let mut statistics = PreserveStatistics::default();
-        let inside = from_constrained(
+        let Freed { inside, .. } = from_constrained(
             &mut solid,
             &mut points,
             &segments,

@@ -1,15 +1,16 @@
 //! From the engine's arrays to the output: what stays, renumbered, in the caller's coordinates.
 use super::Engine;
-use crate::constrain::face_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
+use crate::constrain::{edge_key, face_key};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::mesh::{flag, Tetrahedra};
 use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
-use crate::predicates::scale;
+use crate::predicates::{scale, Expansion};
 use crate::preserve::solid::Solid;
+use crate::preserve::Freed;
 use crate::region::{Components, Regions};
 use crate::rounding::Rounded;
 use crate::INVALID;
@@ -58,13 +59,13 @@ fn without_elements(plc: &Plc, surface: &Surface, regions: &Regions) -> TetMesh 
     }
 }
 
-/// The output mesh of a domain without points on its surface.
+/// The output mesh of a domain without points on its surface, or on its outer boundary.
 pub(super) fn preserved(
     engine: &Engine,
     plc: &Plc,
     surface: &Surface,
     solid: &Solid,
-    inside: &[u32],
+    (freed, segments): (&Freed, &Segments),
     regions: &Regions,
 ) -> Result<TetMesh, Error> {
     let mut out = TetMesh { preserved: true, ..without_elements(plc, surface, regions) };
@@ -72,14 +73,16 @@ pub(super) fn preserved(
     number_of.try_reserve(engine.points.len())?;
     number_of.extend_from_slice(&engine.input_of);
     number_of.resize(engine.points.len(), INVALID);
-    out.points.try_reserve(plc.points.len() + inside.len())?;
+    let inside = &freed.inside.list;
+    out.points.try_reserve(plc.points.len() + freed.settled.len() + inside.len())?;
     out.points.extend_from_slice(&plc.points);
-    out.steiner.try_reserve(inside.len())?;
-    for &v in inside {
+    for v in freed.settled.iter().map(|point| point.v).chain(inside.iter().copied()) {
         number_of[v as usize] = out.points.len() as u32;
         out.points.push(engine.points.xyz(v).map(|x| scale(x, -engine.scale)));
-        out.steiner.push(SteinerPoint { ends: [INVALID; 2], t: 0.0, segment: INVALID, exact: true });
     }
+    out.steiner.try_reserve(freed.settled.len() + inside.len())?;
+    settled(engine, freed, segments, surface, &mut out)?;
+    out.steiner.extend(inside.iter().map(|_| SteinerPoint::INSIDE));
     let mesh = &solid.mesh;
     let mut number = Vec::new();
     number.try_reserve(mesh.slot_count())?;
@@ -97,15 +100,96 @@ pub(super) fn preserved(
         out.neighbors.push(mesh.adj[t].map(|code| number[(code >> 2) as usize]));
         out.tet_region.push(solid.region[t]);
     }
-    for (&ends, &segment) in surface.segments.iter().zip(&surface.segment_parent) {
+    let chains = chains(engine, freed, segments, surface)?;
+    let mut chains = chains.into_iter().peekable();
+    for (s, (&ends, &segment)) in surface.segments.iter().zip(&surface.segment_parent).enumerate() {
         let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);
+        let mut from = ends[0];
+        while let Some((_, v)) = chains.next_if(|x| x.0 == s) {
+            let to = number_of[v as usize];
+            out.subsegments.try_reserve(1)?;
+            out.subsegments.push(Subsegment { ends: [from, to], segment, marker });
+            from = to;
+        }
         out.subsegments.try_reserve(1)?;
-        out.subsegments.push(Subsegment { ends, segment, marker });
+        out.subsegments.push(Subsegment { ends: [from, ends[1]], segment, marker });
     }
-    let triangles = engine.map(&surface.triangles)?;
-    let list = triangles.iter().copied().zip(surface.triangle_facet.iter().copied());
-    faces(mesh, plc, list, &number, &mut out, |v| number_of[v as usize])?;
+    faces(mesh, plc, freed.subfaces.iter().copied(), &number, &mut out, |v| number_of[v as usize])?;
     Ok(out)
+}
+
+/// The surface's segment that a Steiner point lies on, in the order of both, and whether its ends are the other way round.
+fn segment_of(
+    engine: &Engine,
+    segments: &Segments,
+    surface: &Surface,
+    segment: u32,
+) -> Option<(usize, bool)> {
+    let [a, b] = segments.ends[segment as usize].map(|v| engine.input_of[v as usize]);
+    let found = surface.segments.binary_search(&edge_key(a, b)).ok()?;
+    Some((found, surface.segments[found] != [a, b]))
+}
+
+/// Steiner points that stay on internal segments: their parents.
+fn settled(
+    engine: &Engine,
+    freed: &Freed,
+    segments: &Segments,
+    surface: &Surface,
+    out: &mut TetMesh,
+) -> Result<(), Error> {
+    for (i, point) in freed.settled.iter().enumerate() {
+        let index = point.v - segments.first_steiner;
+        let (s, t) = (segments.steiner_segment[index as usize], segments.steiner_t[index as usize]);
+        let at = *engine.points.xyz(point.v);
+        // Scaling back may lose bits of subnormal coordinates.
+        let returned = at.map(|x| scale(scale(x, -engine.scale), engine.scale)) == at;
+        let parent = segment_of(engine, segments, surface, s);
+        out.steiner.push(SteinerPoint {
+            ends: segments.ends[s as usize].map(|v| engine.input_of[v as usize]),
+            t,
+            segment: parent.map_or(INVALID, |(found, _)| surface.segment_parent[found]),
+            exact: point.exact && returned,
+        });
+        let Some(exact) = segments.fine.get(&index) else { continue };
+        push_terms(exact, t, i as u32, out)?;
+    }
+    Ok(())
+}
+
+/// The terms of a Steiner point's parameter beyond its double.
+fn push_terms(exact: &Expansion, t: f64, steiner: u32, out: &mut TetMesh) -> Result<(), Error> {
+    let rest = exact.difference(&t.into()).compressed();
+    out.steiner_terms.try_reserve(rest.components().len())?;
+    let term = |&value: &f64| SteinerTerm { steiner, value };
+    out.steiner_terms.extend(rest.components().iter().rev().map(term));
+    Ok(())
+}
+
+/// The points that stay on each segment of the surface, from its first end to its second.
+fn chains(
+    engine: &Engine,
+    freed: &Freed,
+    segments: &Segments,
+    surface: &Surface,
+) -> Result<Vec<(usize, u32)>, Error> {
+    let mut chains = Vec::new();
+    if freed.settled.is_empty() {
+        return Ok(chains);
+    }
+    chains.try_reserve(freed.settled.len())?;
+    let list = segments.steiner_by_segment();
+    for run in list.chunk_by(|x, y| x.0 == y.0) {
+        let Some((s, turned)) = segment_of(engine, segments, surface, run[0].0) else { continue };
+        let from = chains.len();
+        let stays = |v: &u32| freed.settled.binary_search_by_key(v, |point| point.v).is_ok();
+        chains.extend(run.iter().map(|x| x.2).filter(stays).map(|v| (s, v)));
+        if turned {
+            chains[from..].reverse();
+        }
+    }
+    chains.sort_by_key(|x| x.0);
+    Ok(chains)
 }
 
 /// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
@@ -231,10 +315,7 @@ fn steiner(
             exact: exact && returned,
         });
         let Some(exact) = segments.fine.get(&(i as u32)) else { continue };
-        let rest = exact.difference(&t.into()).compressed();
-        out.steiner_terms.try_reserve(rest.components().len())?;
-        let term = |&value: &f64| SteinerTerm { steiner: i as u32, value };
-        out.steiner_terms.extend(rest.components().iter().rev().map(term));
+        push_terms(exact, t, i as u32, out)?;
     }
     Ok(())
 }

@@ -91,10 +91,11 @@ impl Run<'_> {
             triangles: &engine.map(&surface.triangles)?,
             patch: &patch,
             facet: &surface.triangle_facet,
+            preserve: options.preserve,
         };
         let observer = &mut *self.observer;
         let exponent = engine.scale;
-        let inside = from_constrained(
+        let freed = from_constrained(
             &mut solid,
             &mut engine.points,
             &segments,
@@ -110,7 +111,11 @@ impl Run<'_> {
             error
         })?;
         self.statistics.missing_segments = segments.missing;
-        let mut mesh = assemble::preserved(&engine, plc, surface, &solid, &inside.list, &regions)?;
+        self.statistics.steiner = freed.settled.len() as u64;
+        self.statistics.steiner_moved = freed.settled.iter().filter(|point| point.moved).count() as u64;
+        let mut mesh = assemble::preserved(&engine, plc, surface, &solid, (&freed, &segments), &regions)?;
+        self.statistics.steiner_exact =
+            mesh.steiner.iter().filter(|point| point.exact && !point.is_inside()).count() as u64;
         mesh.hull_kept = options.keep_hull;
         self.lap(Phase::Preserve);
         Ok(mesh)

@@ -1,0 +1,64 @@
+//! What is inside the domain: patches and segments with the mesh all round. Where only the outer boundary is kept
+//! ([`Preserve::Outer`]), points may stay on them.
+//!
+//! A patch has the outside on one side everywhere or nowhere, for where that changes another facet meets it, at segments, and these
+//! bound patches. A segment is a segment of the outer boundary if a boundary face has one of its pieces: its ends are the only
+//! vertices of other facets on it, so all pieces are alike.
+use super::solid::Solid;
+use crate::constrain::segment::Segments;
+use crate::constrain::{edge_key, face_key};
+use crate::error::Error;
+use crate::options::Preserve;
+use rustc_hash::FxHashSet;
+
+/// Patches, and points on segments, with the mesh all round. Nothing if all is to be kept.
+#[derive(Clone, Debug, Default)]
+pub struct Internal {
+    /// The patches.
+    pub patches: FxHashSet<u32>,
+    /// Per Steiner point whether it is on such a segment.
+    points: Vec<bool>,
+    first: u32,
+}
+
+impl Internal {
+    /// What may get other triangles and points than the surface's, at this strength.
+    pub fn find(preserve: Preserve, solid: &Solid, segments: &Segments) -> Result<Internal, Error> {
+        let mut internal = Internal { first: segments.first_steiner, ..Internal::default() };
+        if preserve == Preserve::All {
+            return Ok(internal);
+        }
+        internal.patches.extend(solid.patch_of.values().copied());
+        let mut outer: FxHashSet<[u32; 2]> = FxHashSet::default();
+        for t in (0..solid.mesh.slot_count() as u32).filter(|&t| solid.mesh.is_live(t)) {
+            if !solid.mesh.is_ghost(t) {
+                continue;
+            }
+            let face = solid.mesh.face(4 * t + 3);
+            if let Some(patch) = solid.patch_of.get(&face_key(face)) {
+                internal.patches.remove(patch);
+            }
+            let [a, b, c] = face;
+            outer.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
+        }
+        internal.points.try_reserve(segments.steiner_t.len())?;
+        internal.points.resize(segments.steiner_t.len(), true);
+        for piece in &segments.pieces {
+            if !outer.contains(&edge_key(piece.ends[0], piece.ends[1])) {
+                continue;
+            }
+            for v in piece.ends {
+                let index = v.checked_sub(internal.first).map(|i| i as usize);
+                if let Some(at) = index.and_then(|i| internal.points.get_mut(i)) {
+                    *at = false;
+                }
+            }
+        }
+        Ok(internal)
+    }
+
+    /// Whether a Steiner point may stay on its segment.
+    pub fn may_stay(&self, v: u32) -> bool {
+        v.checked_sub(self.first).and_then(|i| self.points.get(i as usize)).is_some_and(|&x| x)
+    }
+}
