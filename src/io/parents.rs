@@ -66,7 +66,9 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
         let mut line = lines.expect("a Steiner point")?;
         let ends = [index(&mut line)?, index(&mut line)?];
         let segment = index(&mut line)?;
-        mesh.steiner.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact: false });
+        // Points inside lie where their doubles are.
+        let exact = ends == [INVALID; 2];
+        mesh.steiner.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact });
         while let Some(token) = line.token() {
             let value = float(token).ok_or_else(|| bad(line.number(), "a term is no number"))?;
             mesh.steiner_terms.try_reserve(1)?;
