@@ -148,6 +148,13 @@ impl Delaunay {
                 (_, Some(ranges)) => ranges,
             };
             if !rounds.is_empty() && ranges > 1 && end - begin >= FEWEST_VERTICES {
+                if !shared {
+                    // The vertices present foretell the tetrahedra (a little too few: the hull's part shrinks). Arrays that
+                    // grow instead leave gaps among smaller blocks, and are copied.
+                    let each = self.mesh.live_count() as f64 / begin as f64;
+                    let expected = (each * order.len() as f64 * 1.03) as usize;
+                    self.mesh.expect(expected.saturating_sub(self.mesh.slot_count()));
+                }
                 shared = true;
                 let done = self.insert_round(points, order, begin..end, ranges, threads, tick);
                 if done.is_err() {

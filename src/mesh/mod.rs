@@ -130,6 +130,14 @@ impl Tetrahedra {
         Ok(Slots::shared(self, more))
     }
 
+    /// Makes room for about `extra` more slots if there is memory: only a hint, growth asks again.
+    pub(crate) fn expect(&mut self, extra: usize) {
+        let extra = extra.min(MAX_TETS.saturating_sub(self.verts.len()));
+        let _ = self.verts.try_reserve_exact(extra);
+        let _ = self.adj.try_reserve_exact(extra);
+        let _ = self.flags.try_reserve_exact(extra);
+    }
+
     #[cold]
     #[inline(never)]
     fn grow(&mut self, extra: usize) -> Result<(), Error> {

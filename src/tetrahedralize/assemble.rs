@@ -3,6 +3,7 @@ use super::Engine;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
 use crate::constrain::{edge_key, face_key};
+use crate::delaunay::Delaunay;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::mesh::{flag, Tetrahedra};
 use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
@@ -194,8 +195,13 @@ fn chains(
 
 /// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
 pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<TetMesh, Error> {
-    let Engine { delaunay, input_of, .. } = engine;
-    let mut mesh = delaunay.mesh;
+    // Taken apart by name: what is left in a struct would live until the end.
+    let Engine { points, delaunay, input_of, rounds: _, engine_of, scale: _ } = engine;
+    drop((points, engine_of));
+    let Delaunay { mut mesh, cavity, vertex_tet, .. } = delaunay;
+    drop((cavity, vertex_tet));
+    // Flags tell below which slots stay; the list of free ones is as good as gone.
+    mesh.free = Vec::new();
     let mut number = Vec::new();
     number.try_reserve_exact(mesh.slot_count())?;
     let mut count = 0;
@@ -210,7 +216,7 @@ pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<Tet
         mesh.verts[n as usize] = mesh.verts[t].map(|v| input_of[v as usize]);
         mesh.adj[n as usize] = mesh.adj[t].map(|code| number[(code >> 2) as usize]);
     }
-    drop(number);
+    drop((number, input_of));
     mesh.verts.truncate(count as usize);
     mesh.adj.truncate(count as usize);
     let mut out = TetMesh {
