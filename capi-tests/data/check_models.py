@@ -92,6 +92,7 @@ EXPECT = {
     "nested.off": (4, 0, 0, 0, 0, 4600, 4700), "sliver_cylinder.off": (1, 0, 0, 0, 0, 19700, 19800),
     "layers.poly": (1, 0, 0, 20, 0, None, None), "fan.poly": (1, 0, 0, 73, 24, None, None),
     "schoenhardt.off": (1, 0, 0, 0, 0, 0.5, 1.2), "chazelle.off": (1, 0, 0, 0, 0, 580, 581), "combs.smesh": (3, 0, 3, 0, 0, None, None),
+    "fins_in_box.poly": (2, 0, 0, 18, 0, None, None),
 }
 
 

@@ -233,7 +233,8 @@ def sliver_cylinder(count=96):
                 half.append((ring[-2], ring[-1], ring[0]))
             triangles += [(t, 0) for t in half]
             ring = ring[::2]
-        triangles.append((tuple(ring), 0))
+        # Rings of 2^k corners end as a segment, others as a triangle.
+        triangles += [(tuple(ring), 0)] * (len(ring) == 3)
     m.facets = [([list(t)], k) for t, k in triangles]
     return m
 
@@ -280,6 +281,16 @@ def schoenhardt():
         j = (i + 1) % 3
         m.facet([low[i], low[j], high[j]])
         m.facet([low[i], high[j], high[i]])
+    return m
+
+
+def fins_in_box():
+    """Schönhardt's prism in a box, and a sheaf of triangles above it that turn and nearly touch: internal facets that want points."""
+    m = schoenhardt()
+    m.box((-3, -3, -3), (3, 3, 4), marker=1)
+    for k in range(6):
+        x, y, z = math.cos(0.9 * k), math.sin(0.9 * k), 1.5 + 0.35 * k
+        m.facet(m.ring([(-2.5 * x, -2.5 * y, z), (2.5 * x, 2.5 * y, z + 0.05), (-0.3 * y, 0.3 * x, z + 0.02)]), marker=2)
     return m
 
 
@@ -402,6 +413,7 @@ MODELS = {
     "bracket.off": bracket, "two_material.poly": two_material, "gear.stl": gear, "plate.poly": plate, "text.obj": letters,
     "blob.ply": blob, "internal.smesh": internal, "fins.poly": fins, "nested.off": nested, "sliver_cylinder.off": sliver_cylinder,
     "layers.poly": layers, "fan.poly": fan, "schoenhardt.off": schoenhardt, "chazelle.off": chazelle, "combs.smesh": combs,
+    "fins_in_box.poly": fins_in_box,
 }
 INVALID = {
     "crossing.off": crossing, "duplicate_facet.off": duplicate_facet, "degenerate.off": degenerate, "open.off": open_box,
