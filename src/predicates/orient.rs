@@ -4,6 +4,31 @@ use super::big::Big;
 use super::{differences, exact, filter, robust_orient3d, wide, Expansion, Points, Sign};
 use std::cmp::Ordering;
 
+/// A plane through three points `b`, `c`, `d`, rounded.
+#[derive(Clone, Copy, Debug)]
+pub struct Plane {
+    at: [f64; 3],
+    normal: [f64; 3],
+    bound: f64,
+}
+
+impl Plane {
+    /// `orient3d(a, b, c, d)` for the point of these coordinates (of an implicit point: its nearest doubles), if the static filter
+    /// can tell. The determinant has the monomials and roundings that [`filter`] counts, relative to `b`, so its bound holds.
+    #[inline(always)]
+    pub fn side(&self, a: &[f64; 3]) -> Option<Sign> {
+        let (p, n) = (&self.at, &self.normal);
+        let det = (p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] + (p[2] - a[2]) * n[2];
+        if det > self.bound {
+            Some(Sign::Positive)
+        } else if det < -self.bound {
+            Some(Sign::Negative)
+        } else {
+            None
+        }
+    }
+}
+
 impl Points {
     /// Sign of `det(b − a, c − a, d − a)`: positive when the tetrahedron `(a, b, c, d)` is.
     #[inline(always)]
@@ -16,6 +41,16 @@ impl Points {
         } else {
             self.orient3d_close(det, [a, b, c, d])
         }
+    }
+
+    /// The plane through three points, for many [`Plane::side`] in turn.
+    #[inline]
+    pub fn plane(&self, b: u32, c: u32, d: u32) -> Plane {
+        let (b, c, d) = (self.xyz(b), self.xyz(c), self.xyz(d));
+        let (px, py, pz) = (c[0] - b[0], c[1] - b[1], c[2] - b[2]);
+        let (qx, qy, qz) = (d[0] - b[0], d[1] - b[1], d[2] - b[2]);
+        let normal = [py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx];
+        Plane { at: *b, normal, bound: self.orient3d_bound }
     }
 
     /// The semi-static filter.

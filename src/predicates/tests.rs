@@ -151,6 +151,9 @@ fn compare_all(points: &Points, count: usize, random: &mut Random) -> [usize; 2]
         zeros[0] += usize::from(orient == Sign::Zero);
         zeros[1] += usize::from(inside == Sign::Zero);
         assert_eq!(points.orient3d(a, b, c, d), orient, "orient3d {ids:?} {:?}", ids.map(|i| points.xyz(i)));
+        if let Some(side) = points.plane(b, c, d).side(points.xyz(a)) {
+            assert_eq!(side, orient, "plane {ids:?} {:?}", ids.map(|i| points.xyz(i)));
+        }
         assert_eq!(
             points.insphere(a, b, c, d, e),
             inside,
@@ -262,8 +265,14 @@ fn integer_grid() {
 #[test]
 fn random_points() {
     let mut random = Random(2);
-    let points = (0..100).map(|_| random.point()).collect();
-    compare_all(&Points::new(points), 500, &mut random);
+    let points = Points::new((0..100).map(|_| random.point()).collect());
+    compare_all(&points, 500, &mut random);
+    // The static filter is of use: it tells nearly all sides of points in general position.
+    let told = (0..500).filter(|_| {
+        let [a, b, c, d] = random.distinct::<4>(points.len());
+        points.plane(b, c, d).side(points.xyz(a)).is_some()
+    });
+    assert!(told.count() > 450);
 }
 
 #[test]

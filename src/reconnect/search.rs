@@ -2,7 +2,7 @@
 use super::signs::Signs;
 use super::Polyhedron;
 use crate::error::Error;
-use crate::predicates::Points;
+use crate::predicates::{Points, Sign};
 use rustc_hash::FxHashMap;
 
 /// A face by local numbers, smallest first, turned so that the side to be filled is positive.
@@ -50,8 +50,8 @@ pub struct Search {
     depth: usize,
     tets: Vec<[u8; 4]>,
     uses: Vec<(u8, u8, bool)>,
-    /// The sides of each face asked for.
-    sides_of: FxHashMap<Face, Sides>,
+    /// The sides of each face asked for, by the face's corners as one number: quick to hash.
+    sides_of: FxHashMap<u32, Sides>,
     xyz: Vec<[f64; 3]>,
 }
 
@@ -130,29 +130,30 @@ impl Search {
 
     /// A vertex from which all boundary faces without it are seen from inside: the one with the best worst tetrahedron.
     pub fn cone(&mut self, points: &Points) -> Option<u8> {
-        let mut best: Option<(f64, u8)> = None;
-        for w in 0..self.signs.count() as u8 {
-            // All that is inside the cone is the apex itself and edges from it.
-            let fits = self.inner.iter().all(|&v| v == w)
-                && self.edges.iter().all(|e| e.contains(&w))
-                && !self.without.is_some_and(|e| e.contains(&w));
-            if !fits {
-                continue;
+        let bit = |&w: &u8| 1u64 << w;
+        // All that is inside the cone is the apex itself and edges from it.
+        let mut apexes =
+            self.inner.iter().map(bit).fold(u64::MAX >> (64 - self.signs.count()), |all, w| all & w);
+        apexes = self.edges.iter().fold(apexes, |all, e| all & (bit(&e[0]) | bit(&e[1])));
+        apexes &= !self.without.iter().flatten().map(bit).fold(0, |all, w| all | w);
+        for i in 0..self.boundary.len() {
+            let face = self.boundary[i];
+            let mut seen = self.sides(points, face).ahead;
+            let corners = face.iter().map(bit).fold(0, |all, w| all | w);
+            // A face with the inside on both sides cancels in the sum of boundaries: the cone may lack it.
+            if apexes & corners != 0 && !self.boundary.contains(&canonical(reversed(face))) {
+                seen |= corners;
             }
-            let mut worst = f64::INFINITY;
-            let sees = (0..self.boundary.len()).all(|i| {
-                let f = self.boundary[i];
-                if f.contains(&w) {
-                    // A face with the inside on both sides cancels in the sum of boundaries: the cone may lack it.
-                    return !self.boundary.contains(&canonical(reversed(f)));
-                }
-                let positive = self.signs.of(points, w, f[0], f[1], f[2]) > 0;
-                if positive {
-                    worst = worst.min(self.quality(w, f));
-                }
-                positive
-            });
-            if sees && best.is_none_or(|b| worst > b.0) {
+            apexes &= seen;
+            if apexes == 0 {
+                return None;
+            }
+        }
+        let mut best: Option<(f64, u8)> = None;
+        for w in (0..self.signs.count() as u8).filter(|w| apexes & bit(w) != 0) {
+            let away = self.boundary.iter().filter(|f| !f.contains(&w));
+            let worst = away.map(|&f| self.quality(w, f)).fold(f64::INFINITY, f64::min);
+            if best.is_none_or(|b| worst > b.0) {
                 best = Some((worst, w));
             }
         }
@@ -210,17 +211,23 @@ impl Search {
 
     /// Which vertices are on which side of a face.
     fn sides(&mut self, points: &Points, face: Face) -> Sides {
-        if let Some(&sides) = self.sides_of.get(&face) {
+        let [x, y, z] = face;
+        let key = u32::from_le_bytes([x, y, z, 0]);
+        if let Some(&sides) = self.sides_of.get(&key) {
             return sides;
         }
-        let [x, y, z] = face;
+        let [b, c, d] = face.map(|i| self.signs.vertices[i as usize]);
+        let plane = points.plane(b, c, d);
         let mut sides = Sides::default();
         for w in (0..self.signs.count() as u8).filter(|w| !face.contains(w)) {
-            let sign = self.signs.of(points, w, x, y, z);
+            let sign = match plane.side(&self.xyz[w as usize]) {
+                Some(side) => i8::from(side == Sign::Positive) - i8::from(side == Sign::Negative),
+                None => self.signs.of(points, w, x, y, z),
+            };
             sides.ahead |= u64::from(sign > 0) << w;
             sides.behind |= u64::from(sign < 0) << w;
         }
-        self.sides_of.insert(face, sides);
+        self.sides_of.insert(key, sides);
         sides
     }
 
