@@ -39,6 +39,8 @@ pub struct Hollow {
     /// Faces of tetrahedra behind which others could be added: corner codes of these.
     doors: Vec<(u32, u32)>,
     at_edge: Vec<([u32; 2], u32, u32)>,
+    /// All tetrahedra that the last growth looked at, with repetitions: while they stay, it would end the same way.
+    pub read: Vec<u32>,
 }
 
 /// What a hollow starts from.
@@ -141,6 +143,7 @@ impl Hollow {
         isolated: &FxHashSet<[u32; 2]>,
         growth: Growth,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        self.read.clear();
         let mut new = Vec::new();
         let mut known: FxHashSet<Vec<u32>> = FxHashSet::default();
         let mut queue: Vec<Vec<u32>> = Vec::new();
@@ -154,6 +157,8 @@ impl Hollow {
             self.tets.clear();
             self.tets.try_reserve(queue[next].len())?;
             self.tets.extend_from_slice(&queue[next]);
+            self.read.try_reserve(self.tets.len())?;
+            self.read.extend_from_slice(&self.tets);
             self.bound(solid, start, isolated)?;
             // The start itself was tried by whoever asks to grow.
             if next > 0 && self.fill(reconnect, points, growth.budget, &mut new)? {
@@ -190,11 +195,12 @@ impl Hollow {
         }
         self.at_edge.sort_unstable();
         let mut ranked: Vec<(Sign, usize, [u32; 2], Vec<u32>)> = Vec::new();
-        for pair in self.at_edge.chunk_by(|a, b| a.0 == b.0) {
+        let Hollow { at_edge, faces, inside, read, .. } = self;
+        for pair in at_edge.chunk_by(|a, b| a.0 == b.0) {
             let [(edge, face, code), (_, other, _)] = *pair else { continue };
-            let Some(ring) = self.ring(solid, edge, code, start)? else { continue };
-            let [x, y, z] = self.faces[face as usize];
-            let apex = self.faces[other as usize].into_iter().find(|v| !edge.contains(v));
+            let Some(ring) = ring(solid, (edge, code), start, inside, read)? else { continue };
+            let [x, y, z] = faces[face as usize];
+            let apex = faces[other as usize].into_iter().find(|v| !edge.contains(v));
             let Some(apex) = apex else { continue };
             let sign =
                 if [x, y, z].contains(&apex) { Sign::Negative } else { points.orient3d(apex, x, y, z) };
@@ -207,38 +213,40 @@ impl Hollow {
         ranked.truncate(blocking.max(2));
         Ok(ranked.into_iter().map(|r| r.3).collect())
     }
+}
 
-    /// The tetrahedra outside round an edge, from the one behind a boundary face to the next boundary face; none if a wall or what
-    /// must not be taken is among them.
-    fn ring(
-        &self,
-        solid: &Solid,
-        edge: [u32; 2],
-        code: u32,
-        start: &Start,
-    ) -> Result<Option<Vec<u32>>, Error> {
-        let mesh = &solid.mesh;
-        let mut ring = Vec::new();
-        let mut entered = code;
-        let mut left = mesh.face(code).into_iter().find(|v| !edge.contains(v)).unwrap_or(NONE);
-        loop {
-            let t = entered >> 2;
-            if self.inside.contains(&t) {
-                return Ok(Some(ring));
-            }
-            let verts = &mesh.verts[t as usize];
-            let taken = start.taken.iter().any(|s| s.old.contains(&t));
-            if taken || ring.len() >= MOST_RING || start.avoid.iter().all(|v| verts.contains(v)) {
-                return Ok(None);
-            }
-            ring.try_reserve(1)?;
-            ring.push(t);
-            let Some(slot) = mesh.slot_of(t, left) else { return Ok(None) };
-            if solid.is_wall(4 * t + slot) {
-                return Ok(None);
-            }
-            left = mesh.apex(entered);
-            entered = mesh.across(4 * t + slot);
+/// The tetrahedra outside round an edge, from the one behind a boundary face to the next boundary face; none if a wall or what
+/// must not be taken is among them. All that were looked at are added to `read`.
+fn ring(
+    solid: &Solid,
+    (edge, code): ([u32; 2], u32),
+    start: &Start,
+    inside: &FxHashSet<u32>,
+    read: &mut Vec<u32>,
+) -> Result<Option<Vec<u32>>, Error> {
+    let mesh = &solid.mesh;
+    let mut ring = Vec::new();
+    let mut entered = code;
+    let mut left = mesh.face(code).into_iter().find(|v| !edge.contains(v)).unwrap_or(NONE);
+    loop {
+        let t = entered >> 2;
+        if inside.contains(&t) {
+            return Ok(Some(ring));
         }
+        read.try_reserve(1)?;
+        read.push(t);
+        let verts = &mesh.verts[t as usize];
+        let taken = start.taken.iter().any(|s| s.old.contains(&t));
+        if taken || ring.len() >= MOST_RING || start.avoid.iter().all(|v| verts.contains(v)) {
+            return Ok(None);
+        }
+        ring.try_reserve(1)?;
+        ring.push(t);
+        let Some(slot) = mesh.slot_of(t, left) else { return Ok(None) };
+        if solid.is_wall(4 * t + slot) {
+            return Ok(None);
+        }
+        left = mesh.apex(entered);
+        entered = mesh.across(4 * t + slot);
     }
 }

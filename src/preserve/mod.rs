@@ -15,6 +15,7 @@ pub mod corridor;
 pub mod hollow;
 pub mod inside;
 pub mod internal;
+pub mod memory;
 pub mod order;
 pub mod place;
 pub mod polygon;

@@ -30,6 +30,10 @@ pub struct Solid {
     open: FxHashMap<[u32; 4], u32>,
     /// Tetrahedra made by the last replacement.
     pub fresh: Vec<u32>,
+    /// How many replacements there were.
+    pub changes: u64,
+    /// Per slot, after which of them it has what it has now; slots beyond the end have never changed.
+    pub changed: Vec<u64>,
 }
 
 /// A part of a replacement between subfaces: tetrahedra that go, and those that come.
@@ -242,6 +246,13 @@ impl Solid {
                     }
                 }
             }
+        }
+        self.changes += 1;
+        let missing = mesh.slot_count().saturating_sub(self.changed.len());
+        self.changed.try_reserve(missing)?;
+        self.changed.resize(mesh.slot_count(), 0);
+        for &t in sectors.iter().flat_map(|s| &s.old).chain(&self.fresh) {
+            self.changed[t as usize] = self.changes;
         }
         if !open.is_empty() {
             return Err(Error::internal("a replacement does not fit into the mesh"));

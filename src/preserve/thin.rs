@@ -2,6 +2,7 @@
 //! a neighbour included: that is a filling with a common apex).
 use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
+use super::memory::Memory;
 use super::place::place_at_center;
 use super::solid::{Sector, Solid};
 use crate::error::Error;
@@ -18,6 +19,8 @@ pub struct Thin {
     search: StarSearch,
     faces: Vec<[u32; 3]>,
     hollow: Hollow,
+    /// What the attempt at hand has looked at.
+    read: Vec<u32>,
 }
 
 impl Thin {
@@ -31,17 +34,34 @@ impl Thin {
         growth: Growth,
         tick: &mut dyn FnMut() -> Result<(), Error>,
     ) -> Result<u64, Error> {
+        let (mut lasting, mut unmerged) = (Memory::default(), Memory::default());
         let mut gone = 0;
         loop {
             let before = gone;
             for i in (0..inside.list.len()).rev() {
                 tick()?;
-                gone += u64::from(self.delete(solid, points, inside.list[i], isolated, growth)?);
+                let p = inside.list[i];
+                if lasting.knows(solid, p) {
+                    continue;
+                }
+                if self.delete(solid, points, p, isolated, growth)? {
+                    gone += 1;
+                } else {
+                    lasting.note(solid, p, &self.read)?;
+                }
             }
             inside.sweep(solid);
             for i in (0..inside.list.len()).rev() {
                 tick()?;
-                gone += u64::from(self.merge(solid, points, inside, inside.list[i], growth.budget)?);
+                let p = inside.list[i];
+                if unmerged.knows(solid, p) {
+                    continue;
+                }
+                if self.merge(solid, points, inside, p, growth.budget)? {
+                    gone += 1;
+                } else {
+                    unmerged.note(solid, p, &self.read)?;
+                }
             }
             inside.sweep(solid);
             if gone == before {
@@ -59,11 +79,14 @@ impl Thin {
         isolated: &FxHashSet<[u32; 2]>,
         growth: Growth,
     ) -> Result<bool, Error> {
+        self.read.clear();
         let start = solid.vertex_tet[p as usize];
         if start == NONE {
             return Ok(false);
         }
         self.search.vertex_star(&mut solid.mesh, p, start);
+        self.read.try_reserve(self.search.tets.len())?;
+        self.read.extend_from_slice(&self.search.tets);
         self.faces.clear();
         self.faces.try_reserve(self.search.tets.len())?;
         for &t in &self.search.tets {
@@ -90,6 +113,8 @@ impl Thin {
             let Some(found) =
                 self.hollow.grow(solid, points, &mut self.reconnect, &start, isolated, growth)?
             else {
+                self.read.try_reserve(self.hollow.read.len())?;
+                self.read.extend_from_slice(&self.hollow.read);
                 return Ok(false);
             };
             new = found;
@@ -110,11 +135,14 @@ impl Thin {
         p: u32,
         budget: u32,
     ) -> Result<bool, Error> {
+        self.read.clear();
         let start = solid.vertex_tet[p as usize];
         if start == NONE {
             return Ok(false);
         }
         self.search.vertex_star(&mut solid.mesh, p, start);
+        self.read.try_reserve(self.search.tets.len())?;
+        self.read.extend_from_slice(&self.search.tets);
         let mut others: Vec<u32> =
             self.search.tets.iter().flat_map(|&t| solid.mesh.verts[t as usize]).collect();
         others.sort_unstable();
@@ -123,6 +151,8 @@ impl Thin {
         let star = self.search.tets.clone();
         for q in others {
             self.search.vertex_star(&mut solid.mesh, q, solid.vertex_tet[q as usize]);
+            self.read.try_reserve(self.search.tets.len())?;
+            self.read.extend_from_slice(&self.search.tets);
             let mut old = star.clone();
             old.extend_from_slice(&self.search.tets);
             old.sort_unstable();
