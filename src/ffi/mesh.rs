@@ -7,6 +7,7 @@ use super::view::*;
 use crate::error::Error;
 use crate::mesh_query::{Edges, Faces, Locator, PointData};
 use crate::output::TetMesh;
+use crate::plc::Plc;
 use crate::progress::Phase;
 use std::sync::OnceLock;
 
@@ -270,6 +271,18 @@ pub unsafe extern "C" fn delotet_mesh_stats(
     })
 }
 
+/// What the checks compare.
+///
+/// # Safety
+/// The handles are NULL or alive, and nothing changes them meanwhile.
+unsafe fn compared<'a>(
+    plc: *const DelotetPlc,
+    mesh: *const DelotetMesh,
+) -> Result<(&'a Plc, &'a TetMesh), Error> {
+    // SAFETY: as the caller's.
+    unsafe { Ok((&get(plc, "plc")?.plc, &get(mesh, "mesh")?.mesh)) }
+}
+
 /// Checks a mesh against its PLC, exactly: all tetrahedra positive and conforming, points unmoved, segments and facets covered;
 /// with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
 /// Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
@@ -285,8 +298,9 @@ pub unsafe extern "C" fn delotet_mesh_check(
     // SAFETY: the caller passes handles that nothing changes meanwhile.
     unsafe {
         guard(out_error, || {
-            let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
-            crate::check::check_mesh(plc, mesh, constrained_delaunay, max_defects)
+            compared(plc, mesh).and_then(|(plc, mesh)| {
+                crate::check::check_mesh(plc, mesh, constrained_delaunay, max_defects)
+            })
         })
     }
 }
@@ -305,8 +319,7 @@ pub unsafe extern "C" fn delotet_mesh_check_preserved(
     // SAFETY: the caller passes handles that nothing changes meanwhile.
     unsafe {
         guard(out_error, || {
-            let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
-            crate::check::check_preserved(plc, mesh, max_defects)
+            compared(plc, mesh).and_then(|(plc, mesh)| crate::check::check_preserved(plc, mesh, max_defects))
         })
     }
 }
@@ -325,8 +338,8 @@ pub unsafe extern "C" fn delotet_mesh_check_preserved_outer(
     // SAFETY: the caller passes handles that nothing changes meanwhile.
     unsafe {
         guard(out_error, || {
-            let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
-            crate::check::check_preserved_outer(plc, mesh, max_defects)
+            compared(plc, mesh)
+                .and_then(|(plc, mesh)| crate::check::check_preserved_outer(plc, mesh, max_defects))
         })
     }
 }

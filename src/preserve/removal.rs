@@ -94,6 +94,7 @@ pub fn remove_all(
     left.extend((0..along.ends.len() as u32).rev().map(|i| along.first + i));
     let total = left.len().max(1) as f64;
     let mut unsplit = Unsplit::new(solid, points, &wanted, &mut removal.isolated, inside);
+    let mut counts = [0, 0];
     for effort in EFFORTS {
         loop {
             let before = left.len();
@@ -107,15 +108,9 @@ pub fn remove_all(
                     kept.push(v);
                     continue;
                 }
-                match unsplit.remove(v, along.of(v), effort)? {
-                    Outcome::Deleted => removal.deleted += 1,
-                    Outcome::Relocated => removal.relocated += 1,
-                    Outcome::Kept => {
-                        kept.push(v);
-                        continue;
-                    }
+                if !take(&mut unsplit, &mut along, v, effort, &mut counts)? {
+                    kept.push(v);
                 }
-                along.remove(v);
             }
             left = kept;
             if left.is_empty() || left.len() == before {
@@ -134,20 +129,33 @@ pub fn remove_all(
         tick(1.0)?;
         for v in crowded.into_iter().rev() {
             let effort = EFFORTS[EFFORTS.len() - 1];
-            match unsplit.remove(v, along.of(v), effort)? {
-                Outcome::Deleted => removal.deleted += 1,
-                Outcome::Relocated => removal.relocated += 1,
-                Outcome::Kept => {
-                    left.push(v);
-                    continue;
-                }
+            if take(&mut unsplit, &mut along, v, effort, &mut counts)? {
+                staying.retain(|&w| w != v);
+            } else {
+                left.push(v);
             }
-            along.remove(v);
-            staying.retain(|&w| w != v);
         }
     }
     removal.left = left;
+    [removal.deleted, removal.relocated] = counts;
     Ok(removal)
+}
+
+/// Takes one point away and counts it as deleted or relocated; false if it stays.
+fn take(
+    unsplit: &mut Unsplit,
+    along: &mut Along,
+    v: u32,
+    effort: Effort,
+    [deleted, relocated]: &mut [u64; 2],
+) -> Result<bool, Error> {
+    match unsplit.remove(v, along.of(v), effort)? {
+        Outcome::Deleted => *deleted += 1,
+        Outcome::Relocated => *relocated += 1,
+        Outcome::Kept => return Ok(false),
+    }
+    along.remove(v);
+    Ok(true)
 }
 
 /// The pieces of segments that no subface has.

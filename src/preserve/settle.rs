@@ -36,15 +36,11 @@ pub fn settle(
     let mut link = Vec::new();
     let (mut settled, mut crowded) = (Vec::new(), Vec::new());
     settled.try_reserve(list.len())?;
-    for &v in list.iter().filter(|&&v| solid.vertex_tet[v as usize] != NONE) {
-        search.vertex_star(&mut solid.mesh, v, solid.vertex_tet[v as usize]);
-        link.clear();
-        link.try_reserve(search.tets.len())?;
-        for &t in &search.tets {
-            if let Some(slot) = solid.mesh.slot_of(t, v) {
-                link.push(solid.mesh.face(4 * t + slot));
-            }
+    for &v in list {
+        if solid.vertex_tet[v as usize] == NONE {
+            continue;
         }
+        solid.link(&mut search, v, &mut link)?;
         let exact = points.is_explicit(v);
         let steps = if exact { Some(0) } else { find_doubles(points, v, &link)? };
         let Some(steps) = steps else {

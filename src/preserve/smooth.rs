@@ -20,14 +20,7 @@ pub fn smooth(solid: &mut Solid, points: &mut Points, inside: &Inside) -> Result
     let mut faces = Vec::new();
     for _ in 0..SWEEPS {
         for &p in &inside.list {
-            search.vertex_star(&mut solid.mesh, p, solid.vertex_tet[p as usize]);
-            faces.clear();
-            faces.try_reserve(search.tets.len())?;
-            for &t in &search.tets {
-                if let Some(slot) = solid.mesh.slot_of(t, p) {
-                    faces.push(solid.mesh.face(4 * t + slot));
-                }
-            }
+            solid.link(&mut search, p, &mut faces)?;
             improve(points, p, &faces)?;
         }
     }

@@ -11,6 +11,7 @@
 use crate::constrain::face_key;
 use crate::constrain::subface::Subfaces;
 use crate::error::{Error, Status};
+use crate::mesh::star::StarSearch;
 use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
 use crate::region::{Components, Regions};
 use rustc_hash::FxHashMap;
@@ -256,6 +257,22 @@ impl Solid {
         }
         if !open.is_empty() {
             return Err(Error::internal("a replacement does not fit into the mesh"));
+        }
+        Ok(())
+    }
+
+    /// The faces opposite a vertex inside, turned towards it. `search` gets its star.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`].
+    pub fn link(&mut self, search: &mut StarSearch, v: u32, faces: &mut Vec<[u32; 3]>) -> Result<(), Error> {
+        search.vertex_star(&mut self.mesh, v, self.vertex_tet[v as usize]);
+        faces.clear();
+        faces.try_reserve(search.tets.len())?;
+        for &t in &search.tets {
+            if let Some(slot) = self.mesh.slot_of(t, v) {
+                faces.push(self.mesh.face(4 * t + slot));
+            }
         }
         Ok(())
     }

@@ -84,16 +84,9 @@ impl Thin {
         if start == NONE {
             return Ok(false);
         }
-        self.search.vertex_star(&mut solid.mesh, p, start);
+        solid.link(&mut self.search, p, &mut self.faces)?;
         self.read.try_reserve(self.search.tets.len())?;
         self.read.extend_from_slice(&self.search.tets);
-        self.faces.clear();
-        self.faces.try_reserve(self.search.tets.len())?;
-        for &t in &self.search.tets {
-            if let Some(slot) = solid.mesh.slot_of(t, p) {
-                self.faces.push(solid.mesh.face(4 * t + slot));
-            }
-        }
         let mut new = Vec::new();
         let polyhedron = Polyhedron { faces: &self.faces, inner: &[], ..Polyhedron::default() };
         let mut old = self.search.tets.clone();
