@@ -95,6 +95,16 @@ pub fn orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign 
     if spread.flat() {
         return Sign::Zero;
     }
+    orient3d_exact([a, b, c, d], spread.max())
+}
+
+/// The exact level; `size` bounds all differences.
+#[cold]
+#[inline(never)]
+fn orient3d_exact([a, b, c, d]: [&[f64; 3]; 4], size: f64) -> Sign {
+    if let Some(rows) = wide::short_differences([a, b, c, d], size) {
+        return wide::short_orient3d(&rows);
+    }
     match differences([a, b, c, d]) {
         Some(rows) => wide::orient3d(&rows),
         None => robust_orient3d(a, b, c, d),
@@ -128,7 +138,24 @@ pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
     if det.abs() > 2.5 * f64::EPSILON * (left.abs() + right.abs()) + f64::MIN_POSITIVE {
         return Sign::of(det);
     }
-    if let Some(rows) = differences([&[a[0], a[1], 0.0], &[b[0], b[1], 0.0], &[c[0], c[1], 0.0]]) {
+    // In the exact range a product vanishes only with a factor, and a difference only between equal numbers.
+    if left == 0.0 || right == 0.0 {
+        return Sign::of(det);
+    }
+    orient2d_exact(a, b, c)
+}
+
+/// The exact level; neither `a` nor `b` equals `c`.
+#[cold]
+#[inline(never)]
+fn orient2d_exact(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
+    let points = [a, b, c].map(|p| [p[0], p[1], 0.0]);
+    let [pa, pb, pc] = &points;
+    let size = filter::Spread::of([pa, pb, pc]).max();
+    if let Some(rows) = wide::short_differences([pa, pb, pc], size) {
+        return wide::short_orient2d(&rows);
+    }
+    if let Some(rows) = differences([pa, pb, pc]) {
         return wide::orient2d(&rows, 0, 1);
     }
     let coord = |p: [f64; 2]| robust::Coord { x: p[0], y: p[1] };

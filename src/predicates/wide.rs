@@ -109,6 +109,15 @@ pub(crate) fn short_orient3d([a, b, c]: &[[i64; 3]; 3]) -> Sign {
     -Triple::combined([a[2], b[2], c[2]], minors).sign()
 }
 
+/// Sign of the 2D orientation of (a, b, c) in the first two coordinates, from the differences to c.
+pub(crate) fn short_orient2d([a, b]: &[[i64; 3]; 2]) -> Sign {
+    match short_minor(a, b) {
+        0 => Sign::Zero,
+        minor if minor < 0 => Sign::Negative,
+        _ => Sign::Positive,
+    }
+}
+
 /// Positive when e is inside the circumsphere of the positive tetrahedron (a, b, c, d), from the differences to e.
 pub(crate) fn short_insphere([a, b, c, d]: &[[i64; 3]; 4]) -> Sign {
     let (ab, ac, ad) = (short_minor(a, b), short_minor(a, c), short_minor(a, d));

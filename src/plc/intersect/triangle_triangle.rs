@@ -57,14 +57,14 @@ fn separated_in_projection(a: &Triangle, b: &Triangle, b_shared: &[bool; 3]) -> 
     };
     (0..3).any(|k| {
         let ([p, q], ends) = (a.edge_points(k), a.edge(k));
+        // Common corners are on the edge's line only if they are its ends: most edges drop out here, without a sign.
+        if (0..3).any(|i| b_shared[i] && !ends.contains(&b.ids[i])) {
+            return false;
+        }
         // Per end of the edge: common with `b`; some corner of `b` on the line beyond it.
-        let (mut common, mut beyond) = ([false; 2], [false; 2]);
-        let outside = (0..3).all(|i| {
-            let (id, corner) = (b.ids[i], &b.corners[i]);
-            if b_shared[i] {
-                common = [common[0] || id == ends[0], common[1] || id == ends[1]];
-                return ends.contains(&id);
-            }
+        let (common, mut beyond) = (ends.map(|v| b.ids.contains(&v)), [false; 2]);
+        let outside = (0..3).filter(|&i| !b_shared[i]).all(|i| {
+            let corner = &b.corners[i];
             match projection.turn(p, q, corner) {
                 Sign::Negative => true,
                 Sign::Positive => false,
