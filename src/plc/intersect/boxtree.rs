@@ -4,7 +4,10 @@
 //! an array (node `i` has children `2i + 1` and `2i + 2`), so neither building nor traversing recurses (linear BVH:
 //! Lauterbach et al. 2009). Pairs come from a traversal of the tree against itself.
 //!
+//! Boxes that belong to fans come first, fan by fan; pairs of one fan are told apart also by directions (see [`fans`](super::fans)).
+//!
 //! Boxes are in single precision, rounded so that no pair that meets is missed (see [`Frame`]).
+use super::fans::{Fans, Member};
 use crate::error::Error;
 
 /// An axis-parallel box in the numbers of a [`Frame`].
@@ -23,6 +26,12 @@ pub(super) struct Frame {
 }
 
 impl Frame {
+    /// The frame for the box from `low` on with edges up to `extent`.
+    pub(super) const fn new(low: [f64; 3], extent: f64) -> Frame {
+        // Halves, so that no finite extent overflows.
+        Frame { half_low: [0.5 * low[0], 0.5 * low[1], 0.5 * low[2]], scale: 2.0 / extent }
+    }
+
     /// The frame for all given points.
     pub(super) fn of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Frame {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
@@ -48,10 +57,10 @@ impl Frame {
 }
 
 impl Bounds {
-    const EMPTY: Bounds = Bounds { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
+    pub(super) const EMPTY: Bounds = Bounds { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
     #[inline(always)]
-    fn union(&self, other: &Bounds) -> Bounds {
+    pub(super) fn union(&self, other: &Bounds) -> Bounds {
         // Plain comparisons: there are no NaNs, and these become single instructions.
         let min = |a: f32, b: f32| if a < b { a } else { b };
         let max = |a: f32, b: f32| if a > b { a } else { b };
@@ -87,14 +96,19 @@ pub(super) struct BoxTree {
     nodes: Vec<Bounds>,
     /// Number of leaves.
     leaves: usize,
+    /// The boxes that belong to fans: the first ones.
+    members: Vec<Member>,
+    /// What the nodes are in the fans; empty if there are none.
+    node_members: Vec<Member>,
 }
 
 impl BoxTree {
-    /// Builds the tree over `bounds`.
-    pub(super) fn new(bounds: &[Bounds]) -> Result<BoxTree, Error> {
+    /// Builds the tree over `bounds`, some of which belong to fans.
+    pub(super) fn new(bounds: &[Bounds], fans: Fans) -> Result<BoxTree, Error> {
         let mut keyed = Vec::new();
         keyed.try_reserve_exact(bounds.len())?;
-        keyed.extend((0u32..).zip(bounds).map(|(i, b)| (morton_code(b), i)));
+        keyed.extend((0u32..).zip(bounds).map(|(i, b)| (AFTER_FANS | morton_code(b), i)));
+        (0..).zip(&fans.elements).for_each(|(k, &i)| keyed[i as usize].0 = k);
         keyed.sort_unstable();
         let (mut order, mut sorted, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
         order.try_reserve_exact(bounds.len())?;
@@ -110,7 +124,20 @@ impl BoxTree {
         for i in (0..leaves - 1).rev() {
             nodes[i] = nodes[2 * i + 1].union(&nodes[2 * i + 2]);
         }
-        Ok(BoxTree { order, bounds: sorted, nodes, leaves })
+        let node_members = node_members(&fans.members, leaves)?;
+        Ok(BoxTree { order, bounds: sorted, nodes, leaves, members: fans.members, node_members })
+    }
+
+    /// Whether two elements, given by their places, or any two of two nodes, have their apex in common and nothing else.
+    #[inline]
+    fn apart(members: &[Member], x: usize, y: usize) -> bool {
+        x.max(y) < members.len() && members[x].apart(&members[y])
+    }
+
+    /// Whether two elements, given by their places, may meet.
+    #[inline(always)]
+    fn may_meet(&self, i: usize, j: usize) -> bool {
+        self.bounds[i].meets(&self.bounds[j]) && !BoxTree::apart(&self.members, i, j)
     }
 
     /// The input index of each box in the order of the curve.
@@ -164,7 +191,7 @@ impl BoxTree {
         Ok(false)
     }
 
-    /// Calls `visit(i, j, done)` once for each pair of boxes that meet, given by their places in the curve's order, until it
+    /// Calls `visit(i, j, done)` once for each pair of boxes that meet, but for pairs known to have only their apex in common, given by their places in the curve's order, until it
     /// fails; `done` grows from 0 to 1.
     pub(super) fn for_each_pair(
         &self,
@@ -185,7 +212,7 @@ impl BoxTree {
                     // The pair of different children is done between the two, near both in memory.
                     stack.extend([(2 * x + 2, 2 * x + 2), (2 * x + 1, 2 * x + 2), (2 * x + 1, 2 * x + 1)]);
                 }
-            } else if self.nodes[x].meets(&self.nodes[y]) {
+            } else if self.nodes[x].meets(&self.nodes[y]) && !BoxTree::apart(&self.node_members, x, y) {
                 if x >= first_leaf {
                     let done = finished as f64 / self.leaves as f64;
                     self.pairs_of_leaves(x - first_leaf, y - first_leaf, done, &mut visit)?;
@@ -213,7 +240,7 @@ impl BoxTree {
         let range = self.leaf(leaf);
         for i in range.clone() {
             for j in i + 1..range.end {
-                if self.bounds[i].meets(&self.bounds[j]) {
+                if self.may_meet(i, j) {
                     visit(i, j, done)?;
                 }
             }
@@ -235,7 +262,7 @@ impl BoxTree {
                 continue;
             }
             for j in self.leaf(y) {
-                if bounds.meets(&self.bounds[j]) {
+                if self.may_meet(i, j) {
                     visit(i, j, done)?;
                 }
             }
@@ -244,8 +271,29 @@ impl BoxTree {
     }
 }
 
+/// Keys of boxes that belong to no fan have this bit, which Morton codes leave free.
+const AFTER_FANS: u64 = 1 << 63;
+
+/// What the nodes of a tree are in the fans, if there are any; the first boxes are `members`.
+fn node_members(members: &[Member], leaves: usize) -> Result<Vec<Member>, Error> {
+    let mut nodes = Vec::new();
+    if members.is_empty() {
+        return Ok(nodes);
+    }
+    nodes.try_reserve_exact(2 * leaves - 1)?;
+    nodes.resize(2 * leaves - 1, Member::MIXED);
+    // A leaf that the members fill only in part is mixed.
+    for (leaf, chunk) in members.chunks_exact(LEAF).enumerate() {
+        nodes[leaves - 1 + leaf] = chunk[1..].iter().fold(chunk[0], |all, m| all.union(m));
+    }
+    for i in (0..leaves - 1).rev() {
+        nodes[i] = nodes[2 * i + 1].union(&nodes[2 * i + 2]);
+    }
+    Ok(nodes)
+}
+
 /// The position of a box's centre on a Morton curve of 21 bits per axis. Any value would be valid: it only steers speed.
-fn morton_code(bounds: &Bounds) -> u64 {
+pub(super) fn morton_code(bounds: &Bounds) -> u64 {
     (0..3).fold(0, |code, k| {
         let centre = 0.5 * (bounds.low[k] + bounds.high[k]);
         // The cast saturates.

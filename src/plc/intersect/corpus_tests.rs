@@ -118,8 +118,8 @@ fn touching_pairs(surface: &Surface) -> usize {
     let facets: Vec<u32> = (0..surface.triangles.len() as u32).collect();
     let (points, triangles) = (&surface.points, &surface.triangles);
     let input = IntersectInput { points, vertices: &[], triangles, triangle_facet: &facets, segments: &[] };
-    let (elements, bounds) = list_elements(&input).unwrap();
-    let tree = BoxTree::new(&bounds).unwrap();
+    let (elements, bounds, fans) = list_elements(&input).unwrap();
+    let tree = BoxTree::new(&bounds, fans).unwrap();
     let scene = Scene::new(&input, &elements, tree.order()).unwrap();
     let mut count = 0;
     let visited = tree.for_each_pair(|i, j, _| {

@@ -2,15 +2,16 @@
 //!
 //! Two elements may meet in common vertices and edges, and where a vertex of one lies on the other; after such vertices
 //! have split what they lie on, everything meets in shared vertices and edges only. Every other contact is a defect.
-//! All decisions are exact signs of determinants of the given doubles. Candidates come from a box hierarchy ([`boxtree`]);
-//! each candidate pair is visited once and classified by the signs of its corners against each other's planes
-//! (Möller 1997, "A fast triangle-triangle intersection test", with exact signs; Guigue & Devillers 2003 for the predicates).
+//! All decisions are exact signs of determinants of the given doubles. Candidates come from a box hierarchy ([`boxtree`]), for
+//! many elements at one vertex also from their directions there ([`fans`]); each candidate pair is visited once and classified by
+//! the signs of its corners against each other's planes (Möller 1997, "A fast triangle-triangle intersection test", with exact signs; Guigue & Devillers 2003 for the predicates).
 //!
 //! Invariant: the lists are sorted and free of duplicates, and depend on the input alone.
 use crate::error::{Defect, Error};
 use crate::progress::{report, Observer, Phase};
 use boxtree::{Bounds, BoxTree, Frame};
 use collector::Collector;
+use fans::Fans;
 use locate_point::Triangle;
 
 mod boxtree;
@@ -18,6 +19,9 @@ mod collector;
 mod coplanar;
 #[cfg(test)]
 mod corpus_tests;
+mod fans;
+#[cfg(test)]
+mod fans_tests;
 mod locate_point;
 pub mod obstacles;
 #[cfg(test)]
@@ -89,8 +93,8 @@ pub fn find_intersections(
 ) -> Result<Intersections, Error> {
     check_indices(input)?;
     report(observer, Phase::Validate, 0.0)?;
-    let (elements, bounds) = list_elements(input)?;
-    let tree = BoxTree::new(&bounds)?;
+    let (elements, bounds, fans) = list_elements(input)?;
+    let tree = BoxTree::new(&bounds, fans)?;
     drop(bounds);
     let scene = Scene::new(input, &elements, tree.order())?;
     let mut collector = Collector::new(max_defects);
@@ -132,14 +136,14 @@ fn check_indices(input: &IntersectInput) -> Result<(), Error> {
     Ok(())
 }
 
-/// Triangles, segments and isolated vertices with their boxes.
-fn list_elements(input: &IntersectInput) -> Result<(Vec<Item>, Vec<Bounds>), Error> {
-    let mut used = Vec::new();
-    used.try_reserve_exact(input.points.len())?;
-    used.resize(input.points.len(), false);
+/// Triangles, segments and isolated vertices with their boxes, and the fans of the triangles and segments.
+fn list_elements(input: &IntersectInput) -> Result<(Vec<Item>, Vec<Bounds>, Fans), Error> {
+    let mut valence = Vec::new();
+    valence.try_reserve_exact(input.points.len())?;
+    valence.resize(input.points.len(), 0);
     let corners = input.triangles.iter().flatten().chain(input.segments.iter().flatten());
-    corners.for_each(|&v| used[v as usize] = true);
-    let isolated = input.vertices.iter().filter(|&&v| !used[v as usize]);
+    corners.for_each(|&v| valence[v as usize] += 1);
+    let isolated = input.vertices.iter().filter(|&&v| valence[v as usize] == 0);
     let count = input.triangles.len() + input.segments.len() + isolated.clone().count();
     let (mut elements, mut bounds) = (Vec::new(), Vec::new());
     elements.try_reserve_exact(count)?;
@@ -152,7 +156,8 @@ fn list_elements(input: &IntersectInput) -> Result<(Vec<Item>, Vec<Bounds>), Err
     (0..).zip(input.triangles).for_each(|(i, corners)| add(Item::Triangle(i), corners));
     (0..).zip(input.segments).for_each(|(i, ends)| add(Item::Segment(i), ends));
     isolated.for_each(|&v| add(Item::Vertex(v), &[v]));
-    Ok((elements, bounds))
+    let fans = Fans::new(input, &valence)?;
+    Ok((elements, bounds, fans))
 }
 
 /// All elements in the order of the tree, so that neighbours in space are neighbours in memory.

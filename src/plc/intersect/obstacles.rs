@@ -7,6 +7,7 @@
 //! A contact that would be legal elsewhere (a vertex in an edge or a triangle) counts as an obstacle too.
 use super::boxtree::{BoxTree, Frame};
 use super::collector::Collector;
+use super::fans::Fans;
 use super::locate_point::Triangle;
 use super::{segment_triangle, triangle_triangle};
 use crate::error::Error;
@@ -56,7 +57,7 @@ impl Obstacles {
         bounds.extend(triangles.iter().map(|t| frame.bounds(t.iter().map(at))));
         bounds.extend(segments.iter().map(|s| frame.bounds(s.iter().map(at))));
         bounds.extend(seeds.iter().map(|p| frame.bounds([p].into_iter())));
-        let tree = BoxTree::new(&bounds)?;
+        let tree = BoxTree::new(&bounds, Fans::default())?;
         let mut place = Vec::new();
         place.try_reserve_exact(triangles.len())?;
         place.resize(triangles.len(), 0);

@@ -238,7 +238,7 @@ fn boxes_at_the_ends_of_the_range_still_meet() {
         let frame = Frame::of(points.iter());
         let bounds = [frame.bounds(points[..2].iter()), frame.bounds(points[2..].iter())];
         let mut pairs = vec![];
-        let visited = BoxTree::new(&bounds).unwrap().for_each_pair(|i, j, _| {
+        let visited = BoxTree::new(&bounds, Fans::default()).unwrap().for_each_pair(|i, j, _| {
             pairs.push((i.min(j), i.max(j)));
             Ok(())
         });
@@ -255,7 +255,7 @@ fn all_meeting_boxes_are_found_once() {
     let frame = Frame::of(points.iter());
     let pieces: Vec<&[[f64; 3]]> = (0..299).map(|i| &points[2 * i..2 * i + 1 + i % 2]).collect();
     let bounds: Vec<Bounds> = pieces.iter().map(|p| frame.bounds(p.iter())).collect();
-    let tree = BoxTree::new(&bounds).unwrap();
+    let tree = BoxTree::new(&bounds, Fans::default()).unwrap();
     let mut found = vec![];
     let place = |i: usize| tree.order()[i] as usize;
     let visited = tree.for_each_pair(|i, j, _| {
