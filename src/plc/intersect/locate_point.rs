@@ -100,11 +100,16 @@ impl Projection {
         }
     }
 
+    /// A point in the projection.
+    #[inline(always)]
+    pub(super) fn flat(&self, p: &[f64; 3]) -> [f64; 2] {
+        [p[usize::from(self.x)], p[usize::from(self.y)]]
+    }
+
     /// Positive when `a`, `b`, `c` turn left in the projection.
     #[inline]
     pub(super) fn turn(&self, a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
-        let flat = |p: &[f64; 3]| [p[usize::from(self.x)], p[usize::from(self.y)]];
-        orient2d(flat(a), flat(b), flat(c))
+        orient2d(self.flat(a), self.flat(b), self.flat(c))
     }
 
     /// Which end of `p q` (0 or 1) a point `r` on its line in the projection lies strictly beyond, if it does.

@@ -14,11 +14,100 @@ use crate::predicates::Sign;
 /// Classifies two triangles.
 #[inline]
 pub(super) fn classify(a: &Triangle, b: &Triangle, out: &mut Collector) -> Result<(), Error> {
-    let shared: usize = a.ids.iter().map(|v| b.ids.iter().map(|w| usize::from(v == w)).sum::<usize>()).sum();
-    if shared < 3 && (one_side_by_filter(b, a, shared) || one_side_by_filter(a, b, shared)) {
+    let shared = match CommonCorners::of(a, b) {
+        CommonCorners::None => 0,
+        CommonCorners::One(i, j) if cones_apart_by_filter(a, i, b, j) => return Ok(()),
+        CommonCorners::One(..) => 1,
+        CommonCorners::Two(i, j) if wings_apart_by_filter(a, i, &b.corners[j]) => return Ok(()),
+        CommonCorners::Two(..) => 2,
+        CommonCorners::All => return out.triangles(DefectKind::DuplicateFacet, a, b, centroid(a)),
+    };
+    if one_side_by_filter(b, a, shared) || one_side_by_filter(a, b, shared) {
         return Ok(());
     }
-    classify_close(a, b, shared, out)
+    classify_close(a, b, out)
+}
+
+/// Which corners two triangles have in common.
+enum CommonCorners {
+    None,
+    /// The places of the common corner in the two.
+    One(usize, usize),
+    /// The places of the corners that are not common.
+    Two(usize, usize),
+    All,
+}
+
+impl CommonCorners {
+    /// Without branches up to the last step: this runs for every candidate pair.
+    #[inline(always)]
+    fn of(a: &Triangle, b: &Triangle) -> CommonCorners {
+        let (mut in_a, mut in_b) = (0usize, 0usize);
+        for i in 0..3 {
+            for j in 0..3 {
+                let equal = usize::from(a.ids[i] == b.ids[j]);
+                in_a |= equal << i;
+                in_b |= equal << j;
+            }
+        }
+        // The place of the only bit that is set, or not set.
+        const ONLY: [usize; 8] = [0, 0, 1, 2, 2, 1, 0, 0];
+        let (i, j) = (ONLY[in_a], ONLY[in_b]);
+        match in_a {
+            0 => CommonCorners::None,
+            1 | 2 | 4 => CommonCorners::One(i, j),
+            7 => CommonCorners::All,
+            _ => CommonCorners::Two(i, j),
+        }
+    }
+}
+
+/// Whether rounded arithmetic can tell that two triangles with only the corners `i` and `j` in common are apart elsewhere: seen
+/// along an axis from where `a` keeps an area, the line of an edge at that corner has `a` on one side and `b` on the other, one of
+/// them strictly. What is common lies above the corner, then, and so does of `a` the corner alone.
+#[inline(always)]
+fn cones_apart_by_filter(a: &Triangle, i: usize, b: &Triangle, j: usize) -> bool {
+    let Some(projection) = a.projection else {
+        return false;
+    };
+    let from = projection.flat(&a.corners[i]);
+    let arm = |t: &Triangle, k: usize| {
+        let p = projection.flat(&t.corners[NEXT[k]]);
+        [p[0] - from[0], p[1] - from[1]]
+    };
+    // `a` turns left from its first arm to its second.
+    let [a1, a2, b1, b2] = [arm(a, i), arm(a, i + 1), arm(b, j), arm(b, j + 1)];
+    let ([l11, r11], [l12, r12]) = (turn_by_filter(a1, b1), turn_by_filter(a1, b2));
+    let ([l21, r21], [l22, r22]) = (turn_by_filter(a2, b1), turn_by_filter(a2, b2));
+    let [left, right] = turn_by_filter(b1, b2);
+    // Beyond an edge of `a`; beyond one of `b`, whichever way it turns.
+    (r11 & r12) | (l21 & l22) | (left & ((l11 & l21) | (r12 & r22))) | (right & ((r11 & r21) | (l12 & l22)))
+}
+
+/// The next corner of a triangle, also after the third.
+const NEXT: [usize; 4] = [1, 2, 0, 1];
+
+/// Whether rounded arithmetic can tell that the second vector, from where the first begins, turns left of it, and right of it. The
+/// bound is that of [`orient2d`](crate::predicates::orient2d()).
+#[inline(always)]
+fn turn_by_filter(u: [f64; 2], v: [f64; 2]) -> [bool; 2] {
+    let (plus, minus) = (u[0] * v[1], u[1] * v[0]);
+    let bound = 2.5 * f64::EPSILON * (plus.abs() + minus.abs()) + f64::MIN_POSITIVE;
+    [plus - minus > bound, minus - plus > bound]
+}
+
+/// Whether rounded arithmetic can tell that `a` and a triangle with two of its corners and `p`, all but corner `i`, meet in that edge
+/// alone: seen along an axis from where `a` keeps an area, `p` is beyond the edge.
+#[inline(always)]
+fn wings_apart_by_filter(a: &Triangle, i: usize, p: &[f64; 3]) -> bool {
+    let Some(projection) = a.projection else {
+        return false;
+    };
+    let (q, r) = (projection.flat(&a.corners[NEXT[i]]), projection.flat(&a.corners[NEXT[i + 1]]));
+    let p = projection.flat(p);
+    let [beyond, _] = turn_by_filter([q[0] - r[0], q[1] - r[1]], [p[0] - r[0], p[1] - r[1]]);
+    // `a` turns left from q to r, so it is on the right of the way back.
+    beyond
 }
 
 /// Whether rounded arithmetic can tell that all corners of `t` but the `shared` common ones lie strictly on one side of `of`. (For a
@@ -34,12 +123,9 @@ fn one_side_by_filter(t: &Triangle, of: &Triangle, shared: usize) -> bool {
     above == 3 || below == 3
 }
 
-/// Classifies two triangles that the filter cannot tell apart.
+/// Classifies two triangles that the filters cannot tell apart.
 #[inline(never)]
-fn classify_close(a: &Triangle, b: &Triangle, shared: usize, out: &mut Collector) -> Result<(), Error> {
-    if shared == 3 {
-        return out.triangles(DefectKind::DuplicateFacet, a, b, centroid(a));
-    }
+fn classify_close(a: &Triangle, b: &Triangle, out: &mut Collector) -> Result<(), Error> {
     let a_shared = a.ids.map(|v| b.ids.contains(&v));
     let b_shared = b.ids.map(|v| a.ids.contains(&v));
     if separated_in_projection(a, b, &b_shared) || separated_in_projection(b, a, &a_shared) {
