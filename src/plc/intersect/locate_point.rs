@@ -14,47 +14,25 @@ pub(super) struct Triangle {
     pub(super) corners: [[f64; 3]; 3],
     /// The projection along about the longest component of the normal; none if the triangle is degenerate.
     pub(super) projection: Option<Projection>,
-    /// The normal, rounded.
-    normal: [f64; 3],
-    /// For each component of the normal, the sum of the sizes of the two products it is the difference of.
-    permanent: [f64; 3],
 }
 
-/// Bound on the relative error of a determinant as [`Triangle::side`] rounds it, against the permanent: above (7 + 56 u) u with
+/// Bound on the relative error of a determinant as [`RoundedPlane::side`] rounds it, against the permanent: above (7 + 56 u) u with
 /// u = 2^-53, which Shewchuk 1997 (section 4.4, stage A) proves for three minors times differences, in whatever order of rows.
 const FILTER: f64 = 8.0 / 9_007_199_254_740_992.0;
 
 impl Triangle {
     pub(super) fn new(points: &[[f64; 3]], index: u32, facet: u32, ids: [u32; 3]) -> Triangle {
         let corners = ids.map(|v| points[v as usize]);
-        let [a, b, c] = &corners;
-        let (mut normal, mut permanent) = ([0.0; 3], [0.0; 3]);
-        for k in 0..3 {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            let (plus, minus) = ((b[i] - a[i]) * (c[j] - a[j]), (b[j] - a[j]) * (c[i] - a[i]));
-            normal[k] = plus - minus;
-            permanent[k] = plus.abs() + minus.abs();
-        }
+        let normal = RoundedPlane::of(&corners).normal;
         let longest = (1..3).fold(0, |l, k| if normal[k].abs() > normal[l].abs() { k } else { l });
         let projection = Projection::along(longest as u8, &corners).or_else(|| Projection::of(&corners));
-        Triangle { index, facet, ids, corners, projection, normal, permanent }
-    }
-
-    /// The determinant whose sign is the side of a point, rounded, and a bound on its error.
-    #[inline(always)]
-    pub(super) fn rounded_side(&self, p: &[f64; 3]) -> (f64, f64) {
-        let a = &self.corners[0];
-        let d = [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-        let (n, m) = (&self.normal, &self.permanent);
-        let det = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
-        let permanent = d[0].abs() * m[0] + d[1].abs() * m[1] + d[2].abs() * m[2];
-        (det, FILTER * permanent)
+        Triangle { index, facet, ids, corners, projection }
     }
 
     /// On which side of the plane a point lies.
     #[inline]
     pub(super) fn side(&self, p: &[f64; 3]) -> Sign {
-        let (det, bound) = self.rounded_side(p);
+        let (det, bound) = RoundedPlane::of(&self.corners).side(p);
         // With a bound of zero every product vanishes, and so does the sign: common in planes across an axis.
         if det.abs() > bound || bound == 0.0 {
             return Sign::of(det);
@@ -71,6 +49,39 @@ impl Triangle {
     /// The ends of an edge.
     pub(super) fn edge_points(&self, k: usize) -> [&[f64; 3]; 2] {
         [&self.corners[k], &self.corners[(k + 1) % 3]]
+    }
+}
+
+/// The plane of a triangle in rounded arithmetic. Few pairs need it, and it is sooner computed than fetched.
+pub(super) struct RoundedPlane<'a> {
+    at: &'a [f64; 3],
+    normal: [f64; 3],
+    /// For each component of the normal, the sum of the sizes of the two products it is the difference of.
+    permanent: [f64; 3],
+}
+
+impl RoundedPlane<'_> {
+    #[inline(always)]
+    pub(super) fn of(corners: &[[f64; 3]; 3]) -> RoundedPlane<'_> {
+        let [a, b, c] = corners;
+        let (mut normal, mut permanent) = ([0.0; 3], [0.0; 3]);
+        for k in 0..3 {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            let (plus, minus) = ((b[i] - a[i]) * (c[j] - a[j]), (b[j] - a[j]) * (c[i] - a[i]));
+            normal[k] = plus - minus;
+            permanent[k] = plus.abs() + minus.abs();
+        }
+        RoundedPlane { at: a, normal, permanent }
+    }
+
+    /// The determinant whose sign is the side of a point, rounded, and a bound on its error.
+    #[inline(always)]
+    pub(super) fn side(&self, p: &[f64; 3]) -> (f64, f64) {
+        let d = [p[0] - self.at[0], p[1] - self.at[1], p[2] - self.at[2]];
+        let (n, m) = (&self.normal, &self.permanent);
+        let det = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
+        let permanent = d[0].abs() * m[0] + d[1].abs() * m[1] + d[2].abs() * m[2];
+        (det, FILTER * permanent)
     }
 }
 

@@ -6,7 +6,7 @@
 //! both is legal. An edge of one in the interior of the other is as good as a segment given there.
 use super::collector::Collector;
 use super::coplanar::{self, centroid, opposite, record_vertex};
-use super::locate_point::{locate_in_plane, Location, Triangle};
+use super::locate_point::{locate_in_plane, Location, RoundedPlane, Triangle};
 use super::segment_triangle::{pierce, piercing_point};
 use crate::error::{DefectKind, Error};
 use crate::predicates::Sign;
@@ -115,8 +115,9 @@ fn wings_apart_by_filter(a: &Triangle, i: usize, p: &[f64; 3]) -> bool {
 #[inline(always)]
 fn one_side_by_filter(t: &Triangle, of: &Triangle, shared: usize) -> bool {
     let (mut above, mut below) = (shared, shared);
+    let plane = RoundedPlane::of(&of.corners);
     for p in &t.corners {
-        let (det, bound) = of.rounded_side(p);
+        let (det, bound) = plane.side(p);
         above += usize::from(det > bound);
         below += usize::from(det < -bound);
     }
