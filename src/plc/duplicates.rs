@@ -1,4 +1,5 @@
 //! Equal points: each is mapped to the first of its kind, by sorting. `-0.0` equals `0.0`.
+use super::radix::sort_keyed;
 use crate::error::Error;
 
 /// A key that sorts like the finite number itself; both zeros get the same key.
@@ -20,7 +21,7 @@ pub fn first_equal(points: &[[f64; 3]]) -> Result<Vec<u32>, Error> {
     let mut order: Vec<(u64, u32)> = Vec::new();
     order.try_reserve_exact(points.len())?;
     order.extend(points.iter().enumerate().map(|(i, p)| (key(p[0]), i as u32)));
-    order.sort_unstable();
+    sort_keyed(&mut order)?;
     let mut begin = 0;
     while begin < order.len() {
         let x = order[begin].0;

@@ -10,6 +10,7 @@ pub mod merge;
 pub mod patch;
 pub mod polygon;
 pub mod prepare;
+mod radix;
 pub mod split;
 pub mod surface;
 

@@ -7,6 +7,7 @@
 //! Boxes that belong to fans come first, fan by fan; pairs of one fan are told apart also by directions (see [`fans`](super::fans)).
 //!
 //! Boxes are in single precision, rounded so that no pair that meets is missed (see [`Frame`]).
+use super::super::radix::sort_keyed;
 use super::fans::{Fans, Member};
 use crate::error::Error;
 
@@ -109,7 +110,7 @@ impl BoxTree {
         keyed.try_reserve_exact(bounds.len())?;
         keyed.extend((0u32..).zip(bounds).map(|(i, b)| (AFTER_FANS | morton_code(b), i)));
         (0..).zip(&fans.elements).for_each(|(k, &i)| keyed[i as usize].0 = k);
-        keyed.sort_unstable();
+        sort_keyed(&mut keyed)?;
         let (mut order, mut sorted, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
         order.try_reserve_exact(bounds.len())?;
         sorted.try_reserve_exact(bounds.len())?;

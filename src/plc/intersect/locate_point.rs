@@ -20,12 +20,23 @@ pub(super) struct Triangle {
 /// u = 2^-53, which Shewchuk 1997 (section 4.4, stage A) proves for three minors times differences, in whatever order of rows.
 const FILTER: f64 = 8.0 / 9_007_199_254_740_992.0;
 
+/// Bound on the error of a 2D orientation as [`orient2d`] has it, from the sum of the sizes of its two products.
+#[inline(always)]
+pub(super) fn turn_bound(permanent: f64) -> f64 {
+    2.5 * f64::EPSILON * permanent + f64::MIN_POSITIVE
+}
+
 impl Triangle {
     pub(super) fn new(points: &[[f64; 3]], index: u32, facet: u32, ids: [u32; 3]) -> Triangle {
         let corners = ids.map(|v| points[v as usize]);
-        let normal = RoundedPlane::of(&corners).normal;
+        let RoundedPlane { normal, permanent, .. } = RoundedPlane::of(&corners);
         let longest = (1..3).fold(0, |l, k| if normal[k].abs() > normal[l].abs() { k } else { l });
-        let projection = Projection::along(longest as u8, &corners).or_else(|| Projection::of(&corners));
+        // A component of the normal is a turn in the projection: the filter of `orient2d`.
+        let projection = if normal[longest].abs() > turn_bound(permanent[longest]) {
+            Some(Projection::turning(longest as u8, normal[longest] > 0.0))
+        } else {
+            Projection::of(&corners)
+        };
         Triangle { index, facet, ids, corners, projection }
     }
 
@@ -102,12 +113,19 @@ impl Projection {
     /// The projection along one axis; none if the triangle loses its area in it.
     fn along(axis: u8, corners: &[[f64; 3]; 3]) -> Option<Projection> {
         let [a, b, c] = corners;
-        let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
-        let projection = Projection { x, y };
-        match projection.turn(a, b, c) {
-            Sign::Positive => Some(projection),
-            Sign::Negative => Some(Projection { x: y, y: x }),
+        match Projection::turning(axis, true).turn(a, b, c) {
             Sign::Zero => None,
+            sign => Some(Projection::turning(axis, sign == Sign::Positive)),
+        }
+    }
+
+    /// The projection along an axis, mirrored if a triangle does not turn left.
+    fn turning(axis: u8, left: bool) -> Projection {
+        let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
+        if left {
+            Projection { x, y }
+        } else {
+            Projection { x: y, y: x }
         }
     }
 

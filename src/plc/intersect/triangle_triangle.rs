@@ -6,7 +6,7 @@
 //! both is legal. An edge of one in the interior of the other is as good as a segment given there.
 use super::collector::Collector;
 use super::coplanar::{self, centroid, opposite, record_vertex};
-use super::locate_point::{locate_in_plane, Location, RoundedPlane, Triangle};
+use super::locate_point::{locate_in_plane, turn_bound, Location, RoundedPlane, Triangle};
 use super::segment_triangle::{pierce, piercing_point};
 use crate::error::{DefectKind, Error};
 use crate::predicates::Sign;
@@ -87,12 +87,11 @@ fn cones_apart_by_filter(a: &Triangle, i: usize, b: &Triangle, j: usize) -> bool
 /// The next corner of a triangle, also after the third.
 const NEXT: [usize; 4] = [1, 2, 0, 1];
 
-/// Whether rounded arithmetic can tell that the second vector, from where the first begins, turns left of it, and right of it. The
-/// bound is that of [`orient2d`](crate::predicates::orient2d()).
+/// Whether rounded arithmetic can tell that the second vector, from where the first begins, turns left of it, and right of it.
 #[inline(always)]
 fn turn_by_filter(u: [f64; 2], v: [f64; 2]) -> [bool; 2] {
     let (plus, minus) = (u[0] * v[1], u[1] * v[0]);
-    let bound = 2.5 * f64::EPSILON * (plus.abs() + minus.abs()) + f64::MIN_POSITIVE;
+    let bound = turn_bound(plus.abs() + minus.abs());
     [plus - minus > bound, minus - plus > bound]
 }
 
