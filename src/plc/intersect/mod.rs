@@ -192,16 +192,12 @@ impl<'a> Scene<'a> {
         let triangle = |i: u32| &self.triangles[i as usize];
         let segment = |i: u32| (i, self.input.segments[i as usize]);
         let (x, y) = (self.items[x], self.items[y]);
+        if let (Item::Triangle(i), Item::Triangle(j)) = (x, y) {
+            let (a, b) = (triangle(i), triangle(j));
+            // Triangles of one facet come from one triangulation of it: they meet in its edges only.
+            return if a.facet == b.facet { Ok(()) } else { triangle_triangle::classify(a, b, out) };
+        }
         match if x <= y { (x, y) } else { (y, x) } {
-            (Item::Triangle(i), Item::Triangle(j)) => {
-                let (a, b) = (triangle(i), triangle(j));
-                // Triangles of one facet come from one triangulation of it: they meet in its edges only.
-                if a.facet == b.facet {
-                    return Ok(());
-                }
-                let (a, b) = if a.index <= b.index { (a, b) } else { (b, a) };
-                triangle_triangle::classify(a, b, out)
-            }
             (Item::Segment(i), Item::Triangle(j)) => {
                 segment_triangle::classify(points, segment(i), triangle(j), out)
             }

@@ -20,12 +20,14 @@ pub(super) fn classify(a: &Triangle, b: &Triangle, out: &mut Collector) -> Resul
         CommonCorners::One(..) => 1,
         CommonCorners::Two(i, j) if wings_apart_by_filter(a, i, &b.corners[j]) => return Ok(()),
         CommonCorners::Two(..) => 2,
-        CommonCorners::All => return out.triangles(DefectKind::DuplicateFacet, a, b, centroid(a)),
+        CommonCorners::All => 3,
     };
-    if one_side_by_filter(b, a, shared) || one_side_by_filter(a, b, shared) {
+    if shared < 3 && (one_side_by_filter(b, a, shared) || one_side_by_filter(a, b, shared)) {
         return Ok(());
     }
-    classify_close(a, b, out)
+    // In this order, so that the point reported depends on the pair alone.
+    let (a, b) = if a.index <= b.index { (a, b) } else { (b, a) };
+    classify_close(a, b, shared, out)
 }
 
 /// Which corners two triangles have in common.
@@ -42,14 +44,11 @@ impl CommonCorners {
     /// Without branches up to the last step: this runs for every candidate pair.
     #[inline(always)]
     fn of(a: &Triangle, b: &Triangle) -> CommonCorners {
-        let (mut in_a, mut in_b) = (0usize, 0usize);
-        for i in 0..3 {
-            for j in 0..3 {
-                let equal = usize::from(a.ids[i] == b.ids[j]);
-                in_a |= equal << i;
-                in_b |= equal << j;
-            }
-        }
+        let equal = a.ids.map(|v| b.ids.map(|w| v == w));
+        let row = |i: usize| usize::from(equal[i][0] | equal[i][1] | equal[i][2]);
+        let column = |j: usize| usize::from(equal[0][j] | equal[1][j] | equal[2][j]);
+        let in_a = row(0) | row(1) << 1 | row(2) << 2;
+        let in_b = column(0) | column(1) << 1 | column(2) << 2;
         // The place of the only bit that is set, or not set.
         const ONLY: [usize; 8] = [0, 0, 1, 2, 2, 1, 0, 0];
         let (i, j) = (ONLY[in_a], ONLY[in_b]);
@@ -125,7 +124,10 @@ fn one_side_by_filter(t: &Triangle, of: &Triangle, shared: usize) -> bool {
 
 /// Classifies two triangles that the filters cannot tell apart.
 #[inline(never)]
-fn classify_close(a: &Triangle, b: &Triangle, out: &mut Collector) -> Result<(), Error> {
+fn classify_close(a: &Triangle, b: &Triangle, shared: usize, out: &mut Collector) -> Result<(), Error> {
+    if shared == 3 {
+        return out.triangles(DefectKind::DuplicateFacet, a, b, centroid(a));
+    }
     let a_shared = a.ids.map(|v| b.ids.contains(&v));
     let b_shared = b.ids.map(|v| a.ids.contains(&v));
     if separated_in_projection(a, b, &b_shared) || separated_in_projection(b, a, &a_shared) {
