@@ -4,7 +4,7 @@
 //! an array (node `i` has children `2i + 1` and `2i + 2`), so neither building nor traversing recurses (linear BVH:
 //! Lauterbach et al. 2009). Pairs come from a traversal of the tree against itself.
 //!
-//! Boxes that belong to fans come first, fan by fan; pairs of one fan are told apart also by directions (see [`fans`](super::fans)).
+//! Boxes that belong to fans come first, fan by fan; their pairs are told apart also by directions (see [`fans`](super::fans)).
 //!
 //! Boxes are in single precision, rounded so that no pair that meets is missed (see [`Frame`]).
 use super::super::radix::sort_keyed;
@@ -71,6 +71,11 @@ impl Bounds {
         }
     }
 
+    /// The lower and the upper corner.
+    pub(super) fn corners(&self) -> ([f64; 3], [f64; 3]) {
+        (self.low.map(f64::from), self.high.map(f64::from))
+    }
+
     /// Whether two closed boxes have a point in common.
     #[inline(always)]
     pub(super) fn meets(&self, other: &Bounds) -> bool {
@@ -129,7 +134,7 @@ impl BoxTree {
         Ok(BoxTree { order, bounds: sorted, nodes, leaves, members: fans.members, node_members })
     }
 
-    /// Whether two elements, given by their places, or any two of two nodes, have their apex in common and nothing else.
+    /// Whether two elements, given by their places, or any two of two nodes, are of fans and have at most their apex in common.
     #[inline]
     fn apart(members: &[Member], x: usize, y: usize) -> bool {
         x.max(y) < members.len() && members[x].apart(&members[y])
@@ -192,7 +197,7 @@ impl BoxTree {
         Ok(false)
     }
 
-    /// Calls `visit(i, j, done)` once for each pair of boxes that meet, but for pairs known to have only their apex in common, given by their places in the curve's order, until it
+    /// Calls `visit(i, j, done)` once for each pair of boxes that meet, but for those of fans that are known to have at most their apex in common, given by their places in the curve's order, until it
     /// fails; `done` grows from 0 to 1.
     pub(super) fn for_each_pair(
         &self,

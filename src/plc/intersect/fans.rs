@@ -11,9 +11,13 @@
 //! length L < 2 rises 1 − √(1 − L²/4) <= L²/4 above it, so the box of its ends, enlarged by that, holds it. The box is rounded
 //! outwards by more than the errors of the ends.
 //!
-//! An element is in the fan of that corner which has the most elements, if these are [`MANY`]; else in none. Pairs of
-//! elements in different fans, or of which one is in none, are told apart by their boxes only. Still quadratic are many
-//! triangles at one edge, and two fans with their apexes so close that all boxes meet.
+//! Two fans with apexes `v` and `w`, like the side and the base of a cone, are told apart by directions around the axis `a = w − v`.
+//! A common point is `v + α d = w + β d′` with α, β >= 0 and directions d, d′ of the two elements, so α (a × d) = β (a × d′).
+//! Where for all d, d′ of two boxes the determinant (a, d, d′) is not zero, or (a × d)·(a × d′) is negative, these products are
+//! neither zero nor of one direction, so α = β = 0 is left and would make the apexes equal: nothing is common.
+//!
+//! An element is in the fan of that corner which has the most elements, if these are [`MANY`]; else in none. Pairs of which
+//! one is in no fan are told apart by their boxes only. Still quadratic are many triangles at one edge.
 use super::boxtree::{morton_code, Bounds, Frame};
 use super::IntersectInput;
 use crate::error::Error;
@@ -28,26 +32,60 @@ const MANY: u32 = 32;
 pub(super) struct Member {
     /// The fan's vertex; [`INVALID`] for a subtree whose elements are not all in one fan.
     apex: u32,
+    at: [f64; 3],
     /// A box around all directions in which it leaves the apex, the sphere of directions in the unit cube.
     directions: Bounds,
 }
 
 impl Member {
     /// A subtree whose elements are not all in one fan.
-    pub(super) const MIXED: Member = Member { apex: INVALID, directions: Bounds::EMPTY };
+    pub(super) const MIXED: Member = Member { apex: INVALID, at: [0.0; 3], directions: Bounds::EMPTY };
 
     /// What two subtrees are together.
     pub(super) fn union(&self, other: &Member) -> Member {
         if self.apex != other.apex {
             return Member::MIXED;
         }
-        Member { apex: self.apex, directions: self.directions.union(&other.directions) }
+        Member { directions: self.directions.union(&other.directions), ..*self }
     }
 
-    /// Whether two elements, or any two of two subtrees, are known to meet in their common apex only.
+    /// Whether two elements, or any two of two subtrees, are known to meet in a common apex only, or not at all.
     #[inline]
     pub(super) fn apart(&self, other: &Member) -> bool {
-        self.apex == other.apex && self.apex != INVALID && !self.directions.meets(&other.directions)
+        if self.apex == INVALID || other.apex == INVALID {
+            return false;
+        }
+        if self.apex == other.apex {
+            return !self.directions.meets(&other.directions);
+        }
+        self.apart_around_axis(other)
+    }
+
+    /// The same for two fans, by the directions around the axis from apex to apex.
+    #[inline(never)]
+    fn apart_around_axis(&self, other: &Member) -> bool {
+        let Some(axis) = direction(&self.at, &other.at) else {
+            return false;
+        };
+        // Every direction is its box's centre and less than the spread more.
+        let ((c, s), (d, t)) = (self.centre(), other.centre());
+        let (p, q) = (cross(&axis, &c), cross(&axis, &d));
+        let size = axis.map(f64::abs);
+        let (e, f) = (cross_bound(&size, &s), cross_bound(&size, &t));
+        // (a, c + δ, d + ε) = (a, c, d) − δ·(a × d) + ε·(a × c) + a·(δ × ε).
+        let det_bound =
+            dot(&s, &q.map(f64::abs)) + dot(&t, &p.map(f64::abs)) + dot(&size, &cross_bound(&s, &t));
+        let dot_bound = dot(&e, &q.map(f64::abs)) + dot(&f, &p.map(f64::abs)) + dot(&e, &f);
+        dot(&p, &d).abs() > det_bound + ERROR || dot(&p, &q) < -(dot_bound + ERROR)
+    }
+
+    /// The centre of the box of directions, and how far along each axis a direction can be from it.
+    fn centre(&self) -> ([f64; 3], [f64; 3]) {
+        /// More than twice the error of rounding to single precision, below 2^-24 in the unit cube.
+        const SINGLE: f64 = 1.0 / 4_194_304.0;
+        let (low, high) = self.directions.corners();
+        let centre = std::array::from_fn(|k| low[k] + high[k] - 1.0);
+        (centre, std::array::from_fn(|k| high[k] - low[k] + SINGLE))
     }
 }
 
@@ -83,16 +121,17 @@ impl Fans {
         fans.members.try_reserve_exact(found.len())?;
         for (apex, _, element, directions) in found {
             fans.elements.push(element);
-            fans.members.push(Member { apex, directions });
+            fans.members.push(Member { apex, at: input.points[apex as usize], directions });
         }
         Ok(fans)
     }
 }
 
+/// Above all rounding errors of unit vectors, some 2^-49, and of sums of a few of their products.
+const ERROR: f64 = 1.0 / 1_099_511_627_776.0;
+
 /// A box around the directions in which the segment or triangle with these corners leaves its corner `apex`.
 fn directions(points: &[[f64; 3]], apex: u32, corners: &[u32]) -> Bounds {
-    /// Above all rounding errors of the ends, some 2^-49, and of the square of their distance.
-    const ERROR: f64 = 1.0 / 1_099_511_627_776.0;
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for &v in corners.iter().filter(|&&v| v != apex) {
         let Some(unit) = direction(&points[apex as usize], &points[v as usize]) else {
@@ -125,4 +164,17 @@ fn direction(from: &[f64; 3], to: &[f64; 3]) -> Option<[f64; 3]> {
     let d = d.map(|x| x / largest);
     let length = d.iter().map(|x| x * x).sum::<f64>().sqrt();
     Some(d.map(|x| x / length))
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Bounds of the product's components for vectors whose components are bounded in size.
+fn cross_bound(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] + a[2] * b[1], a[2] * b[0] + a[0] * b[2], a[0] * b[1] + a[1] * b[0]]
 }

@@ -93,7 +93,7 @@ fn fans_without_contacts_agree_with_a_test_of_all_pairs() {
     // One element may touch another; most do not.
     let mut random = Random(12);
     for n in [40, 100, 300] {
-        for model in [fan(&mut random, n), cone(n as u32), flat_fan(&mut random, n)] {
+        for model in [fan(&mut random, n), cone(n as u32), flat_fan(&mut random, n), closed_cone(n as u32)] {
             assert_eq!(model.find(), by_brute_force(&model));
         }
     }
@@ -127,6 +127,18 @@ fn cone(n: u32) -> Model {
     model
 }
 
+/// A cone with a fan as its base.
+fn closed_cone(n: u32) -> Model {
+    let mut model = cone(n);
+    model.points.push([0.0, 0.0, 0.5]);
+    model.triangles.extend((0..n).map(|i| [n + 1, 1 + (i + 1) % n, 1 + i]));
+    // In general position.
+    for [x, y, z] in &mut model.points {
+        (*x, *y, *z) = (*x - 0.3 * *z + 0.1, *y + 0.2 * *x - 0.7 * *z, *z + 0.5 * *x + 0.25 * *y);
+    }
+    model
+}
+
 #[test]
 fn pairs_of_a_fan_grow_like_its_elements() {
     let mut random = Random(13);
@@ -136,6 +148,9 @@ fn pairs_of_a_fan_grow_like_its_elements() {
         assert!(pairs(&solid) < n, "{}", pairs(&solid));
         assert!(pairs(&flat) < n, "{}", pairs(&flat));
         assert!((n..4 * n).contains(&pairs(&cone)), "{}", pairs(&cone));
+        // Two neighbours in each fan, three triangles of the other one.
+        let closed = closed_cone(n as u32);
+        assert!((5 * n..9 * n).contains(&pairs(&closed)), "{}", pairs(&closed));
         // Other elements at the apex and around do not spoil the fan.
         let mut inside = solid;
         inside.points.push([600_000.0; 3]);
