@@ -36,6 +36,12 @@ fn widest_integers() {
             let dots = dot(&sub(&three[0], &three[2]), &sub(&three[1], &three[2]));
             assert_eq!(wide::dot_sign(&rows), sign(&dots));
         }
+        if high <= 60 {
+            let q = p.map(|q| q.map(|x| x[0]));
+            let size = filter::Spread::of([&q[0], &q[1], &q[2]]).max();
+            let rows = wide::short_differences([&q[0], &q[1], &q[2]], size).unwrap();
+            assert_eq!(wide::short_orient2d(&rows), exact_orient2d(&three, 2));
+        }
     }
     assert!(wide_enough[0] > 300 && wide_enough[1] > 900, "{wide_enough:?}");
 }
