@@ -1,16 +1,61 @@
 //! Cavities refilled: some tetrahedra go, others that have the same boundary come in their place.
 //!
 //! Faces are joined by their vertices, each twice: once from either side, or once from a new tetrahedron and once from the one that
-//! stays beyond the boundary.
+//! stays beyond the boundary. Most cavities are small, and their faces are found quicker in a list than by hashing.
 use super::{face_key, flag, Tetrahedra};
 use crate::error::Error;
 use rustc_hash::{FxHashMap, FxHashSet};
 
+/// Most tetrahedra of a small cavity.
+const SMALL: usize = 32;
+
+/// Faces that wait for their second side: corner code of the first.
+#[derive(Default)]
+struct OpenFaces {
+    small: bool,
+    list: Vec<([u32; 3], u32)>,
+    map: FxHashMap<[u32; 3], u32>,
+}
+
+impl OpenFaces {
+    /// Makes room for the faces of so many tetrahedra.
+    fn clear(&mut self, tets: usize) -> Result<(), Error> {
+        self.small = tets <= SMALL;
+        self.list.clear();
+        self.map.clear();
+        if self.small {
+            self.list.try_reserve(4 * tets)?;
+        } else {
+            self.map.try_reserve(2 * tets)?;
+        }
+        Ok(())
+    }
+
+    fn insert(&mut self, key: [u32; 3], code: u32) {
+        if self.small {
+            self.list.push((key, code));
+        } else {
+            self.map.insert(key, code);
+        }
+    }
+
+    fn remove(&mut self, key: &[u32; 3]) -> Option<u32> {
+        if !self.small {
+            return self.map.remove(key);
+        }
+        let at = self.list.iter().position(|x| x.0 == *key)?;
+        Some(self.list.swap_remove(at).1)
+    }
+
+    fn is_empty(&self) -> bool {
+        self.list.is_empty() && self.map.is_empty()
+    }
+}
+
 /// Refills; keeps its scratch space.
 #[derive(Default)]
 pub struct Refill {
-    /// Faces that wait for their second side: corner code of the first.
-    open: FxHashMap<[u32; 3], u32>,
+    open: OpenFaces,
     constrained: FxHashSet<[u32; 3]>,
     /// The slots of the new tetrahedra, in the order given.
     pub fresh: Vec<u32>,
@@ -31,11 +76,9 @@ impl Refill {
         subfaces: impl Iterator<Item = [u32; 3]>,
     ) -> Result<(), Error> {
         let Refill { open, constrained, fresh } = self;
-        open.clear();
+        open.clear(old.len() + new.len())?;
         constrained.clear();
         fresh.clear();
-        open.try_reserve(2 * (old.len() + new.len()))?;
-        constrained.try_reserve(4 * old.len())?;
         fresh.try_reserve(new.len())?;
         mesh.reserve(new.len())?;
         for &t in old {
@@ -44,6 +87,7 @@ impl Refill {
         for code in old.iter().flat_map(|&t| 4 * t..4 * t + 4) {
             let key = face_key(mesh.face(code));
             if mesh.flags[(code >> 2) as usize] & (flag::FACE << (code & 3)) != 0 {
+                constrained.try_reserve(1)?;
                 constrained.insert(key);
             }
             let n = mesh.across(code);
@@ -63,7 +107,7 @@ impl Refill {
             }
             for code in 4 * t..4 * t + 4 {
                 let key = face_key(mesh.face(code));
-                if constrained.contains(&key) {
+                if !constrained.is_empty() && constrained.contains(&key) {
                     mesh.flags[t as usize] |= flag::FACE << (code & 3);
                 }
                 match open.remove(&key) {

@@ -9,6 +9,15 @@ use crate::error::Error;
 use crate::mesh::star::{EdgeRing, StarSearch};
 use crate::predicates::{Points, Sign};
 
+/// What the segment crosses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Feature {
+    /// The inside of a face.
+    Face([u32; 3]),
+    /// The inside of an edge.
+    Edge([u32; 2]),
+}
+
 /// Where the segment goes on.
 enum Step {
     /// Into the tetrahedron of this corner code, through the face opposite that corner.
@@ -35,6 +44,8 @@ pub struct Corridor {
     ring: Vec<(u32, u32, u32)>,
     /// Edges that the segment meets: those crossed, and those of crossed faces.
     pub obstacles: Vec<[u32; 2]>,
+    /// What the segment crosses, in order from its first end.
+    pub features: Vec<Feature>,
 }
 
 impl Corridor {
@@ -48,6 +59,7 @@ impl Corridor {
     ) -> Result<Outcome, Error> {
         cavity.clear();
         self.obstacles.clear();
+        self.features.clear();
         let mut step = match self.leave(delaunay, points, [a, b])? {
             Ok(step) => step,
             Err(outcome) => return Ok(outcome),
@@ -57,6 +69,11 @@ impl Corridor {
             cavity.add(delaunay, first)?;
         }
         for _ in 0..delaunay.mesh.slot_count() {
+            self.features.try_reserve(1)?;
+            self.features.push(match step {
+                Step::Face(code) => Feature::Face(delaunay.mesh.face(code)),
+                Step::Edge(_, p, q) => Feature::Edge([p, q]),
+            });
             let next = match step {
                 Step::Face(code) => self.through_face(delaunay, points, [a, b], code, cavity)?,
                 Step::Edge(t, p, q) => self.across_edge(delaunay, points, [a, b], (t, p, q), cavity)?,

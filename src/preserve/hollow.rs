@@ -128,8 +128,7 @@ impl Hollow {
         if self.corners.len() > MOST_VERTICES {
             return Ok(false);
         }
-        let polyhedron =
-            Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges, without: None };
+        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges };
         reconnect.fill(points, &polyhedron, budget, new)
     }
 

@@ -8,10 +8,12 @@
 //!
 //! Where only the outer boundary is kept, points on segments inside ([`internal`]) may stay; they get positions in doubles
 //! ([`mod@settle`]), and patches inside keep what triangles they have where the surface's would take points.
+pub mod breakpoint;
 pub mod cavity;
 pub mod center;
 pub mod check;
 pub mod corridor;
+pub mod flips;
 pub mod hollow;
 pub mod inside;
 pub mod internal;
@@ -91,13 +93,21 @@ pub fn from_constrained(
     }
     let isolated = removal.isolated;
     let growth = Growth { budget: BUDGET, ..MORE };
-    let flips = Retarget::new(solid, points, &mut inside, (&isolated, &internal.patches), growth).run(
-        target,
-        segments.first_steiner,
-        &mut |f| tick(0.6 + 0.2 * f),
-    )?;
-    if !flips.missing.is_empty() {
-        return Err(crowding(target, points, |t| flips.missing.contains(t)));
+    let mut missing = usize::MAX;
+    loop {
+        let flips = Retarget::new(solid, points, &mut inside, (&isolated, &internal.patches), growth).run(
+            target,
+            segments.first_steiner,
+            &mut |f| tick(0.6 + 0.2 * f),
+        )?;
+        if flips.missing.is_empty() {
+            break;
+        }
+        if flips.missing.len() >= missing {
+            return Err(crowding(target, points, |t| flips.missing.contains(t)));
+        }
+        missing = flips.missing.len();
+        removal::make_room(solid, points, &mut inside, &isolated, &mut |f| tick(0.7 + 0.1 * f))?;
     }
     if !inside.list.is_empty() {
         let mut thin = Thin::default();
@@ -169,5 +179,7 @@ fn crowding(target: &Target, points: &Points, near: impl Fn(&[u32; 3]) -> bool) 
     error
 }
 
+#[cfg(test)]
+mod flips_tests;
 #[cfg(test)]
 mod tests;

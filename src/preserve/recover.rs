@@ -1,48 +1,70 @@
 //! Recovery of edges and faces by reconnection: no point is added.
 //!
-//! After Liu, Chen & Chen 2007. A missing edge is opened by its corridor, a missing triangle (whose edges are there) by the
-//! tetrahedra that cross it, cut in two halves by the triangle; a search fills the cavity anew with the edge or triangle in it. What
-//! fails is tried again after the others, with more steps and with the obstacles taken away one by one: an edge in the
-//! way is removed by filling its ring without it, if fewer obstacles are left then.
+//! First flips ([`flips`](super::flips)): an edge in the way of a missing one is removed if fewer tetrahedra are in its way then. Where no flip
+//! helps, a search fills the whole corridor anew with the edge in it (Liu, Chen & Chen 2007); a missing triangle, whose edges are
+//! there, is opened by the tetrahedra that cross it, cut in two halves by the triangle. What fails is tried again after the
+//! others, with more steps. A segment that resists to the end gets points ([`breakpoint`](super::breakpoint)), each of which makes the
+//! corridors shorter, so that this ends.
 //!
 //! Invariants: `edges` holds the surface's edges that the mesh has, flags the faces; neither is ever lost.
+use super::breakpoint::breakpoint;
 use super::cavity::{Cavity, Edges};
-use super::corridor::{Corridor, Outcome};
+use super::corridor::{Corridor, Feature, Outcome};
+use super::flips::{Flips, Limits, Site};
 use crate::constrain::cavity::RegionCavity;
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::delaunay::Delaunay;
 use crate::error::Error;
-use crate::mesh::star::{EdgeRing, StarSearch};
+use crate::mesh::star::StarSearch;
 use crate::mesh::NONE;
 use crate::predicates::{Expansion, Points, Sign};
-use crate::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
+use crate::reconnect::{Polyhedron, Reconnect};
 use rustc_hash::FxHashMap;
 
-/// Search steps per cavity in each round.
+/// How hard edges are tried for once.
+#[derive(Clone, Copy, Debug)]
+pub struct Round {
+    /// For each edge in the way.
+    pub limits: Limits,
+    /// Search steps for the corridor.
+    pub budget: u32,
+}
+
+const fn round(depth: usize, rings: u32, budget: u32) -> Round {
+    Round { limits: Limits { depth, rings }, budget }
+}
+
+/// Rounds over the missing edges; the last is that of the pieces of those that resist. The second list takes longer and needs fewer
+/// points: its meshes leave more room where those of the first leave none.
+pub const EFFORTS: [&[Round]; 2] = [
+    &[round(2, 50, 50), round(4, 1000, 200), round(4, 1000, 200)],
+    &[round(2, 200, 0), round(5, 3000, 200), round(5, 3000, 200), round(5, 3000, 200)],
+];
+
+/// Search steps per cavity of a face in each round, and how far edges that pierce it are tried for.
 pub(super) const BUDGETS: [u32; 3] = [50, 200, 200];
+pub(super) const PIERCING: Limits = Limits { depth: 4, rings: 1000 };
+
 /// Most faces of a cavity that is searched: the cost of a step grows with the square. (Larger ones may still be cones.)
 const MOST_SEARCHED: usize = 60;
 
 /// Most pieces of one segment; beyond, reconnection has failed.
-const MOST_PIECES: u32 = 64;
-
-/// The removal of an edge, for taking it back.
-pub(super) struct Removal {
-    /// Vertices of the tetrahedra that went.
-    before: Vec<[u32; 4]>,
-    /// Slots of those that came.
-    after: Vec<u32>,
-}
+const MOST_PIECES: u32 = 4096;
 
 /// The state of a recovery.
 pub struct Recovery<'a> {
     pub(super) delaunay: &'a mut Delaunay,
     /// The vertices.
     pub points: &'a mut Points,
+    pub(super) rounds: &'static [Round],
     pub(super) edges: Edges,
     pub(super) cavity: Cavity,
     corridor: Corridor,
+    places: Vec<f64>,
+    /// The obstacle removed last: those after it come first.
+    last_obstacle: [u32; 2],
+    flips: Flips,
     pub(super) search: StarSearch,
     pub(super) crossed: RegionCavity,
     pub(super) reconnect: Reconnect,
@@ -63,13 +85,17 @@ pub struct Recovery<'a> {
 
 impl<'a> Recovery<'a> {
     /// Prepares a recovery; `delaunay.vertex_tet` must be up to date.
-    pub fn new(delaunay: &'a mut Delaunay, points: &'a mut Points) -> Self {
+    pub fn new(delaunay: &'a mut Delaunay, points: &'a mut Points, rounds: &'static [Round]) -> Self {
         Recovery {
             delaunay,
             points,
+            rounds,
             edges: Edges::default(),
             cavity: Cavity::default(),
             corridor: Corridor::default(),
+            places: Vec::new(),
+            last_obstacle: [0; 2],
+            flips: Flips::default(),
             search: StarSearch::default(),
             crossed: RegionCavity::default(),
             reconnect: Reconnect::default(),
@@ -101,7 +127,7 @@ impl<'a> Recovery<'a> {
         }
         self.missing_edges = missing.len() as u64;
         self.sort_by_length(edges, &mut missing);
-        for (round, &budget) in BUDGETS.iter().enumerate() {
+        for round in &self.rounds[..self.rounds.len() - 1] {
             let before = missing.len();
             let mut left = Vec::new();
             left.try_reserve(missing.len())?;
@@ -109,7 +135,7 @@ impl<'a> Recovery<'a> {
                 if i % 64 == 0 {
                     tick(1.0 - (before - i + left.len()) as f64 / edges.len().max(1) as f64)?;
                 }
-                if self.recover_edge(edges[edge as usize], budget, round > 0)? {
+                if self.recover_edge(edges[edge as usize], round)? {
                     self.recovered += 1;
                 } else {
                     left.push(edge);
@@ -134,11 +160,12 @@ impl<'a> Recovery<'a> {
             }
         }
         self.split += missing.len() as u64;
+        let Some(last) = self.rounds.last() else { return Ok(missing.is_empty()) };
         let mut count: FxHashMap<u32, u32> = FxHashMap::default();
         while let Some(piece) = missing.pop() {
             tick(1.0)?;
             let sub = segments.pieces[piece as usize];
-            if self.recover_edge(sub.ends, BUDGETS[1], true)? {
+            if self.recover_edge(sub.ends, last)? {
                 continue;
             }
             let pieces = count.entry(sub.segment).or_insert(1);
@@ -152,7 +179,7 @@ impl<'a> Recovery<'a> {
         Ok(true)
     }
 
-    /// Puts a point in the middle of a missing piece.
+    /// Puts a point on a missing piece.
     fn split(&mut self, segments: &mut Segments, piece: u32) -> Result<bool, Error> {
         let sub = segments.pieces[piece as usize];
         if self.corridor.collect(self.delaunay, self.points, sub.ends, &mut self.cavity)? != Outcome::Found {
@@ -160,7 +187,8 @@ impl<'a> Recovery<'a> {
         }
         self.cavity.unmark(self.delaunay);
         let [a, b] = segments.ends[sub.segment as usize];
-        let t = 0.5 * (sub.t[0] + sub.t[1]);
+        let part = breakpoint(self.points, sub.ends, &self.corridor.features, &mut self.places);
+        let t = sub.t[0] + part * (sub.t[1] - sub.t[0]);
         if !(t > sub.t[0] && t < sub.t[1]) {
             return Ok(false);
         }
@@ -203,13 +231,10 @@ impl<'a> Recovery<'a> {
         start != NONE && self.search.find_edge(&mut self.delaunay.mesh, a, b, start).is_some()
     }
 
-    /// Makes `a b` an edge of the mesh, if it can.
-    pub(super) fn recover_edge(
-        &mut self,
-        edge: [u32; 2],
-        budget: u32,
-        stubborn: bool,
-    ) -> Result<bool, Error> {
+    /// Makes `a b` an edge of the mesh, if it can: edges in its way are flipped away while that makes its corridor shorter, then the
+    /// corridor is filled anew.
+    pub(super) fn recover_edge(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
+        self.last_obstacle = [0; 2];
         loop {
             match self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? {
                 Outcome::Present => {
@@ -217,45 +242,43 @@ impl<'a> Recovery<'a> {
                     return Ok(true);
                 }
                 Outcome::Blocked => return Ok(false),
-                Outcome::Found => {}
+                Outcome::Found => self.cavity.unmark(self.delaunay),
             }
-            self.cavity.bound(self.delaunay, &self.edges)?;
-            self.cavity.edges.try_reserve(1)?;
-            self.cavity.edges.push(edge);
-            if self.refill(budget, None)? {
-                continue;
-            }
-            if stubborn {
-                self.cavity.grow(self.delaunay)?;
-                self.cavity.bound(self.delaunay, &self.edges)?;
-                self.cavity.edges.try_reserve(1)?;
-                self.cavity.edges.push(edge);
-                if self.refill(budget, None)? {
+            if let [Feature::Edge(crossed)] = self.corridor.features[..] {
+                let (flips, mut site) = self.site();
+                if flips.exchange(&mut site, crossed, edge)? {
                     continue;
                 }
-                let Outcome::Found =
-                    self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)?
-                else {
-                    return Ok(false);
-                };
-                self.cavity.unmark(self.delaunay);
             }
-            if !stubborn || !self.clear_way(edge, budget)? {
+            if !self.clear_way(edge, round.limits)? && !self.fill_corridor(edge, round.budget)? {
                 return Ok(false);
             }
         }
     }
 
+    /// Fills the corridor of an edge with the edge in it.
+    fn fill_corridor(&mut self, edge: [u32; 2], budget: u32) -> Result<bool, Error> {
+        if self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? != Outcome::Found {
+            return Ok(false);
+        }
+        self.cavity.bound(self.delaunay, &self.edges)?;
+        self.cavity.edges.try_reserve(1)?;
+        self.cavity.edges.push(edge);
+        self.refill(budget)
+    }
+
+    /// What flips work on.
+    pub(super) fn site(&mut self) -> (&mut Flips, Site<'_>) {
+        let Recovery { delaunay, points, edges, cavity, flips, .. } = self;
+        (flips, Site { delaunay, points, edges, cavity })
+    }
+
     /// Fills the bounded cavity and puts the filling in its place.
-    fn refill(&mut self, budget: u32, without: Option<[u32; 2]>) -> Result<bool, Error> {
+    fn refill(&mut self, budget: u32) -> Result<bool, Error> {
         self.tets.clear();
         let budget = if self.cavity.faces.len() > MOST_SEARCHED { 0 } else { budget };
-        let polyhedron = Polyhedron {
-            faces: &self.cavity.faces,
-            inner: &self.cavity.inner,
-            edges: &self.cavity.edges,
-            without,
-        };
+        let polyhedron =
+            Polyhedron { faces: &self.cavity.faces, inner: &self.cavity.inner, edges: &self.cavity.edges };
         if !self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
             return Ok(false);
         }
@@ -264,7 +287,7 @@ impl<'a> Recovery<'a> {
     }
 
     /// Removes one of the edges in the way of `edge` such that fewer are left.
-    fn clear_way(&mut self, edge: [u32; 2], budget: u32) -> Result<bool, Error> {
+    fn clear_way(&mut self, edge: [u32; 2], limits: Limits) -> Result<bool, Error> {
         let mut obstacles = std::mem::take(&mut self.corridor.obstacles);
         for o in &mut obstacles {
             *o = edge_key(o[0], o[1]);
@@ -272,56 +295,30 @@ impl<'a> Recovery<'a> {
         obstacles.sort_unstable();
         obstacles.dedup();
         let before = self.cavity.tets.len();
+        // Those before the last one removed have just failed.
+        let from = obstacles.partition_point(|&o| o <= self.last_obstacle);
+        obstacles.rotate_left(from);
         for &obstacle in &obstacles {
             if self.edges.contains(&obstacle) || edge.iter().any(|v| obstacle.contains(v)) {
                 continue;
             }
-            let Some(undo) = self.remove_edge(obstacle, budget)? else { continue };
+            let (flips, mut site) = self.site();
+            if !flips.remove(&mut site, obstacle, limits)? {
+                continue;
+            }
             let outcome = self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)?;
             let after = if outcome == Outcome::Present { 0 } else { self.cavity.tets.len() };
             if outcome == Outcome::Found {
                 self.cavity.unmark(self.delaunay);
             }
             if outcome != Outcome::Blocked && after < before {
+                self.last_obstacle = obstacle;
                 return Ok(true);
             }
-            self.put_back(undo)?;
+            let (flips, mut site) = self.site();
+            flips.take_back(&mut site)?;
         }
         Ok(false)
-    }
-
-    /// Fills the ring of an edge without it.
-    pub(super) fn remove_edge(&mut self, [p, q]: [u32; 2], budget: u32) -> Result<Option<Removal>, Error> {
-        let start = self.delaunay.vertex_tet[p as usize];
-        let Some(t) = self.search.find_edge(&mut self.delaunay.mesh, p, q, start) else { return Ok(None) };
-        self.search.tets.clear();
-        for (t, ..) in EdgeRing::new(&self.delaunay.mesh, t, p, q) {
-            if self.delaunay.mesh.is_ghost(t) || self.search.tets.len() >= MOST_VERTICES {
-                return Ok(None);
-            }
-            self.search.tets.try_reserve(1)?;
-            self.search.tets.push(t);
-        }
-        self.cavity.clear();
-        for &t in &self.search.tets {
-            self.cavity.add(self.delaunay, t)?;
-        }
-        self.cavity.bound(self.delaunay, &self.edges)?;
-        // A subface at the edge holds it.
-        if self.cavity.faces.iter().any(|f| f.contains(&p) && f.contains(&q)) {
-            return Ok(None);
-        }
-        let mut before = Vec::new();
-        before.try_reserve(self.cavity.tets.len())?;
-        before.extend(self.cavity.tets.iter().map(|&t| self.delaunay.mesh.verts[t as usize]));
-        let removed = self.refill(budget, Some([p, q]))?;
-        Ok(removed.then(|| Removal { before, after: self.cavity.refill.fresh.clone() }))
-    }
-
-    /// Undoes the last change of the mesh, the removal of an edge.
-    pub(super) fn put_back(&mut self, removal: Removal) -> Result<(), Error> {
-        self.cavity.tets = removal.after;
-        self.cavity.replace(self.delaunay, &removal.before, &[])
     }
 
     /// Flags the triangle in the mesh if it is a face there.

@@ -7,7 +7,7 @@
 //! The subfaces are made to have all edges that the mesh has in their plane first: else tetrahedra with a face in the plane would
 //! hide from the search for those that cross the region.
 use super::place::place;
-use super::recover::{Recovery, BUDGETS};
+use super::recover::{Recovery, BUDGETS, PIERCING};
 use crate::constrain::cavity::Opening;
 use crate::constrain::edge_key;
 use crate::constrain::subface::Subfaces;
@@ -78,11 +78,11 @@ impl Recovery<'_> {
                 missing.push([b, c]);
             }
         }
-        for (round, &budget) in BUDGETS.iter().enumerate() {
+        for round in self.rounds {
             let mut left = Vec::new();
             left.try_reserve(missing.len())?;
             for &edge in &missing {
-                if !self.recover_edge(edge, budget, round > 0)? {
+                if !self.recover_edge(edge, round)? {
                     left.push(edge);
                 }
             }
@@ -183,7 +183,7 @@ impl Recovery<'_> {
             if !stubborn {
                 return Ok(false);
             }
-            if !self.clear_region(region, budget)? {
+            if !self.clear_region(region)? {
                 return if last { self.fill_with_points(region, budget) } else { Ok(false) };
             }
         }
@@ -256,7 +256,7 @@ impl Recovery<'_> {
             let mut inner: Vec<u32> = Vec::new();
             inner.try_reserve(self.cavity.inner.len())?;
             inner.extend(self.cavity.inner.iter().filter(|v| on_side(v)));
-            let polyhedron = Polyhedron { faces: &faces, inner: &inner, edges: &edges, without: None };
+            let polyhedron = Polyhedron { faces: &faces, inner: &inner, edges: &edges };
             if self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
                 continue;
             }
@@ -274,7 +274,7 @@ impl Recovery<'_> {
     }
 
     /// Removes one of the edges that pierce the region's plane in the cavity such that fewer tetrahedra cross the region.
-    fn clear_region(&mut self, region: &[[u32; 3]], budget: u32) -> Result<bool, Error> {
+    fn clear_region(&mut self, region: &[[u32; 3]]) -> Result<bool, Error> {
         let before = self.cavity.tets.len();
         let mut piercing: Vec<[u32; 2]> = Vec::new();
         for &t in &self.cavity.tets {
@@ -294,7 +294,10 @@ impl Recovery<'_> {
             if self.edges.contains(&edge) {
                 continue;
             }
-            let Some(undo) = self.remove_edge(edge, budget)? else { continue };
+            let (flips, mut site) = self.site();
+            if !flips.remove(&mut site, edge, PIERCING)? {
+                continue;
+            }
             let outcome = self.collect_crossing(region)?;
             if outcome == Opening::Found {
                 self.cavity.unmark(self.delaunay);
@@ -303,7 +306,8 @@ impl Recovery<'_> {
             if outcome == Opening::Nothing || (outcome == Opening::Found && fewer) {
                 return Ok(true);
             }
-            self.put_back(undo)?;
+            let (flips, mut site) = self.site();
+            flips.take_back(&mut site)?;
         }
         Ok(false)
     }

@@ -410,7 +410,7 @@ impl<'a> Unsplit<'a> {
                     self.new_point([0, 1, 2].map(|k| from[k] + distance * w[k]))?;
                 }
                 let inner: Vec<u32> = self.inside.list[before..].to_vec();
-                let polyhedron = Polyhedron { faces: &self.faces, inner: &inner, edges, without: None };
+                let polyhedron = Polyhedron { faces: &self.faces, inner: &inner, edges };
                 let mut new = Vec::new();
                 if self.reconnect.fill(self.points, &polyhedron, effort.budget, &mut new)? {
                     return Ok(Some(new));

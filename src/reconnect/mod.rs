@@ -11,7 +11,9 @@
 //! signs too, from one table: a polyhedron of 20 vertices has 4,845 of them and asks for each many times.
 //!
 //! The search is deterministic and bounded by a number of steps, never by time.
+mod quality;
 mod search;
+pub mod sheet;
 mod signs;
 
 use crate::error::Error;
@@ -30,8 +32,6 @@ pub struct Polyhedron<'a> {
     pub inner: &'a [u32],
     /// Pairs of vertices that must be edges.
     pub edges: &'a [[u32; 2]],
-    /// A pair of vertices that must not be an edge.
-    pub without: Option<[u32; 2]>,
 }
 
 /// Fills polyhedra; keeps its scratch space.

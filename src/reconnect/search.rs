@@ -1,4 +1,5 @@
 //! The search of [`Reconnect`](super::Reconnect): depth first over front faces, with an explicit stack.
+use super::quality::quality;
 use super::signs::Signs;
 use super::Polyhedron;
 use crate::error::Error;
@@ -45,7 +46,6 @@ pub struct Search {
     /// Edges that must be.
     edges: Vec<[u8; 2]>,
     inner: Vec<u8>,
-    without: Option<[u8; 2]>,
     levels: Vec<Level>,
     depth: usize,
     tets: Vec<[u8; 4]>,
@@ -100,8 +100,6 @@ impl Search {
         self.inner.clear();
         self.inner.try_reserve(polyhedron.inner.len())?;
         self.inner.extend(polyhedron.inner.iter().filter_map(|&v| self.signs.number(v)));
-        self.without =
-            polyhedron.without.and_then(|[a, b]| Some([self.signs.number(a)?, self.signs.number(b)?]));
         self.front.clear();
         self.front.try_reserve(4 * self.boundary.len() + 64)?;
         self.front.extend_from_slice(&self.boundary);
@@ -135,7 +133,6 @@ impl Search {
         let mut apexes =
             self.inner.iter().map(bit).fold(u64::MAX >> (64 - self.signs.count()), |all, w| all & w);
         apexes = self.edges.iter().fold(apexes, |all, e| all & (bit(&e[0]) | bit(&e[1])));
-        apexes &= !self.without.iter().flatten().map(bit).fold(0, |all, w| all | w);
         for i in 0..self.boundary.len() {
             let face = self.boundary[i];
             let mut seen = self.sides(points, face).ahead;
@@ -343,9 +340,6 @@ impl Search {
 
     /// The tetrahedron holds no vertex, its new edges pierce no front face, and no front or required edge pierces its new faces.
     fn is_free(&mut self, points: &Points, w: u8, face: Face, on_front: u64) -> bool {
-        if self.without.is_some_and(|[p, q]| (w == p && face.contains(&q)) || (w == q && face.contains(&p))) {
-            return false;
-        }
         let bit = |v: u8| 1u64 << v;
         let base = bit(face[0]) | bit(face[1]) | bit(face[2]);
         let others = other_faces(w, face);
@@ -401,17 +395,7 @@ impl Search {
 
     /// Volume over the cube of the mean edge length, in plain arithmetic: it only orders the search.
     fn quality(&self, w: u8, face: Face) -> f64 {
-        let at = |i: u8| self.xyz[i as usize];
-        let (o, p) = (at(w), face.map(at));
-        let u = p.map(|x| [x[0] - o[0], x[1] - o[1], x[2] - o[2]]);
-        let square = |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>();
-        let sum = square(&p[0], &p[1])
-            + square(&p[1], &p[2])
-            + square(&p[2], &p[0])
-            + u.iter().map(|x| x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sum::<f64>();
-        let volume = u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1])
-            - u[0][1] * (u[1][0] * u[2][2] - u[1][2] * u[2][0])
-            + u[0][2] * (u[1][0] * u[2][1] - u[1][1] * u[2][0]);
-        volume.abs() / (sum * sum.sqrt()).max(f64::MIN_POSITIVE)
+        let at = |i: u8| &self.xyz[i as usize];
+        quality([at(w), at(face[0]), at(face[1]), at(face[2])])
     }
 }

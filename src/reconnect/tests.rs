@@ -1,4 +1,5 @@
 //! Fillings of known and random polyhedra.
+use super::sheet::Sheets;
 use super::{Polyhedron, Reconnect};
 use crate::delaunay::Delaunay;
 use crate::mesh::flag;
@@ -161,4 +162,44 @@ fn a_face_with_the_inside_on_both_sides_is_kept() {
     assert!(found([4, 5]).is_none());
     let tets = found([0, 1]).unwrap();
     assert_eq!(tets.iter().filter(|t| [0, 1, 4].iter().all(|v| t.contains(v))).count(), 2);
+}
+
+#[test]
+fn sheets_fill_rings_as_far_as_they_are_convex() {
+    // A ring of n tetrahedra round an upright edge, its link on a circle; every second vertex drawn in to `inner` of its radius.
+    let ring = |n: u32, inner: f64| {
+        let mut xyz = vec![[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]];
+        xyz.extend((0..n).map(|k| {
+            let (angle, r) =
+                (f64::from(k) * std::f64::consts::TAU / f64::from(n), if k % 2 == 1 { inner } else { 1.0 });
+            [r * angle.cos(), r * angle.sin(), 0.0]
+        }));
+        (Points::new(xyz), (2..n + 2).collect::<Vec<u32>>())
+    };
+    for n in 3..=20 {
+        let (points, link) = ring(n, 1.0);
+        let mut tets = Vec::new();
+        assert!(Sheets::default().fill(&points, [0, 1], &link, false, &mut tets).unwrap());
+        assert_eq!(tets.len(), 2 * (n as usize - 2));
+        let side = |k: usize| [link[k], link[(k + 1) % link.len()]];
+        let faces: Vec<[u32; 3]> = (0..link.len())
+            .flat_map(|k| [[0, side(k)[1], side(k)[0]], [1, side(k)[0], side(k)[1]]])
+            .collect();
+        check(&points, &Polyhedron { faces: &faces, ..Default::default() }, &tets);
+        assert!(!tets.iter().any(|t| t.contains(&0) && t.contains(&1)));
+    }
+    // A star of six with inner corners: its sheet has the inner triangle, so an ear at an outer corner, none at an inner one.
+    let (points, link) = ring(6, 0.4);
+    let ear = |by: usize| {
+        let mut turned = link.clone();
+        turned.rotate_left(by);
+        Sheets::default().fill(&points, [0, 1], &turned, true, &mut Vec::new()).unwrap()
+    };
+    assert_eq!([ear(1), ear(2)], [true, false]);
+    // More than a half turn from one vertex of the link to the next but one: no sheet.
+    let xyz = [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 3.0], [-1.0, 2.0, 3.0], [-1.0, -2.0, 3.0]];
+    let points = Points::new(xyz.to_vec());
+    let mut tets = Vec::new();
+    assert!(!Sheets::default().fill(&points, [0, 1], &[2, 3, 4], false, &mut tets).unwrap());
+    assert!(tets.is_empty());
 }

@@ -18,7 +18,7 @@ use crate::predicates::scale;
 use crate::preserve::from_constrained;
 use crate::preserve::inside::Inside;
 use crate::preserve::order::first_points;
-use crate::preserve::recover::Recovery;
+use crate::preserve::recover::{Recovery, Round, EFFORTS};
 use crate::preserve::retarget::Target;
 use crate::preserve::solid::Solid;
 use crate::progress::{report, Phase};
@@ -48,14 +48,16 @@ impl Run<'_> {
             let surface = prepared.clone().connect(plc, self.observer)?;
             first = first_points(&surface)?;
             self.lap(Phase::Validate);
-            if let Some(embedded) = self.reconnect(&surface, options, &first)? {
-                match self.free_surface(plc, &surface, options, embedded) {
-                    // Another mesh may leave more room.
-                    Err(e) if e.status == Status::Rounding => {}
-                    done => return done,
+            for rounds in EFFORTS {
+                if let Some(embedded) = self.reconnect(&surface, options, &first, rounds)? {
+                    match self.free_surface(plc, &surface, options, embedded) {
+                        // Another mesh may leave more room.
+                        Err(e) if e.status == Status::Rounding => {}
+                        done => return done,
+                    }
                 }
+                self.statistics.preserve = Default::default();
             }
-            self.statistics.preserve = Default::default();
         }
         let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
         self.delaunay_in(&mut engine, &mut order, options.threads)?;
@@ -128,6 +130,7 @@ impl Run<'_> {
         surface: &Surface,
         options: &Options,
         first: &[u32],
+        rounds: &'static [Round],
     ) -> Result<Option<Embedded>, Error> {
         let (mut engine, inner) = Engine::numbered(surface, options, first)?;
         let count = engine.points.len() as u32;
@@ -147,7 +150,7 @@ impl Run<'_> {
         let corners = engine.map(&surface.triangles)?;
         let Engine { delaunay, points, .. } = &mut engine;
         let observer = &mut *self.observer;
-        let mut recovery = Recovery::new(delaunay, points);
+        let mut recovery = Recovery::new(delaunay, points, rounds);
         let missing = recovery.edges(&edges, &mut |f| report(observer, Phase::Segments, f))?;
         let relaxed = relax(surface, &all_edges, &missing)?;
         let mut kept = Vec::new();
