@@ -4,6 +4,7 @@
 //! others get positions in doubles; where one has none, it is relocated after all.
 use super::inside::Inside;
 use super::internal::Internal;
+use super::memory::Memory;
 use super::retarget::Target;
 use super::settle::{settle, Settled};
 use super::smooth::smooth;
@@ -150,6 +151,7 @@ impl Rest<'_> {
         counts: &mut [u64; 2],
         tick: &mut dyn FnMut(f64) -> Result<(), Error>,
     ) -> Result<(), Error> {
+        let mut lasting = Memory::default();
         loop {
             let before = self.left.len();
             let mut kept = Vec::new();
@@ -159,7 +161,10 @@ impl Rest<'_> {
                     tick(1.0 - (before - i + kept.len()) as f64 / self.total)?;
                 }
                 let stays = self.effort.relocate && internal.may_stay(v);
-                if stays || !take(unsplit, along, v, self.effort, counts)? {
+                if stays || lasting.knows(unsplit.solid, v) {
+                    kept.push(v);
+                } else if !take(unsplit, along, v, self.effort, counts)? {
+                    lasting.note(unsplit.solid, v, &unsplit.read)?;
                     kept.push(v);
                 }
             }

@@ -70,6 +70,8 @@ pub struct Unsplit<'a> {
     filled: FxHashMap<(usize, [usize; 2]), Filling>,
     fills: usize,
     faces: Vec<[u32; 3]>,
+    /// All tetrahedra that the last attempt looked at, with repetitions: while they stay, it would end the same way.
+    pub read: Vec<u32>,
 }
 
 impl<'a> Unsplit<'a> {
@@ -95,6 +97,7 @@ impl<'a> Unsplit<'a> {
             filled: FxHashMap::default(),
             fills: 0,
             faces: Vec::new(),
+            read: Vec::new(),
         }
     }
 
@@ -104,6 +107,11 @@ impl<'a> Unsplit<'a> {
             return Ok(Outcome::Deleted);
         }
         self.star.read(self.solid, v, ends)?;
+        self.read.clear();
+        for sector in &self.star.sectors {
+            self.read.try_reserve(sector.tets.len())?;
+            self.read.extend_from_slice(&sector.tets);
+        }
         if !self.triangulate_walls(effort.walls)? {
             return Ok(Outcome::Kept);
         }
@@ -296,7 +304,11 @@ impl<'a> Unsplit<'a> {
             avoid: [v; 2],
             taken,
         };
-        self.hollow.grow(self.solid, self.points, &mut self.reconnect, &start, self.isolated, growth)
+        let grown =
+            self.hollow.grow(self.solid, self.points, &mut self.reconnect, &start, self.isolated, growth)?;
+        self.read.try_reserve(self.hollow.read.len())?;
+        self.read.extend_from_slice(&self.hollow.read);
+        Ok(grown)
     }
 
     /// The tetrahedra of a sector with points inside.
