@@ -11,6 +11,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("error", &["options"]),
     ("progress", &["error"]),
     ("options", &["error"]),
+    ("vector", &[]),
     ("output", &["progress", "error"]),
     ("predicates", &["error"]),
     ("plc", &["predicates", "output", "error", "options", "progress"]),
@@ -69,7 +70,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
 ];
 
 /// Modules that may be imported anywhere, and may name each other.
-const LEAVES: &[&str] = &["error", "options", "progress"];
+const LEAVES: &[&str] = &["error", "options", "progress", "vector"];
 
 /// Files outside of `ffi` that may use `unsafe`, each with the reason.
 const UNSAFE_FILES: &[(&str, &str)] = &[

@@ -16,7 +16,7 @@
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► plc, output
 //! main (the command line) ──► everything above through the public API
-//! error, options, progress: leaves, imported anywhere
+//! error, options, progress, vector: leaves, imported anywhere
 //! ```
 //!
 //! # Conventions
@@ -45,6 +45,7 @@ pub mod reconnect;
 pub mod region;
 pub mod rounding;
 pub mod tetrahedralize;
+mod vector;
 
 pub use check::{check_mesh, check_preserved, check_preserved_outer};
 pub use error::{Defect, DefectKind, Element, Error, Status};

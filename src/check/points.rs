@@ -35,8 +35,8 @@ pub(super) fn check_points(context: &Context, report: &mut Report) -> Result<(),
 
 /// A point that is no vertex must lie outside of every closed tetrahedron.
 ///
-/// The unused points are sorted by x, so each tetrahedron asks only those in its range. The filter by bounding box takes the
-/// nearest doubles; it is widened to the neighbouring ones, since a Steiner point's exact position may be beyond its rounding.
+/// The unused points are sorted by x, so each tetrahedron asks only those in its range. The filter by bounding box takes the nearest
+/// doubles: rounding to the nearest keeps the order of numbers, so a point in the tetrahedron is in the box of its rounded corners.
 fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
     let near = |v: u32| context.geometry.nearest(v);
     let mut unused: Vec<u32> = Vec::new();
@@ -53,11 +53,10 @@ fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
     }
     for (t, tet) in context.mesh.tets.iter().enumerate() {
         let corner = tet.map(near);
-        let wide = |x: f64| x.abs() * f64::EPSILON + f64::MIN_POSITIVE;
         let low: [f64; 3] =
-            std::array::from_fn(|k| corner.iter().map(|p| p[k] - wide(p[k])).fold(f64::INFINITY, f64::min));
+            std::array::from_fn(|k| corner.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min));
         let high: [f64; 3] =
-            std::array::from_fn(|k| corner.iter().map(|p| p[k] + wide(p[k])).fold(-f64::INFINITY, f64::max));
+            std::array::from_fn(|k| corner.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max));
         let from = unused.partition_point(|&i| near(i)[0] < low[0]);
         for &i in unused[from..].iter().take_while(|&&i| near(i)[0] <= high[0]) {
             let p = near(i);

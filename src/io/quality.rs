@@ -1,5 +1,6 @@
 //! Quality of tetrahedra, for information: dihedral angles in plain floating point.
 use crate::output::TetMesh;
+use crate::vector::{cross, dot, sub};
 
 /// The smallest and largest dihedral angle of a tetrahedron in degrees; NaN for a flat one.
 ///
@@ -7,16 +8,16 @@ use crate::output::TetMesh;
 pub(super) fn dihedrals(corners: [[f64; 3]; 4]) -> [f64; 2] {
     let [a, b, c, d] = corners;
     let normals = [
-        cross(sub(d, b), sub(c, b)),
-        cross(sub(c, a), sub(d, a)),
-        cross(sub(d, a), sub(b, a)),
-        cross(sub(b, a), sub(c, a)),
+        cross(&sub(&d, &b), &sub(&c, &b)),
+        cross(&sub(&c, &a), &sub(&d, &a)),
+        cross(&sub(&d, &a), &sub(&b, &a)),
+        cross(&sub(&b, &a), &sub(&c, &a)),
     ];
-    let inverse = normals.map(|n| 1.0 / dot(n, n).sqrt());
+    let inverse = normals.map(|n| 1.0 / dot(&n, &n).sqrt());
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for i in 0..4 {
         for j in 0..i {
-            let cosine = -dot(normals[i], normals[j]) * inverse[i] * inverse[j];
+            let cosine = -dot(&normals[i], &normals[j]) * inverse[i] * inverse[j];
             low = low.min(cosine);
             high = high.max(cosine);
         }
@@ -38,16 +39,4 @@ pub fn dihedral_range(mesh: &TetMesh) -> Option<(f64, f64)> {
 /// The corners of a tetrahedron.
 pub(super) fn corners(mesh: &TetMesh, tet: &[u32; 4]) -> [[f64; 3]; 4] {
     tet.map(|v| mesh.points.get(v as usize).copied().unwrap_or_default())
-}
-
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-}
-
-fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 }

@@ -1,14 +1,14 @@
 //! Where a segment that resists is given a point.
 //!
-//! The point goes into one of the tetrahedra of the segment's corridor, so that the corridors of both pieces are shorter: into the longest
-//! stretch among those of the middle half. A corridor of `n` tetrahedra so takes at most `n` points. Two points on both sides of one
-//! face are joined by a flip; two on both sides of one edge by filling its ring, which works when they are close enough to it:
-//! the inside of an edge sees all of its ring. So a piece that crosses one edge is divided beside that edge.
+//! The point goes into one of the inner tetrahedra of the segment's corridor, so that both pieces cross fewer faces and edges: into
+//! the longest stretch among those of the middle half. Two points on both sides of one face are joined by a flip; two on both sides of
+//! one edge by filling its ring, which works when they are close enough to it: the inside of an edge sees all of its ring. So a
+//! piece that crosses one edge is divided beside that edge.
 //!
 //! Plain arithmetic: every position between the ends is valid.
-use super::center::dot;
 use super::corridor::Feature;
 use crate::predicates::Points;
+use crate::vector::{cross, dot, sub};
 
 /// How much nearer to its only edge a piece gets its point.
 const BESIDE: f64 = 0.125;
@@ -64,12 +64,4 @@ fn crossing(points: &Points, [a, b]: [u32; 2], feature: &Feature) -> f64 {
             dot(&cross(&p, &e), &normal) / dot(&normal, &normal)
         }
     }
-}
-
-fn sub(p: &[f64; 3], q: &[f64; 3]) -> [f64; 3] {
-    [p[0] - q[0], p[1] - q[1], p[2] - q[2]]
-}
-
-fn cross(p: &[f64; 3], q: &[f64; 3]) -> [f64; 3] {
-    [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
 }

@@ -3,6 +3,8 @@
 //! A linear program in four unknowns: maximise `r` under `m·p + c >= r` for every face. Solved in the dual by the simplex method with
 //! a basis of four faces (Dantzig 1951), in plain arithmetic: the answer is a proposal that exact signs accept or refuse.
 
+use crate::vector::dot;
+
 /// A half-space: `normal·p + offset >= 0` inside, the normal of length one.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
@@ -14,11 +16,6 @@ pub struct Plane {
 
 /// Most changes of the basis: degenerate programs could go on for ever.
 const MOST_STEPS: usize = 128;
-
-/// The scalar product.
-pub fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
 
 /// The point with the largest distance to the nearest plane, and this distance (negative outside); `size` bounds its coordinates.
 pub fn center(planes: &[Plane], size: f64) -> ([f64; 3], f64) {

@@ -38,7 +38,7 @@ struct Frame {
     edge: [u32; 2],
     /// The vertex that shall get an ear.
     ear: Option<u32>,
-    /// Edges in its way that are still to be tried, and the vertex of each that shall get an ear; the last first.
+    /// Edges in its way that are still to be tried, the last first.
     obstacles: Vec<Obstacle>,
     /// Tetrahedra round it.
     ring: usize,

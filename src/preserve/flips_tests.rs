@@ -3,7 +3,9 @@ use super::breakpoint::breakpoint;
 use super::cavity::{Cavity, Edges};
 use super::corridor::Feature;
 use super::flips::{Flips, Limits, Site};
+use super::recover::{Recovery, ROUNDS};
 use crate::constrain::edge_key;
+use crate::constrain::segment::Segments;
 use crate::delaunay::Delaunay;
 use crate::mesh::check::check_topology;
 use crate::predicates::{Points, Sign};
@@ -144,4 +146,46 @@ fn a_point_goes_into_the_longest_inner_stretch_or_beside_the_only_edge() {
     assert_eq!(at(&[Feature::Edge([14, 15])]), 0.7);
     // Nothing known: the middle.
     assert_eq!(at(&[Feature::Face([0, 1, 2])]), 0.5);
+}
+
+#[test]
+fn segments_become_unions_of_edges_with_all_rounds() {
+    let (unstretched, _) = mesh(7, 150, 50);
+    let ends = edges(&unstretched);
+    let mut counts = Vec::new();
+    for rounds in ROUNDS {
+        let (_, mut points) = mesh(7, 150, 50);
+        // Stretched, the same points have another Delaunay mesh, and the same edges do not cross.
+        let mut stretched: Vec<[f64; 3]> =
+            points.coordinates().iter().map(|&[x, y, z]| [x + 8.0 * y, y, 3.0 * z]).collect();
+        // Nothing lies on the hull.
+        let end = |k: u32, i: u32, low: f64, high: f64| if i >> k & 1 == 0 { low } else { high };
+        stretched.extend(
+            (0..8).map(|i| [end(0, i, -700.0, 1100.0), end(1, i, -900.0, 800.0), end(2, i, -600.0, 1000.0)]),
+        );
+        points = Points::new(stretched);
+        let mut delaunay = Delaunay::new();
+        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+        delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
+        delaunay.index_vertices(points.len()).unwrap();
+        // Every second edge, so that not all of the mesh is given.
+        let wanted: Vec<[u32; 2]> = ends.iter().copied().step_by(2).collect();
+        let (pieces, [missing, split]) = {
+            let mut recovery = Recovery::new(&mut delaunay, &mut points, rounds);
+            recovery.edges(&wanted, &mut |_| Ok(())).unwrap();
+            let mut segments = Segments::new(recovery.points, wanted).unwrap();
+            assert!(recovery.split_missing(&mut segments, &mut |_| Ok(())).unwrap());
+            (segments.pieces, [recovery.missing_edges, recovery.split])
+        };
+        check(&delaunay, &points);
+        let now = edges(&delaunay);
+        assert!(pieces.iter().all(|p| now.contains(&edge_key(p.ends[0], p.ends[1]))));
+        counts.push((missing, split));
+    }
+    // Most come by flips; the second list leaves no more than the first.
+    assert!(
+        counts.iter().all(|&(missing, split)| missing > 100 && split > 0 && 4 * split < 3 * missing),
+        "{counts:?}"
+    );
+    assert!(counts[1].1 <= counts[0].1, "{counts:?}");
 }

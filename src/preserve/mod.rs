@@ -93,21 +93,13 @@ pub fn from_constrained(
     }
     let isolated = removal.isolated;
     let growth = Growth { budget: BUDGET, ..MORE };
-    let mut missing = usize::MAX;
-    loop {
-        let flips = Retarget::new(solid, points, &mut inside, (&isolated, &internal.patches), growth).run(
-            target,
-            segments.first_steiner,
-            &mut |f| tick(0.6 + 0.2 * f),
-        )?;
-        if flips.missing.is_empty() {
-            break;
-        }
-        if flips.missing.len() >= missing {
-            return Err(crowding(target, points, |t| flips.missing.contains(t)));
-        }
-        missing = flips.missing.len();
-        removal::make_room(solid, points, &mut inside, &isolated, &mut |f| tick(0.7 + 0.1 * f))?;
+    let flips = Retarget::new(solid, points, &mut inside, (&isolated, &internal.patches), growth).run(
+        target,
+        segments.first_steiner,
+        &mut |f| tick(0.6 + 0.2 * f),
+    )?;
+    if !flips.missing.is_empty() {
+        return Err(crowding(target, points, |t| flips.missing.contains(t)));
     }
     if !inside.list.is_empty() {
         let mut thin = Thin::default();

@@ -3,9 +3,10 @@
 //! Proposals come from plain arithmetic: the point farthest from all planes, then points between it and a point `from` at which the polyhedron
 //! is known to be open, halving the distance down to the last bit, then the neighbours of `from` among doubles. Exact
 //! orientation accepts the first that sees every face.
-use super::center::{center, dot, Plane};
+use super::center::{center, Plane};
 use crate::error::Error;
 use crate::predicates::{in_range, Points, Sign};
+use crate::vector::dot;
 
 /// How often a distance is halved: as often as doubles tell apart.
 const HALVINGS: i32 = 56;

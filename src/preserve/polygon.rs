@@ -3,9 +3,10 @@
 //! A combinatorial triangulation of a simple polygon whose triangles all turn the polygon's way is a triangulation of it: its
 //! boundary winds round inner points once and round outer points never. So orientations are the only exact signs needed; costs
 //! merely choose.
-use super::center::dot;
+
 use crate::error::Error;
 use crate::predicates::{Points, Sign};
+use crate::vector::dot;
 
 /// Largest polygon for the dynamic program, which is cubic; larger ones lose ears.
 const MOST_CORNERS: usize = 48;

@@ -1,4 +1,4 @@
-//! Recovery of edges and faces by reconnection: no point is added.
+//! Recovery of edges and faces by flips and reconnection, with points only on segments that resist.
 //!
 //! First flips ([`flips`](super::flips)): an edge in the way of a missing one is removed if fewer tetrahedra are in its way then. Where no flip
 //! helps, a search fills the whole corridor anew with the edge in it (Liu, Chen & Chen 2007); a missing triangle, whose edges are
@@ -37,7 +37,7 @@ const fn round(depth: usize, rings: u32, budget: u32) -> Round {
 
 /// Rounds over the missing edges; the last is that of the pieces of those that resist. The second list takes longer and needs fewer
 /// points: its meshes leave more room where those of the first leave none.
-pub const EFFORTS: [&[Round]; 2] = [
+pub const ROUNDS: [&[Round]; 2] = [
     &[round(2, 50, 50), round(4, 1000, 200), round(4, 1000, 200)],
     &[round(2, 200, 0), round(5, 3000, 200), round(5, 3000, 200), round(5, 3000, 200)],
 ];

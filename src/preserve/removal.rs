@@ -7,9 +7,7 @@ use super::internal::Internal;
 use super::memory::Memory;
 use super::retarget::Target;
 use super::settle::{settle, Settled};
-use super::smooth::smooth;
 use super::solid::Solid;
-use super::thin::Thin;
 use super::unsplit::{Effort, Outcome, Unsplit};
 use super::{BUDGET, SOME};
 use crate::constrain::edge_key;
@@ -97,20 +95,31 @@ pub fn remove_all(
     left.extend((0..along.ends.len() as u32).rev().map(|i| along.first + i));
     let total = left.len().max(1) as f64;
     let mut counts = [0, 0];
-    loop {
-        let before = left.iter().filter(|&&v| !internal.may_stay(v)).count();
-        let mut unsplit = Unsplit::new(solid, points, &wanted, &mut removal.isolated, inside);
-        for effort in EFFORTS {
-            let mut rest = Rest { left: &mut left, total, effort };
-            rest.take_all(&mut unsplit, &mut along, internal, &mut counts, tick)?;
-        }
-        let after = left.iter().filter(|&&v| !internal.may_stay(v)).count();
-        if after == 0 || after == before {
-            break;
-        }
-        make_room(solid, points, inside, &removal.isolated, tick)?;
-    }
     let mut unsplit = Unsplit::new(solid, points, &wanted, &mut removal.isolated, inside);
+    for effort in EFFORTS {
+        let mut lasting = Memory::default();
+        loop {
+            let before = left.len();
+            let mut kept = Vec::new();
+            kept.try_reserve(before)?;
+            for (i, &v) in left.iter().enumerate() {
+                if i % 16 == 0 {
+                    tick(1.0 - (before - i + kept.len()) as f64 / total)?;
+                }
+                let stays = effort.relocate && internal.may_stay(v);
+                if stays || lasting.knows(unsplit.solid, v) {
+                    kept.push(v);
+                } else if !take(&mut unsplit, &mut along, v, effort, &mut counts)? {
+                    lasting.note(unsplit.solid, v, &unsplit.read)?;
+                    kept.push(v);
+                }
+            }
+            left = kept;
+            if left.is_empty() || left.len() == before {
+                break;
+            }
+        }
+    }
     let (mut staying, mut left): (Vec<u32>, Vec<u32>) = left.into_iter().partition(|&v| internal.may_stay(v));
     staying.reverse();
     while left.is_empty() {
@@ -132,61 +141,6 @@ pub fn remove_all(
     removal.left = left;
     [removal.deleted, removal.relocated] = counts;
     Ok(removal)
-}
-
-/// Points that are still there.
-struct Rest<'a> {
-    left: &'a mut Vec<u32>,
-    total: f64,
-    effort: Effort,
-}
-
-impl Rest<'_> {
-    /// Tries each until none goes any more.
-    fn take_all(
-        &mut self,
-        unsplit: &mut Unsplit,
-        along: &mut Along,
-        internal: &Internal,
-        counts: &mut [u64; 2],
-        tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        let mut lasting = Memory::default();
-        loop {
-            let before = self.left.len();
-            let mut kept = Vec::new();
-            kept.try_reserve(before)?;
-            for (i, &v) in self.left.iter().enumerate() {
-                if i % 16 == 0 {
-                    tick(1.0 - (before - i + kept.len()) as f64 / self.total)?;
-                }
-                let stays = self.effort.relocate && internal.may_stay(v);
-                if stays || lasting.knows(unsplit.solid, v) {
-                    kept.push(v);
-                } else if !take(unsplit, along, v, self.effort, counts)? {
-                    lasting.note(unsplit.solid, v, &unsplit.read)?;
-                    kept.push(v);
-                }
-            }
-            *self.left = kept;
-            if self.left.is_empty() || self.left.len() == before {
-                return Ok(());
-            }
-        }
-    }
-}
-
-/// Points inside that crowd those on segments go, or move away.
-pub fn make_room(
-    solid: &mut Solid,
-    points: &mut Points,
-    inside: &mut Inside,
-    isolated: &FxHashSet<[u32; 2]>,
-    tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-) -> Result<(), Error> {
-    inside.sweep(solid);
-    Thin::default().run(solid, points, inside, isolated, SOME, &mut || tick(1.0))?;
-    smooth(solid, points, inside)
 }
 
 /// Takes one point away and counts it as deleted or relocated; false if it stays.

@@ -4,7 +4,6 @@
 //! convex, until none is left (Sloan 1993). In space a flip of edge `ab` to `cd` empties, on each side of the plane, the
 //! tetrahedra round `ab`, and fills them again under the two new triangles: by reconnection, or from a point inside near the
 //! crossing of `ab` and `cd`, which all the faces see.
-use super::center::dot;
 use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::place::place;
@@ -16,6 +15,7 @@ use crate::mesh::{flag, GHOST, NONE};
 use crate::options::Preserve;
 use crate::predicates::{Points, Sign};
 use crate::reconnect::{Polyhedron, Reconnect};
+use crate::vector::{cross, dot, sub};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::VecDeque;
 
@@ -428,10 +428,6 @@ impl<'a> Retarget<'a> {
 
 /// Where `ab` and `cd` cross, and the normal of their plane, in plain arithmetic.
 fn crossing_point(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> ([f64; 3], [f64; 3]) {
-    let sub = |p: &[f64; 3], q: &[f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
-    let cross = |u: &[f64; 3], v: &[f64; 3]| {
-        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    };
     let (ab, cd, ac) = (sub(&b, &a), sub(&d, &c), sub(&c, &a));
     let n = cross(&ab, &cd);
     // a + s ab lies on the line cd where (a + s ab − c) × cd = 0.

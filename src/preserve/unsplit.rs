@@ -4,7 +4,6 @@
 //! sectors, the point is *deleted*. Where it does not, a sector gets a point inside in its stead, which sees all of the sector's
 //! faces; the point is *relocated*. Such a position exists by the half-ball argument (section 8.1): the faces opposite the point
 //! are seen from all positions near it, and the walls from those between their planes.
-use super::center::dot;
 use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::place::place;
@@ -16,6 +15,7 @@ use crate::error::Error;
 use crate::mesh::NONE;
 use crate::predicates::{Points, Sign};
 use crate::reconnect::{Polyhedron, Reconnect};
+use crate::vector::{cross, dot, sub};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The tetrahedra of a filled sector, or none where the search has failed.
@@ -468,14 +468,6 @@ pub fn axis_of(points: &Points, polygon: &[u32]) -> Option<usize> {
     let mut axes = [0usize, 1, 2];
     axes.sort_by(|&i, &j| n[j].abs().total_cmp(&n[i].abs()));
     axes.into_iter().find(|&k| points.orient_in_plane(k, a, u, b) != Sign::Zero)
-}
-
-fn sub(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn unit(a: [f64; 3]) -> [f64; 3] {

@@ -11,7 +11,7 @@
 //! signs too, from one table: a polyhedron of 20 vertices has 4,845 of them and asks for each many times.
 //!
 //! The search is deterministic and bounded by a number of steps, never by time.
-mod quality;
+pub mod quality;
 mod search;
 pub mod sheet;
 mod signs;

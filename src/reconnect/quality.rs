@@ -1,14 +1,11 @@
 //! The quality of a tetrahedron in plain arithmetic: it orders searches and chooses among valid fillings.
 
-/// The volume over the cube of the mean edge length, up to a factor; not negative.
+use crate::vector::{cross, dot, sub};
+
+/// The volume over the cube of the mean edge length, up to a factor; not positive if the tetrahedron is not.
 pub fn quality([o, p, q, r]: [&[f64; 3]; 4]) -> f64 {
-    let sub = |a: &[f64; 3], b: &[f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    let square = |a: [f64; 3]| a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-    let u = [sub(p, o), sub(q, o), sub(r, o)];
-    let sum =
-        square(sub(p, q)) + square(sub(q, r)) + square(sub(r, p)) + u.iter().map(|&x| square(x)).sum::<f64>();
-    let volume = u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1])
-        - u[0][1] * (u[1][0] * u[2][2] - u[1][2] * u[2][0])
-        + u[0][2] * (u[1][0] * u[2][1] - u[1][1] * u[2][0]);
-    volume.abs() / (sum * sum.sqrt()).max(f64::MIN_POSITIVE)
+    let [u, v, w] = [p, q, r].map(|x| sub(x, o));
+    let edges = [u, v, w, sub(p, q), sub(q, r), sub(r, p)];
+    let squares: f64 = edges.iter().map(|e| dot(e, e)).sum();
+    dot(&u, &cross(&v, &w)) / (squares * squares.sqrt()).max(f64::MIN_POSITIVE)
 }

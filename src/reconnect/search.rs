@@ -396,6 +396,6 @@ impl Search {
     /// Volume over the cube of the mean edge length, in plain arithmetic: it only orders the search.
     fn quality(&self, w: u8, face: Face) -> f64 {
         let at = |i: u8| &self.xyz[i as usize];
-        quality([at(w), at(face[0]), at(face[1]), at(face[2])])
+        quality([at(w), at(face[0]), at(face[1]), at(face[2])]).abs()
     }
 }

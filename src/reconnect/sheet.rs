@@ -84,7 +84,7 @@ fn worth(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> f64 {
         return -1.0;
     }
     let at = |v: u32| points.xyz(v);
-    let worse = quality([at(a), at(b), at(c), at(q)]).min(quality([at(a), at(b), at(c), at(p)]));
-    // However flat, it is a sheet.
+    let worse = quality([at(a), at(b), at(c), at(q)]).min(quality([at(b), at(a), at(c), at(p)]));
+    // However flat in plain arithmetic, it is a sheet.
     worse.max(f64::MIN_POSITIVE)
 }

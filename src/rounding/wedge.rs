@@ -4,6 +4,8 @@
 //! found by trying all sets of up to three planes as active (a linear program in three variables, Seidel 1991 would be
 //! the large-scale way). Everything here is approximate: the caller tests the result exactly.
 
+use crate::vector::{cross, dot};
+
 /// A plane through no point but with the outward distance of the point and the unit normal into the allowed side.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
@@ -15,14 +17,6 @@ pub struct Plane {
 
 /// Most planes considered: there are n³/6 corners to try.
 pub const MOST: usize = 24;
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
 
 /// The shortest `d` with `height + normal · d >= margin` for all planes, if a corner of up to three planes gives one.
 pub fn escape(planes: &[Plane], margin: f64) -> Option<[f64; 3]> {

@@ -18,7 +18,7 @@ use crate::predicates::scale;
 use crate::preserve::from_constrained;
 use crate::preserve::inside::Inside;
 use crate::preserve::order::first_points;
-use crate::preserve::recover::{Recovery, Round, EFFORTS};
+use crate::preserve::recover::{Recovery, Round, ROUNDS};
 use crate::preserve::retarget::Target;
 use crate::preserve::solid::Solid;
 use crate::progress::{report, Phase};
@@ -48,7 +48,7 @@ impl Run<'_> {
             let surface = prepared.clone().connect(plc, self.observer)?;
             first = first_points(&surface)?;
             self.lap(Phase::Validate);
-            for rounds in EFFORTS {
+            for rounds in ROUNDS {
                 if let Some(embedded) = self.reconnect(&surface, options, &first, rounds)? {
                     match self.free_surface(plc, &surface, options, embedded) {
                         // Another mesh may leave more room.

@@ -197,8 +197,8 @@ impl BoxTree {
         Ok(false)
     }
 
-    /// Calls `visit(i, j, done)` once for each pair of boxes that meet, but for those of fans that are known to have at most their apex in common, given by their places in the curve's order, until it
-    /// fails; `done` grows from 0 to 1.
+    /// Calls `visit(i, j, done)` once for each pair of boxes that meet, given by their places in the curve's order, until it fails;
+    /// `done` grows from 0 to 1. Pairs of fans that are known to have at most their apex in common are left out.
     pub(super) fn for_each_pair(
         &self,
         mut visit: impl FnMut(usize, usize, f64) -> Result<(), Error>,

@@ -21,6 +21,7 @@
 use super::boxtree::{morton_code, Bounds, Frame};
 use super::IntersectInput;
 use crate::error::Error;
+use crate::vector::{cross, dot};
 use crate::INVALID;
 
 /// How many elements at a vertex make a fan. Ordinary surfaces have six, and seldom more than twenty; below this, the pairs of a fan
@@ -164,14 +165,6 @@ fn direction(from: &[f64; 3], to: &[f64; 3]) -> Option<[f64; 3]> {
     let d = d.map(|x| x / largest);
     let length = d.iter().map(|x| x * x).sum::<f64>().sqrt();
     Some(d.map(|x| x / length))
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Bounds of the product's components for vectors whose components are bounded in size.

@@ -4,7 +4,8 @@
 //! have split what they lie on, everything meets in shared vertices and edges only. Every other contact is a defect.
 //! All decisions are exact signs of determinants of the given doubles. Candidates come from a box hierarchy ([`boxtree`]), for
 //! many elements at one vertex also from their directions there ([`fans`]); each candidate pair is visited once and classified by
-//! the signs of its corners against each other's planes (Möller 1997, "A fast triangle-triangle intersection test", with exact signs; Guigue & Devillers 2003 for the predicates).
+//! the signs of its corners against each other's planes (Möller 1997, "A fast triangle-triangle intersection test", with exact signs;
+//! Guigue & Devillers 2003 for the predicates).
 //!
 //! Invariant: the lists are sorted and free of duplicates, and depend on the input alone.
 use crate::error::{Defect, Error};
