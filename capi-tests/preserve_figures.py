@@ -2,12 +2,14 @@
 """Figures of the mode that preserves the surface, as tables.
 
   preserve_figures.py classics --bin target/release/delotet              Schönhardt, combs, Chazelle with a few notches
-  preserve_figures.py chazelle --bin ... [--sizes 4,8,16,32]             Chazelle's polyhedron: points left against its size
+  preserve_figures.py chazelle --bin ... [--sizes 2,4,8,16]             Chazelle's polyhedron: points left against its size
   preserve_figures.py growth   --bin ... [--sizes 100000,1000000]        a scan-like surface: seconds per triangle
   preserve_figures.py corpus   --bin ... [--list ../shared/corpus/public.txt] [--only SUBSTRING] [--limit 60] [--tsv FILE]
 
-With `--tetgen` also what `tetgen -pY` does with the same file. Seconds are without reading and writing. Every mesh is checked by
-the program itself (`check --preserved`, exact), but not those of `growth`. Exit 0 if every model was meshed and passed.
+With `--tetgen` also what `tetgen -pY` does with the same file, and the worst tetrahedra of both meshes: smallest dihedral angle
+(degrees), largest radius-edge ratio. Seconds are without reading and writing. Every mesh is checked by
+the program itself (`check --preserved`, exact), but not those of `growth`. With `--from-cdt` every model starts from its constrained
+Delaunay mesh (with its hull, which takes that way) instead of flips: the measure of Si and Gärtner's table. Exit 0 if every model was meshed and passed.
 """
 import argparse
 import json
@@ -20,6 +22,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "data"))
 import compare_peers
 import generate
+import mesh_quality
 import shapes
 
 COUNTS = ["missing_edges", "missing_faces", "by_reconnection", "by_interior_points", "by_splits", "deleted", "relocated", "interior"]
@@ -31,15 +34,17 @@ class Table:
 
     def __init__(self, options, folder):
         self.options, self.folder, self.rows, self.failures = options, folder, [], 0
+        self.worst, self.beside = [], [0.0, 0.0]
         beside = options.tetgen
         print(f"{'':34s} {'':9s} {'':8s} {'':7s} {'missing at first':>19s} {'recovered by':>29s} {'of those on it':>19s} {'inside':>9s}"
-              + (f" {'tetgen -pY':>19s}" if beside else ""))
+              + (f" {'tetgen -pY':>19s} {'worst, ours':>19s} {'worst, tetgen':>19s}" if beside else ""))
         print(f"{'model':34s} {'triangles':>9s} {'seconds':>8s} {'us/tri':>7s} " + " ".join(f"{h:>9s}" for h in HEADS)
-              + (f" {'seconds':>9s} {'added':>9s}" if beside else ""), flush=True)
+              + (f" {'seconds':>9s} {'added':>9s} {'angle':>9s} {'ratio':>9s} {'angle':>9s} {'ratio':>9s}" if beside else ""), flush=True)
 
     def add(self, source, name, check=True):
         options, folder = self.options, self.folder
-        found = compare_peers.our_figures(options.bin, source, folder, options.limit, ["--mode", "preserve"])
+        flags = ["--mode", "preserve"] + (["--keep-hull"] if options.from_cdt else [])
+        found = compare_peers.our_figures(options.bin, source, folder, options.limit, flags)
         if isinstance(found, str):
             self.failures += 1
             print(f"{name:34s} FAILED {found}", flush=True)
@@ -50,6 +55,9 @@ class Table:
         if options.tetgen:
             theirs = compare_peers.tetgen_seconds(source, folder, options.limit, "-pY")
             line += f" {theirs:9.3f} {compare_peers.tetgen_added(source, folder)!s:>9s}" if theirs is not None else f" {'fails':>9s}"
+            if theirs is not None:
+                self.compare(os.path.join(folder, os.path.basename(source).rsplit(".", 1)[0] + ".1"), seconds, theirs)
+                line += "".join(f" {angle:9.1e} {ratio:9.1e}" for angle, ratio in self.worst[-1])
         if check:
             result = subprocess.run([options.bin, "check", os.path.join(folder, "out.ele"), "--input", source, "--preserved"], capture_output=True, text=True)
             if result.returncode != 0:
@@ -59,11 +67,21 @@ class Table:
         self.rows.append((name, stats["subfaces"], seconds, counts))
         return seconds / max(1, stats["subfaces"])
 
+    def compare(self, theirs, our_seconds, their_seconds):
+        """Takes note of the worst tetrahedra of both meshes."""
+        self.worst.append([mesh_quality.worst(os.path.join(self.folder, "out")), mesh_quality.worst(theirs)])
+        self.beside = [self.beside[0] + our_seconds, self.beside[1] + their_seconds]
+
     def close(self):
         sums = [sum(r[3][i] for r in self.rows) for i in range(len(COUNTS))]
         gone = sums[5] + sums[6]
         print(f"\n{len(self.rows)} models meshed, {self.failures} failures; {sum(r[2] for r in self.rows):.2f} s; {sums[7]} points inside"
               + (f"; of {gone} points on the surface {100 * sums[5] / gone:.2f} % deleted outright" if gone else ""))
+        if self.worst:
+            angle = sum(ours[0] >= theirs[0] for ours, theirs in self.worst)
+            ratio = sum(ours[1] <= theirs[1] for ours, theirs in self.worst)
+            print(f"beside TetGen on {len(self.worst)} models: {self.beside[0]:.2f} : {self.beside[1]:.2f} s;"
+                  f" the smallest dihedral angle is no smaller on {angle}, the largest radius-edge ratio no larger on {ratio}")
         if self.options.tsv:
             with open(self.options.tsv, "w") as out:
                 out.write("\t".join(["model", "triangles", "seconds"] + COUNTS) + "\n")
@@ -81,6 +99,7 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--limit", type=float, default=60)
     parser.add_argument("--tetgen", action="store_true")
+    parser.add_argument("--from-cdt", action="store_true")
     parser.add_argument("--tsv")
     options = parser.parse_args()
     options.bin = os.path.abspath(options.bin)
@@ -97,7 +116,7 @@ def main():
             table.add(made(generate.combs(), "combs.smesh"), "two combs in a box")
             table.add(made(generate.chazelle(), "chazelle.off"), "Chazelle, 4 notches a side")
         elif options.what == "chazelle":
-            for n in options.sizes or [2, 4, 8, 16, 32]:
+            for n in options.sizes or [2, 4, 8, 16]:
                 table.add(made(generate.chazelle(n), f"chazelle-{n}.off"), f"Chazelle, {n} notches a side")
         elif options.what == "growth":
             rates = [table.add(made(generate.blob(n), f"surface-{n}.off"), f"surface of {n}", False) for n in options.sizes or [100000, 1000000]]

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Counts the instructions of ordering and insertion on generated points, and of constrained meshing of generated models, and
+# Counts the instructions of ordering and insertion on generated points, and of meshing of generated models in two modes, and
 # compares them with instructions.txt.
 #
 #   instructions.sh             fails if a count is more than 3 % above its committed value (or 3 % below: then renew it)
@@ -33,12 +33,13 @@ if [ -z "$program" ]; then
     (cd "$root" && cargo build --release --bin delotet)
     program=$root/target/release/delotet
 fi
-for model in "surface 5000" "chazelle 12"; do
-    kind=${model% *}
-    python3 "$root/capi-tests/data/generate.py" $model "$work/$kind.off" >/dev/null
+for model in "surface 5000 cdt" "chazelle 12 cdt" "chazelle 4 preserve"; do
+    mode=${model##* }
+    kind=${model%% *}
+    python3 "$root/capi-tests/data/generate.py" ${model% *} "$work/$kind.off" >/dev/null
     valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="delotet::tetrahedralize::tetrahedralize" \
-        "$program" mesh "$work/$kind.off" -o "$work/$kind.ele" --quiet 2>"$work/log" >/dev/null
-    echo "$kind mesh $(sed -n 's/.*Collected : *\([0-9]*\).*/\1/p' "$work/log")" >>"$work/counts"
+        "$program" mesh "$work/$kind.off" --mode "$mode" -o "$work/$kind.ele" --quiet 2>"$work/log" >/dev/null
+    echo "$kind $mode $(sed -n 's/.*Collected : *\([0-9]*\).*/\1/p' "$work/log")" >>"$work/counts"
 done
 if [ "${1:-}" = --renew ]; then
     { echo "# $(rustc --version)"; cat "$work/counts"; } >"$here/instructions.txt"

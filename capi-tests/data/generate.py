@@ -297,7 +297,9 @@ def fins_in_box():
 def chazelle(count=4):
     """Chazelle's polyhedron: notches from below and above whose edges nearly touch along z = xy: any mesh needs about count^2 points."""
     m = Model()
-    size, gap, half, floor = count + 1, 0.125, 0.25, -2
+    size, gap, half = count + 1, 0.125, 0.25
+    # The walls of the lower notches rise by -floor / half, steeply enough not to cross those above.
+    floor = -max(2, (3 * size - 19) / 10)
     roof = size * size + 2
     left, right, front, back = [], [], [], []
 
