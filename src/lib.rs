@@ -16,7 +16,7 @@
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► plc, output
 //! main (the command line) ──► everything above through the public API
-//! error, options, progress, vector: leaves, imported anywhere
+//! error, options, progress: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
 //! ```
 //!
 //! # Conventions
