@@ -26,8 +26,8 @@ picture() {
 
 step "format" cargo fmt --check
 step "lints" cargo clippy --all-targets -- -D warnings
-step "tests, debug" cargo test
-step "tests, release" cargo test --release
+step "tests, debug" cargo test --no-fail-fast
+step "tests, release" cargo test --release --no-fail-fast
 step "program" cargo build --release
 # Without a fresh program an old one would be tested.
 case ${failures[*]:-} in *program:*) closing; exit 1 ;; esac
