@@ -22,7 +22,18 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("region", &["constrain", "mesh", "predicates", "plc", "output", "error", "progress", "options"]),
     (
         "rounding",
-        &["vector", "region", "constrain", "delaunay", "mesh", "predicates", "error", "progress", "options"],
+        &[
+            "reconnect",
+            "vector",
+            "region",
+            "constrain",
+            "delaunay",
+            "mesh",
+            "predicates",
+            "error",
+            "progress",
+            "options",
+        ],
     ),
     ("reconnect", &["predicates", "vector", "error"]),
     (

@@ -122,6 +122,8 @@ pub struct Statistics {
     pub steiner_exact: u64,
     /// Those whose nearest double was not valid and that were moved to another position.
     pub steiner_moved: u64,
+    /// Tetrahedra that took the place of ones that no doubles made positive.
+    pub replaced: u64,
     /// Input points that equal an earlier one.
     pub duplicate_points: u64,
     /// Segments missing from the Delaunay tetrahedralization of the points.
@@ -161,6 +163,9 @@ pub struct TetMesh {
     pub steiner: Vec<SteinerPoint>,
     /// Terms of parameters that are no doubles, in the order of `steiner`, each point's largest first.
     pub steiner_terms: Vec<SteinerTerm>,
+    /// Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive in
+    /// `points`, like all, but not necessarily Delaunay, nor positive in the exact positions of Steiner points.
+    pub replaced: Vec<u32>,
     /// Points (indices into `points`) without a valid position in doubles; empty unless
     /// [`Options::exact_form`](crate::Options::exact_form) was set and rounding failed.
     pub crowded: Vec<u32>,

@@ -335,11 +335,16 @@ impl Run<'_> {
         let mut attempt = 0;
         loop {
             let subfaces = self.recover_facets(surface, &segments, engine)?;
-            let (components, regions) = self.find_regions(plc, options, engine)?;
+            let (mut components, regions) = self.find_regions(plc, options, engine)?;
             report(self.observer, Phase::Round, 0.0)?;
-            let kept = Kept { components: &components, regions: &regions };
-            let rounded =
-                round(&mut engine.delaunay, &mut engine.points, &mut segments, &kept, engine.scale)?;
+            let mut kept = Kept { components: &mut components, regions: &regions };
+            let rounded = round(
+                &mut engine.delaunay,
+                &mut engine.points,
+                &mut segments,
+                &mut kept,
+                (engine.scale, !options.exact_form),
+            )?;
             self.lap(Phase::Round);
             if !rounded.crowded.is_empty() && attempt < MOST_ATTEMPTS {
                 // The exact mesh is valid but has no counterpart in doubles: other parameters on those segments make another
@@ -372,6 +377,7 @@ impl Run<'_> {
             self.statistics.missing_segments = segments.missing;
             self.statistics.steiner = segments.steiner_t.len() as u64;
             self.statistics.steiner_moved = rounded.moved;
+            self.statistics.replaced = rounded.replaced.len() as u64;
             self.statistics.steiner_exact = mesh.steiner.iter().filter(|s| s.exact).count() as u64;
             self.lap(Phase::Round);
             return Ok(mesh);

@@ -780,6 +780,10 @@ typedef struct DelotetStats {
      * Points left on internal facets and segments (DELOTET_PRESERVE_OUTER).
      */
     uint64_t preserve_on_internal_facets;
+    /**
+     * Tetrahedra that took the place of ones that no doubles made positive (delotet_mesh_replaced_tets).
+     */
+    uint64_t replaced;
 } DelotetStats;
 
 /**
@@ -1343,6 +1347,13 @@ struct DelotetIndicesView delotet_mesh_point_aliases(const struct DelotetMesh *m
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_crowded_points(const struct DelotetMesh *mesh);
+
+/**
+ * Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive, but
+ * not necessarily Delaunay. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetIndicesView delotet_mesh_replaced_tets(const struct DelotetMesh *mesh);
 
 /**
  * Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge, inside

@@ -582,6 +582,7 @@ class Mesh {
     Span<const Point> points() const noexcept { return points_of(delotet_mesh_points(get())); }
     std::size_t input_point_count() const noexcept { return delotet_mesh_input_point_count(get()); }
     Span<const Index> crowded_points() const noexcept { return span(delotet_mesh_crowded_points(get())); }
+    Span<const Index> replaced_tets() const noexcept { return span(delotet_mesh_replaced_tets(get())); }
     Span<const Index> point_aliases() const noexcept { return span(delotet_mesh_point_aliases(get())); }
     /// #points by `width` doubles.
     DelotetDoublesView point_attributes() const noexcept { return delotet_mesh_point_attributes(get()); }

@@ -35,6 +35,12 @@ pub(super) fn check_arrays(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
             bad_index(report, Element::Tet(t as u32));
         }
     }
+    for &t in mesh.replaced.iter().filter(|&&t| t as usize >= tets) {
+        bad_index(report, Element::Tet(t));
+    }
+    for pair in mesh.replaced.windows(2).filter(|pair| pair[0] >= pair[1]) {
+        bad_index(report, Element::Tet(pair[1]));
+    }
     check_parents(plc, mesh, report);
 }
 

@@ -42,6 +42,11 @@ impl<'a> Context<'a> {
         Ok(context)
     }
 
+    /// The tetrahedron took the place of one that no doubles made positive: it is one of the doubles, not of the exact positions.
+    pub(super) fn is_replaced(&self, t: u32) -> bool {
+        self.mesh.replaced.binary_search(&t).is_ok()
+    }
+
     /// The representative of a vertex: the first input point equal to it, or itself.
     pub(super) fn alias(&self, v: u32) -> u32 {
         self.alias.get(v as usize).copied().unwrap_or(v)

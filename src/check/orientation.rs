@@ -1,6 +1,6 @@
 //! Orientation: every tetrahedron is strictly positive, on the doubles that were handed out and on the exact positions of
 //! the Steiner points behind them. (Both, since conformity and the Delaunay property are those of the exact mesh, and what the
-//! caller computes with are the doubles.)
+//! caller computes with are the doubles. Tetrahedra that rounding had to replace are positive in doubles only.)
 use super::context::Context;
 use super::report::Report;
 use crate::error::{DefectKind, Element};
@@ -10,7 +10,7 @@ use crate::predicates::Sign;
 pub(super) fn check_orientation(context: &Context, report: &mut Report) {
     for (t, &tet) in context.mesh.tets.iter().enumerate() {
         // Where no vertex was rounded the two are one question.
-        let rounded = tet.iter().any(|&v| !context.geometry.is_exact(v));
+        let rounded = !context.is_replaced(t as u32) && tet.iter().any(|&v| !context.geometry.is_exact(v));
         let positive = context.geometry.orient3d_rounded(tet) == Sign::Positive
             && (!rounded || context.geometry.orient3d(tet) == Sign::Positive);
         if !positive {

@@ -373,6 +373,13 @@ fn not_delaunay() {
     mesh.subfaces.pop();
     assert_eq!(check(&plc, &mesh), vec![DefectKind::NotDelaunay]);
     assert_eq!(kinds(check_mesh(&plc, &mesh, false, 100)), vec![]);
+    // Where rounding had to replace a tetrahedron that is no defect.
+    mesh.replaced = vec![1];
+    assert_eq!(check(&plc, &mesh), vec![]);
+    mesh.replaced = vec![1, 2];
+    assert_eq!(check(&plc, &mesh), vec![DefectKind::IndexOutOfRange]);
+    mesh.replaced = vec![1, 0];
+    assert_eq!(check(&plc, &mesh), vec![DefectKind::IndexOutOfRange]);
 }
 
 #[test]

@@ -127,6 +127,7 @@ fn statistics(mesh: &TetMesh, total: f64) -> Value {
         "steiner": s.steiner,
         "steiner_exact": s.steiner_exact,
         "steiner_moved": s.steiner_moved,
+        "replaced": s.replaced,
         "missing_segments": s.missing_segments,
         "missing_regions": s.missing_regions,
         "facet_flips": mesh.facet_flips.len(),

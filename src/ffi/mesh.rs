@@ -88,6 +88,14 @@ pub unsafe extern "C" fn delotet_mesh_crowded_points(mesh: *const DelotetMesh) -
     unsafe { read(mesh, DelotetIndicesView::new(&[]), |mesh| DelotetIndicesView::new(&mesh.mesh.crowded)) }
 }
 
+/// Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive, but
+/// not necessarily Delaunay. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_replaced_tets(mesh: *const DelotetMesh) -> DelotetIndicesView {
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, DelotetIndicesView::new(&[]), |mesh| DelotetIndicesView::new(&mesh.mesh.replaced)) }
+}
+
 /// Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge, inside
 /// in a tetrahedron of points around.
 /// Borrowed from `mesh`. Empty for NULL and if the input had none.
@@ -216,6 +224,8 @@ pub struct DelotetStats {
     pub preserve_interior: u64,
     /// Points left on internal facets and segments (DELOTET_PRESERVE_OUTER).
     pub preserve_on_internal_facets: u64,
+    /// Tetrahedra that took the place of ones that no doubles made positive (delotet_mesh_replaced_tets).
+    pub replaced: u64,
 }
 const _: () = assert!(Phase::COUNT <= 16);
 
@@ -243,6 +253,7 @@ impl DelotetStats {
             preserve_relocated: statistics.preserve.relocated,
             preserve_interior: statistics.preserve.interior,
             preserve_on_internal_facets: statistics.preserve.on_internal_facets,
+            replaced: statistics.replaced,
         }
     }
 }

@@ -1,9 +1,10 @@
 //! `.parents`, beside TetGen's files: what they cannot say and an exact check needs. Ours, plain text, numbered from 0.
 //!
 //! First line: the number of Steiner points (the last points of `.node`), of faces (those of `.face`), of facet flips, and 1 if
-//! the convex hull was kept, else 0. Then a line per Steiner point: the two ends `a` and `b` of its edge (input points), the
+//! the convex hull was kept, else 0, and of tetrahedra that rounding had to replace. Then a line per Steiner point: the two ends `a` and `b` of its edge (input points), the
 //! input segment or -1, and the parameter `t` with any further terms of it: exactly, the point is `a + t (b − a)`. Then a line
-//! per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two facets.
+//! per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two facets. Then a line per replaced
+//! tetrahedron, ascending: its number.
 //! Doubles read back bit for bit.
 use super::output_files::Out;
 use super::text::{bad, float, Line, Lines};
@@ -15,7 +16,8 @@ use std::io;
 /// Writes the file.
 pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     let counts = [mesh.steiner.len(), mesh.subfaces.len(), mesh.facet_flips.len()];
-    out.put(format!("{}  {}  {}  {}\n", counts[0], counts[1], counts[2], u8::from(mesh.hull_kept)))?;
+    let (hull, replaced) = (u8::from(mesh.hull_kept), mesh.replaced.len());
+    out.put(format!("{}  {}  {}  {hull}  {replaced}\n", counts[0], counts[1], counts[2]))?;
     let mut terms = mesh.steiner_terms.iter().peekable();
     for (i, point) in mesh.steiner.iter().enumerate() {
         out.int(point.ends[0])?;
@@ -37,6 +39,9 @@ pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
         let [f, g] = flip.facets;
         out.put(format!("{a} {b} {c} {d} {f} {g}\n"))?;
     }
+    for t in &mesh.replaced {
+        out.put(format!("{t}\n"))?;
+    }
     Ok(())
 }
 
@@ -57,6 +62,14 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
     let faces = line.count("the number of faces", 2, available)?;
     let flips = line.count("the number of flips", 12, available)?;
     mesh.hull_kept = line.optional_int("whether the hull was kept")?.unwrap_or(0) != 0;
+    let replaced = line.optional_int("the number of replaced tetrahedra")?.unwrap_or(0);
+    let replaced = usize::try_from(replaced).ok().filter(|&n| n <= mesh.tets.len());
+    let Some(replaced) = replaced else {
+        return Err(bad(
+            line.number(),
+            "the number of replaced tetrahedra is not that of the mesh beside it",
+        ));
+    };
     if steiner > mesh.points.len() || faces != mesh.subfaces.len() {
         let message = "the numbers of points and faces are not those of the mesh beside it";
         return Err(Error::new(Status::Format, message));
@@ -83,6 +96,10 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
         let mut line = lines.expect("a flip")?;
         let mut pair = || -> Result<[u32; 2], Error> { Ok([index(&mut line)?, index(&mut line)?]) };
         mesh.facet_flips.push(FacetFlip { old: pair()?, new: pair()?, facets: pair()? });
+    }
+    mesh.replaced.try_reserve_exact(replaced)?;
+    for _ in 0..replaced {
+        mesh.replaced.push(index(&mut lines.expect("a replaced tetrahedron")?)?);
     }
     lines.expect_end("line")
 }

@@ -40,6 +40,9 @@ pub(super) fn mesh(
     };
     out.crowded.extend(rounded.crowded.iter().map(|&v| point_of(v)));
     let number = tets(engine, components, regions, &mut out, point_of)?;
+    out.replaced.try_reserve(rounded.replaced.len())?;
+    out.replaced.extend(rounded.replaced.iter().map(|&t| number[t as usize]));
+    out.replaced.sort_unstable();
     if let Some((segments, subfaces)) = constraints {
         steiner(engine, segments, surface, rounded, &mut out, point_of)?;
         subsegments(plc, surface, segments, &mut out, point_of)?;

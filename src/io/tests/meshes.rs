@@ -26,6 +26,7 @@ fn small_mesh() -> (TetMesh, Plc) {
             Subsegment { ends: [0, 4], segment: 0, marker: 8 },
             Subsegment { ends: [0, 1], segment: INVALID, marker: 0 },
         ],
+        replaced: vec![1],
         steiner: vec![SteinerPoint { ends: [0, 1], t: 0.25, segment: INVALID, exact: true }],
         statistics: Statistics { steiner: 1, steiner_exact: 1, ..Statistics::default() },
         ..TetMesh::default()
@@ -59,7 +60,7 @@ fn tetgen_files_to_the_letter() {
     assert_eq!(text("m.edge"), "2  1\n0 0 4 8\n1 0 1 0\n");
     assert_eq!(text("m.neigh"), "2  4\n0 -1 -1 -1 1\n1 -1 -1 -1 0\n");
     let facets: Vec<String> = mesh.subfaces.iter().map(|face| format!("{}\n", face.facet as i32)).collect();
-    assert_eq!(text("m.parents"), format!("1  2  0  0\n0 1 -1 0.25\n{}", facets.concat()));
+    assert_eq!(text("m.parents"), format!("1  2  0  0  1\n0 1 -1 0.25\n{}1\n", facets.concat()));
     for path in ["m.ele", "m.node", "m"] {
         let back = read_mesh(&folder.file(path)).unwrap();
         assert_eq!(
@@ -67,6 +68,7 @@ fn tetgen_files_to_the_letter() {
             mesh.points.iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>()
         );
         assert_eq!((&back.tets, &back.tet_region), (&mesh.tets, &mesh.tet_region));
+        assert_eq!(back.replaced, mesh.replaced);
         assert_eq!(
             back.subfaces.iter().map(|f| (f.corners, f.marker)).collect::<Vec<_>>(),
             [([0, 1, 2], -4), ([0, 1, 3], 6)]

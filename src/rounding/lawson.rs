@@ -1,0 +1,107 @@
+//! Flips of tetrahedra that came where rounding had spoiled others, towards the constrained Delaunay tetrahedralization of the doubles.
+//!
+//! Lawson's flips in space (Joe 1989): a face that is not locally Delaunay goes by a flip of its two tetrahedra into three, or, where they
+//! make a reflex edge, by the removal of that edge with a sheet that joins the two apexes. In space flips can get stuck, and with tetrahedra
+//! that must stay they can run in circles: so their number is bounded, and what is not reached is left.
+//!
+//! Invariants: subfaces and subsegments stay; every tetrahedron is positive in doubles.
+use super::positive;
+use super::untangle::{is_subface, Site};
+use crate::error::Error;
+use crate::mesh::edge_key;
+use crate::mesh::star::EdgeRing;
+use crate::mesh::Tetrahedra;
+use crate::predicates::{Points, Sign};
+use crate::reconnect::sheet::Sheets;
+
+/// Flips per tetrahedron that they start from.
+const MOST_FLIPS: usize = 8;
+/// Most tetrahedra round a reflex edge.
+const MOST_RING: usize = 6;
+
+/// Flips; keeps its scratch space.
+#[derive(Default)]
+pub struct Lawson {
+    sheets: Sheets,
+    old: Vec<u32>,
+    link: Vec<u32>,
+    new: Vec<[u32; 4]>,
+}
+
+impl Lawson {
+    /// Flips faces of the given tetrahedra, and of those that come, until all are locally Delaunay or none can be flipped.
+    pub fn run(&mut self, site: &mut Site, points: &Points, mut stack: Vec<u32>) -> Result<(), Error> {
+        let mut left = MOST_FLIPS * stack.len();
+        while let Some(t) = stack.pop() {
+            if !site.delaunay.mesh.is_live(t) {
+                continue;
+            }
+            for code in 4 * t..4 * t + 4 {
+                if left > 0 && self.find(site, points, code)? {
+                    left -= 1;
+                    site.put(&self.old, &self.new)?;
+                    stack.try_reserve(self.new.len())?;
+                    stack.extend_from_slice(&site.refill.fresh);
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds the flip for a face that is not locally Delaunay.
+    fn find(&mut self, site: &Site, points: &Points, code: u32) -> Result<bool, Error> {
+        let mesh = &site.delaunay.mesh;
+        let across = mesh.across(code);
+        let [a, b, c, d] = mesh.verts[(code >> 2) as usize];
+        let (v, e) = (mesh.verts[(code >> 2) as usize][(code & 3) as usize], mesh.apex(across));
+        if is_subface(mesh, code) || points.insphere(a, b, c, d, e) != Sign::Positive {
+            return Ok(false);
+        }
+        let [x, y, z] = mesh.face(code);
+        self.new.clear();
+        self.new.try_reserve(3)?;
+        self.new.extend([[v, x, y, e], [v, y, z, e], [v, z, x, e]]);
+        let flat = self
+            .new
+            .iter()
+            .position(|&tet| points.orient3d(tet[0], tet[1], tet[2], tet[3]) != Sign::Positive);
+        match flat {
+            None => {
+                self.old.clear();
+                self.old.extend([code >> 2, across >> 2]);
+            }
+            Some(i) => {
+                let (edge, third) = [([x, y], z), ([y, z], x), ([z, x], y)][i];
+                if site.edges.contains(&edge_key(edge[0], edge[1]))
+                    || !self.ring(mesh, code >> 2, edge, third)?
+                {
+                    return Ok(false);
+                }
+                self.new.clear();
+                if !self.sheets.fill(points, edge, &self.link, true, &mut self.new)? {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(self.new.iter().all(|&tet| positive(points.coordinates(), tet)))
+    }
+
+    /// Collects the tetrahedra round an edge and its link, with `ear` last.
+    fn ring(&mut self, mesh: &Tetrahedra, t: u32, [p, q]: [u32; 2], ear: u32) -> Result<bool, Error> {
+        self.old.clear();
+        self.link.clear();
+        self.old.try_reserve(MOST_RING)?;
+        self.link.try_reserve(MOST_RING)?;
+        for (t, .., k, l) in EdgeRing::new(mesh, t, p, q) {
+            if is_subface(mesh, 4 * t + k) || is_subface(mesh, 4 * t + l) || self.old.len() == MOST_RING {
+                return Ok(false);
+            }
+            self.old.push(t);
+            self.link.push(mesh.verts[t as usize][k as usize]);
+        }
+        let Some(at) = self.link.iter().position(|&w| w == ear) else { return Ok(false) };
+        self.link.rotate_left(at + 1);
+        Ok(true)
+    }
+}

@@ -1,0 +1,104 @@
+//! Prisms whose caps are almost flat fans of slivers: tetrahedra on them are thinner than a unit in the last place.
+use crate::check::check_mesh;
+use crate::error::Status;
+use crate::options::Options;
+use crate::output::TetMesh;
+use crate::plc::Plc;
+use crate::progress::Silent;
+use crate::tetrahedralize::tetrahedralize;
+
+/// Numbers that look random (Knuth's multiplier).
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self, count: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 33) % count
+    }
+}
+
+/// A prism over a polygon of `n` corners near an ellipse; both caps are fans from their first corners.
+fn prism(n: u32, numbers: &mut Numbers) -> Plc {
+    let mut points = Vec::new();
+    for z in [0.0, 0.25] {
+        let mut rest = Numbers(17);
+        for i in 0..n {
+            let angle = (f64::from(i) + 0.001 * rest.next(500) as f64) * std::f64::consts::TAU / f64::from(n);
+            points.push([3.0 * angle.cos(), angle.sin(), z + 1.0]);
+        }
+    }
+    let mut triangles = Vec::new();
+    for i in 1..n - 1 {
+        triangles.extend([[0, i + 1, i], [n, n + i, n + i + 1]]);
+    }
+    for i in 0..n {
+        let j = (i + 1) % n;
+        let turned = numbers.next(2) == 0;
+        triangles.extend(if turned {
+            [[i, j, n + j], [i, n + j, n + i]]
+        } else {
+            [[i, j, n + i], [j, n + j, n + i]]
+        });
+    }
+    Plc { points, triangles, ..Plc::default() }
+}
+
+/// Turned by an angle about an axis, rounded.
+fn rotated(plc: &mut Plc, numbers: &mut Numbers) {
+    let q: [f64; 4] = std::array::from_fn(|_| numbers.next(1000) as f64 - 499.5);
+    let [w, x, y, z] = q.map(|c| c / q.iter().map(|c| c * c).sum::<f64>().sqrt());
+    let rows = [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
+        [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
+        [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
+    ];
+    for p in &mut plc.points {
+        *p = rows.map(|row| row[0] * p[0] + row[1] * p[1] + row[2] * p[2]);
+    }
+}
+
+fn run(plc: &Plc) -> TetMesh {
+    let mesh = tetrahedralize(plc, &Options::default(), &mut Silent).unwrap();
+    check_mesh(plc, &mesh, true, 10).unwrap();
+    mesh
+}
+
+#[test]
+fn turned_prisms_need_precise_positions_only() {
+    let mut moved = 0;
+    for seed in 0..20 {
+        let mut numbers = Numbers(seed);
+        let mut plc = prism(20 + 2 * seed as u32, &mut numbers);
+        rotated(&mut plc, &mut numbers);
+        let mesh = run(&plc);
+        assert_eq!(mesh.replaced, [], "seed {seed}");
+        moved += mesh.statistics.steiner_moved;
+    }
+    assert!(moved > 0);
+}
+
+#[test]
+fn tetrahedra_of_caps_rough_by_units_in_the_last_place_are_replaced() {
+    let (mut replaced, mut meshed) = (0, 0);
+    for seed in 0..20 {
+        let mut numbers = Numbers(seed);
+        let mut plc = prism(12 + seed as u32, &mut numbers);
+        for p in &mut plc.points {
+            p[2] += f64::EPSILON * (numbers.next(5) as f64 - 2.0);
+        }
+        let mesh = match tetrahedralize(&plc, &Options::default(), &mut Silent) {
+            Ok(mesh) => mesh,
+            Err(error) => {
+                assert_eq!(error.status, Status::Rounding);
+                assert!(!error.defects.is_empty());
+                continue;
+            }
+        };
+        check_mesh(&plc, &mesh, true, 10).unwrap();
+        assert!(mesh.replaced.windows(2).all(|pair| pair[0] < pair[1]));
+        assert_eq!(mesh.statistics.replaced, mesh.replaced.len() as u64);
+        meshed += 1;
+        replaced += mesh.replaced.len();
+    }
+    assert!(meshed >= 15 && replaced > 0, "{meshed} {replaced}");
+}

@@ -1,0 +1,223 @@
+//! Reconnection where doubles are too coarse for the exact mesh: tetrahedra that rounding has flattened or turned over go.
+//!
+//! Engine notes §9 (d). Almost flat facets hold tetrahedra thinner than the last place of their coordinates; no move of a point within
+//! its surroundings makes all of these positive, but other tetrahedra on the same vertices are. So a tetrahedron that is not positive
+//! is taken out together with some around it (those round an edge of it, at a vertex of it, or up to a few faces away), and the
+//! polyhedron is filled anew by small polyhedron reconnection ([`crate::reconnect`]), by exact signs of the doubles that are handed out.
+//!
+//! Invariants: subfaces and subsegments stay; new tetrahedra are positive in doubles; components keep what they hold, because no
+//! cavity reaches across a subface. What is given up is the Delaunay property of the new tetrahedra, and that they are positive in the
+//! exact positions too: so they are listed.
+use super::lawson::Lawson;
+use super::{positive, Repair};
+use crate::delaunay::Delaunay;
+use crate::error::Error;
+use crate::mesh::refill::Refill;
+use crate::mesh::tables::EDGE;
+use crate::mesh::{edge_key, flag, Tetrahedra, NONE};
+use crate::predicates::Points;
+use crate::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
+use rustc_hash::FxHashSet;
+
+/// Steps of a search.
+const BUDGET: u32 = 2000;
+/// Most tetrahedra of a cavity: more have too many vertices.
+const MOST_TETS: usize = 160;
+/// How many faces away a cavity reaches at most.
+const MOST_LAYERS: usize = 4;
+
+/// What is repaired.
+pub struct Site<'a> {
+    /// The mesh.
+    pub delaunay: &'a mut Delaunay,
+    /// The component of each slot.
+    pub component: &'a mut Vec<u32>,
+    /// Subsegments, by [`edge_key`].
+    pub edges: FxHashSet<[u32; 2]>,
+    /// Puts tetrahedra in place.
+    pub refill: Refill,
+    /// Slots of tetrahedra that took the place of others.
+    pub replaced: &'a mut FxHashSet<u32>,
+}
+
+impl Site<'_> {
+    /// Replaces tetrahedra of one component by others with the same boundary.
+    pub fn put(&mut self, old: &[u32], new: &[[u32; 4]]) -> Result<(), Error> {
+        let label = self.component[old[0] as usize];
+        let Delaunay { mesh, vertex_tet, .. } = &mut *self.delaunay;
+        self.refill.replace(mesh, vertex_tet, old, new, std::iter::empty())?;
+        let slots = mesh.slot_count().max(self.component.len());
+        self.component.try_reserve(slots - self.component.len())?;
+        self.component.resize(slots, NONE);
+        for t in old {
+            self.replaced.remove(t);
+        }
+        self.replaced.try_reserve(new.len())?;
+        for &fresh in &self.refill.fresh {
+            self.component[fresh as usize] = label;
+            self.replaced.insert(fresh);
+        }
+        Ok(())
+    }
+}
+
+impl Repair<'_, '_> {
+    /// Replaces the tetrahedra of the list, and leaves those in it that no filling replaces.
+    pub(super) fn reconnect(&mut self, bad: &mut Vec<u32>) -> Result<(), Error> {
+        let mut edges: FxHashSet<[u32; 2]> = FxHashSet::default();
+        edges.try_reserve(self.segments.pieces.len())?;
+        edges.extend(self.segments.pieces.iter().map(|piece| edge_key(piece.ends[0], piece.ends[1])));
+        let mut xyz = Vec::new();
+        xyz.try_reserve(self.xyz.len())?;
+        xyz.extend_from_slice(self.xyz);
+        let points = Points::new(xyz);
+        let component = &mut self.kept.components.of;
+        let (refill, replaced) = (Refill::default(), &mut self.replaced);
+        let mut site = Site { delaunay: self.delaunay, component, edges, refill, replaced };
+        let (mut untangle, mut lawson) = (Untangle::default(), Lawson::default());
+        for &t in bad.iter() {
+            let mesh = &site.delaunay.mesh;
+            // An earlier replacement may have taken it, and its slot.
+            if mesh.is_live(t)
+                && !positive(self.xyz, mesh.verts[t as usize])
+                && untangle.replace(&mut site, &points, t)?
+            {
+                self.moves += 1;
+                let fresh = site.refill.fresh.clone();
+                lawson.run(&mut site, &points, fresh)?;
+            }
+        }
+        self.keep_bad(bad);
+        Ok(())
+    }
+}
+
+/// Replaces tetrahedra; keeps its scratch space.
+#[derive(Default)]
+struct Untangle {
+    reconnect: Reconnect,
+    faces: Vec<[u32; 3]>,
+    inner: Vec<u32>,
+    kept_edges: Vec<[u32; 2]>,
+    new: Vec<[u32; 4]>,
+}
+
+impl Untangle {
+    /// Replaces the tetrahedron `t` and some around it by positive ones, if a filling is found; they are in `site.refill.fresh`.
+    fn replace(&mut self, site: &mut Site, points: &Points, t: u32) -> Result<bool, Error> {
+        for cavity in cavities(&site.delaunay.mesh, t)? {
+            if self.fill(site, points, &cavity)? {
+                site.put(&cavity, &self.new)?;
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Fills a cavity with positive tetrahedra into `self.new`.
+    fn fill(&mut self, site: &Site, points: &Points, cavity: &[u32]) -> Result<bool, Error> {
+        let mesh = &site.delaunay.mesh;
+        self.faces.clear();
+        self.faces.try_reserve(4 * cavity.len())?;
+        for code in cavity.iter().flat_map(|&t| 4 * t..4 * t + 4) {
+            let inside = cavity.binary_search(&(mesh.across(code) >> 2)).is_ok();
+            if !inside || is_subface(mesh, code) {
+                self.faces.push(mesh.face(code));
+            }
+        }
+        self.inner.clear();
+        self.kept_edges.clear();
+        let mut corners: Vec<u32> = Vec::new();
+        corners.try_reserve(3 * self.faces.len())?;
+        corners.extend(self.faces.iter().flatten());
+        corners.sort_unstable();
+        corners.dedup();
+        for &t in cavity {
+            let verts = mesh.verts[t as usize];
+            for v in verts {
+                if corners.binary_search(&v).is_err() && !self.inner.contains(&v) {
+                    self.inner.try_reserve(1)?;
+                    self.inner.push(v);
+                }
+            }
+            for [i, j] in EDGE {
+                let key = edge_key(verts[i as usize], verts[j as usize]);
+                if site.edges.contains(&key) && !self.kept_edges.contains(&key) {
+                    self.kept_edges.try_reserve(1)?;
+                    self.kept_edges.push(key);
+                }
+            }
+        }
+        if corners.len() + self.inner.len() > MOST_VERTICES {
+            return Ok(false);
+        }
+        self.new.clear();
+        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.kept_edges };
+        self.reconnect.fill(points, &polyhedron, BUDGET, &mut self.new)
+    }
+}
+
+/// The face is a subface.
+pub fn is_subface(mesh: &Tetrahedra, code: u32) -> bool {
+    mesh.flags[(code >> 2) as usize] & (flag::FACE << (code & 3)) != 0
+}
+
+/// The cavities to try, in this order: with each neighbour, round each edge, at each vertex, and all within more and more faces; each
+/// sorted by slots.
+fn cavities(mesh: &Tetrahedra, t: u32) -> Result<Vec<Vec<u32>>, Error> {
+    let mut list: Vec<Vec<u32>> = Vec::new();
+    let verts = mesh.verts[t as usize];
+    list.try_reserve(4 + EDGE.len() + 4 + MOST_LAYERS)?;
+    for f in 0..4 {
+        if !is_subface(mesh, 4 * t + f) {
+            list.push(vec![t, mesh.across(4 * t + f) >> 2]);
+        }
+    }
+    for [i, j] in EDGE {
+        list.push(around(mesh, t, &[verts[i as usize], verts[j as usize]])?);
+    }
+    for v in verts {
+        list.push(around(mesh, t, &[v])?);
+    }
+    let mut layers = vec![t];
+    let mut from = 0;
+    for _ in 0..MOST_LAYERS {
+        let to = layers.len();
+        for i in from..to {
+            add_neighbors(mesh, layers[i], &[], &mut layers)?;
+        }
+        from = to;
+        list.push(layers.clone());
+    }
+    for cavity in &mut list {
+        cavity.sort_unstable();
+    }
+    list.retain(|cavity| cavity.len() <= MOST_TETS);
+    list.sort_by_key(|cavity| cavity.len());
+    list.dedup();
+    Ok(list)
+}
+
+/// The tetrahedra that have all of `common`, from `t` across faces that are no subfaces.
+fn around(mesh: &Tetrahedra, t: u32, common: &[u32]) -> Result<Vec<u32>, Error> {
+    let mut list = vec![t];
+    let mut next = 0;
+    while next < list.len() && list.len() <= MOST_TETS {
+        add_neighbors(mesh, list[next], common, &mut list)?;
+        next += 1;
+    }
+    Ok(list)
+}
+
+/// Adds the neighbours of `t` across faces that are no subfaces and have all of `common`.
+fn add_neighbors(mesh: &Tetrahedra, t: u32, common: &[u32], list: &mut Vec<u32>) -> Result<(), Error> {
+    list.try_reserve(4)?;
+    for code in 4 * t..4 * t + 4 {
+        let n = mesh.across(code) >> 2;
+        let face = mesh.face(code);
+        if !is_subface(mesh, code) && common.iter().all(|v| face.contains(v)) && !list.contains(&n) {
+            list.push(n);
+        }
+    }
+    Ok(())
+}
