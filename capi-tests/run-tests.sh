@@ -34,6 +34,9 @@ case ${failures[*]:-} in *program:*) closing; exit 1 ;; esac
 step "models are what their generator makes" regenerate
 step "models are what they claim" python3 $data/check_models.py
 step "meshes of our models" python3 capi-tests/mesh_models.py --bin $bin
+for change in turn shift jitter; do
+  step "our models, $change" python3 capi-tests/turned_models.py --bin $bin --change $change --seeds 2
+done
 step "picture of a mesh cut open" picture
 step "C and C++: API, package, examples, sanitizers, valgrind, ABI, peers" sh capi-tests/check.sh
 
