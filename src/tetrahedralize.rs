@@ -333,6 +333,7 @@ impl Run<'_> {
     ) -> Result<TetMesh, Error> {
         let mut careful = vec![0u8; surface.segments.len()];
         let mut attempt = 0;
+        let mut fewest = usize::MAX;
         loop {
             let subfaces = self.recover_facets(surface, &segments, engine)?;
             let (mut components, regions) = self.find_regions(plc, options, engine)?;
@@ -346,7 +347,10 @@ impl Run<'_> {
                 (engine.scale, !options.exact_form),
             )?;
             self.lap(Phase::Round);
-            if !rounded.crowded.is_empty() && attempt < MOST_ATTEMPTS {
+            // Twice at least, and as long as that helps.
+            let hopeful = attempt < 2 || rounded.crowded.len() < fewest;
+            fewest = fewest.min(rounded.crowded.len());
+            if !rounded.crowded.is_empty() && attempt < MOST_ATTEMPTS && hopeful {
                 // The exact mesh is valid but has no counterpart in doubles: other parameters on those segments make another
                 // exact mesh.
                 attempt += 1;

@@ -3,7 +3,9 @@
 //! Engine notes §9. A Steiner point that is no double goes to the nearest one. Where that flattens or inverts a tetrahedron,
 //! one of its implicit vertices is moved: along its segment to a parameter that makes it an exact double, if the
 //! exact mesh stays constrained Delaunay; else to a neighbouring lattice point; else along its segment to a parameter whose
-//! rounding is kinder. Every move lowers the number of tetrahedra that are not positive, so the search ends.
+//! rounding is kinder. Every such move lowers the number of tetrahedra that are not positive. Where none helps, the points at these
+//! tetrahedra go to doubles nearest to the planes that they are close to ([`precise`]), or the tetrahedra are replaced ([`untangle`]),
+//! a fixed number of times ([`STAGES`]); so the search ends.
 mod candidates;
 mod lawson;
 mod moves;
