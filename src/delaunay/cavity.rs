@@ -1,12 +1,14 @@
 //! Cavity insertion with adjacency in O(1) per face.
 //!
-//! The conflict region of a vertex is collected breadth-first, its boundary faces are joined to the vertex, and the new
-//! tetrahedra are linked through a table indexed by *local* vertex numbers: the boundary's vertices are renumbered from 0, and
-//! the half-edge `i → j` of each boundary face is stored at `32·i + j` (the device of Marot, Pellerin & Remacle 2019).
+//! The boundary faces of the conflict region are joined to the new vertex, and the new tetrahedra are linked through a table
+//! indexed by *local* vertex numbers: the boundary's vertices are renumbered from 0, and the half-edge `i → j` of each
+//! boundary face is stored at `32·i + j` (the device of Marot, Pellerin & Remacle 2019).
 //! Cavities with more than 32 vertices pair their half-edges in a hash table.
 //!
-//! With `CONSTRAINED` the subsegment flags of tetrahedra are carried over: a flagged edge either lies on the boundary of
-//! the cavity, where new tetrahedra inherit the flag, or is lost and reported in `lost_edges`.
+//! New tetrahedra take the slots of those that die, which are in the processor's caches. But not with `CONSTRAINED`: then the
+//! subsegment flags of dead tetrahedra are carried over. A flagged edge either lies on the boundary of the cavity, where new
+//! tetrahedra inherit the flag, or is lost and reported in `lost_edges`.
+use super::conflicts::{ghost_in_conflict, Conflicts};
 use super::edge_table::EdgeTable;
 use super::Delaunay;
 use crate::error::Error;
@@ -14,109 +16,91 @@ use crate::mesh::slots::Slots;
 use crate::mesh::tables::{EDGE, EDGE_OF};
 use crate::mesh::{flag, GHOST, NONE};
 use crate::predicates::{Points, Sign};
-use std::hint::black_box;
 
-/// Boundary vertices that the table can number.
-const LOCAL: usize = 32;
+/// Boundary vertices that the table can number: a power of two.
+const LOCAL: u32 = 32;
+/// Entries of the table.
+const ENTRIES: usize = (LOCAL * LOCAL) as usize;
 /// Slots of the edge that the boundary's half-edge with this corner has, in a new tetrahedron; the first entry is never used.
 const HALF_EDGE: [[u8; 2]; 4] = [[0, 0], [2, 3], [3, 1], [1, 2]];
-/// First length of the lists of faces.
-const SCRATCH: usize = 256;
 
 /// Scratch space of an insertion.
 #[derive(Clone, Default)]
 pub struct Cavity {
-    /// Tetrahedra in conflict: the first `dead_count`.
-    dead: Vec<u32>,
-    dead_count: usize,
-    /// Their neighbours.
-    dead_adj: Vec<[u32; 4]>,
-    /// Corner codes of dead tetrahedra whose face is on the boundary: the first `boundary_count`.
-    boundary: Vec<u32>,
-    boundary_count: usize,
+    pub(super) conflicts: Conflicts,
     /// The new tetrahedra, all with the inserted vertex in slot 0.
     pub fresh: Vec<u32>,
     /// Flagged edges that the last constrained insertion destroyed.
     pub lost_edges: Vec<[u32; 2]>,
     numbers: LocalNumbers,
-    /// Local numbers of the vertices of each boundary face (and a filler).
-    local_faces: Vec<[u8; 4]>,
-    half_edges: [[u32; LOCAL]; LOCAL],
+    half_edges: HalfEdges,
     /// The half-edges where there are too many vertices for `half_edges`.
     wide_edges: EdgeTable,
+}
+
+/// Corner codes of directed edges by the local numbers of their ends.
+#[derive(Clone)]
+struct HalfEdges([u32; ENTRIES]);
+
+impl Default for HalfEdges {
+    fn default() -> Self {
+        HalfEdges([0; ENTRIES])
+    }
+}
+
+impl HalfEdges {
+    #[inline(always)]
+    fn set(&mut self, i: u32, j: u32, code: u32) {
+        self.0[(LOCAL * i + j) as usize % ENTRIES] = code;
+    }
+
+    #[inline(always)]
+    fn get(&self, i: u32, j: u32) -> u32 {
+        self.0[(LOCAL * i + j) as usize % ENTRIES]
+    }
 }
 
 /// Numbers from 0 for the vertices of one cavity's boundary.
 #[derive(Clone, Default)]
 struct LocalNumbers {
-    /// Per vertex its number in the current cavity, valid only if `vertex` agrees (so it is never reset).
-    of_vertex: Vec<u8>,
-    vertex: [u32; LOCAL],
-    ghost: u8,
+    /// Per vertex (the ghost first): the stamp of the last cavity in which it was numbered, and in the last bits its number.
+    of_vertex: Vec<u32>,
+    /// Of the current cavity: a multiple of `LOCAL`, never 0.
+    stamp: u32,
     /// How many are numbered; beyond `LOCAL` numbers are not distinct any more.
-    count: usize,
+    count: u32,
 }
 
 impl LocalNumbers {
-    /// The number of a vertex other than the ghost.
+    /// Forgets all numbers.
     #[inline(always)]
-    fn of(&mut self, v: u32) -> u8 {
-        let entry = &mut self.of_vertex[v as usize];
-        let number = *entry as usize;
-        let known = (number < self.count) & (self.vertex[number % LOCAL] == v);
+    fn clear(&mut self) {
+        self.count = 0;
+        self.stamp = self.stamp.wrapping_add(LOCAL);
+        if self.stamp == 0 {
+            // After 2^27 cavities stamps return.
+            self.of_vertex.fill(0);
+            self.stamp = LOCAL;
+        }
+    }
+
+    /// The number of a vertex, perhaps of the ghost.
+    #[inline(always)]
+    fn of(&mut self, v: u32) -> u32 {
+        let entry = &mut self.of_vertex[v.wrapping_add(1) as usize];
+        let number = *entry ^ self.stamp;
+        let known = number < LOCAL;
         // No branch: about every fifth vertex is new, at random.
         let number = if known { number } else { self.count % LOCAL };
-        self.count += !known as usize;
-        *entry = number as u8;
-        self.vertex[number] = v;
-        number as u8
+        self.count += !known as u32;
+        *entry = self.stamp | number;
+        number
     }
 
-    /// The numbers of a boundary face's vertices, of which the last may be the ghost.
+    /// The number of a vertex if it has one; else any.
     #[inline(always)]
-    fn of_face(&mut self, [a, b, c]: [u32; 3]) -> [u8; 3] {
-        let (a, b) = (self.of(a), self.of(b));
-        if c != GHOST {
-            return [a, b, self.of(c)];
-        }
-        let ghost = self.ghost as usize;
-        if ghost >= self.count || self.vertex[ghost] != GHOST {
-            self.ghost = (self.count % LOCAL) as u8;
-            self.vertex[self.count % LOCAL] = GHOST;
-            self.count += 1;
-        }
-        [a, b, self.ghost]
-    }
-}
-
-/// Lengthens the lists of an insertion.
-#[cold]
-fn lengthen(
-    dead: &mut Vec<u32>,
-    dead_adj: &mut Vec<[u32; 4]>,
-    boundary: &mut Vec<u32>,
-    length: usize,
-) -> Result<(), Error> {
-    dead.try_reserve(length.saturating_sub(dead.len()))?;
-    dead_adj.try_reserve(length.saturating_sub(dead_adj.len()))?;
-    boundary.try_reserve(length.saturating_sub(boundary.len()))?;
-    dead.resize(length.max(dead.len()), 0);
-    dead_adj.resize(length.max(dead_adj.len()), [0; 4]);
-    boundary.resize(length.max(boundary.len()), 0);
-    Ok(())
-}
-
-/// The hull face of a ghost sees `p`, or `p` lies in its plane and inside the sphere of the finite tetrahedron behind it.
-#[inline(always)]
-fn ghost_in_conflict(slots: &Slots, points: &Points, t: u32, p: u32) -> bool {
-    let v = slots.verts(t);
-    match points.orient3d(v[0], v[1], v[2], p) {
-        Sign::Positive => true,
-        Sign::Negative => false,
-        Sign::Zero => {
-            let w = slots.verts(slots.across(4 * t + 3) >> 2);
-            points.insphere_perturbed(w[0], w[1], w[2], w[3], p) == Sign::Positive
-        }
+    fn last(&self, v: u32) -> u32 {
+        self.of_vertex[v.wrapping_add(1) as usize] % LOCAL
     }
 }
 
@@ -124,163 +108,52 @@ impl Cavity {
     /// Makes room for vertices with ids below `vertex_count`.
     pub fn prepare(&mut self, vertex_count: usize) -> Result<(), Error> {
         let numbers = &mut self.numbers.of_vertex;
-        if numbers.len() < vertex_count {
-            numbers.try_reserve(vertex_count - numbers.len())?;
-            numbers.resize(vertex_count, 0);
-        }
+        let more = (vertex_count + 1).saturating_sub(numbers.len());
+        numbers.try_reserve(more)?;
+        numbers.resize(numbers.len() + more, 0);
         Ok(())
     }
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        self.numbers.of_vertex.capacity()
-            + 4 * (5 * self.dead.capacity()
-                + self.boundary.capacity()
-                + self.fresh.capacity()
-                + self.local_faces.capacity()
-                + LOCAL * LOCAL)
+        4 * (self.numbers.of_vertex.capacity() + self.fresh.capacity() + ENTRIES)
+            + self.conflicts.bytes()
             + self.wide_edges.bytes()
             + 8 * self.lost_edges.capacity()
     }
 
-    /// Fills `dead` (marked) and `boundary`. With `SHARED` only tetrahedra of the range `owner` may be dead: if another one is
-    /// in conflict nothing is marked and the answer is false.
-    ///
-    /// Conflicts are hard to foretell, so each tested neighbour is written behind both lists and only the lengths depend
-    /// on the outcome. What the next steps need of a tetrahedron is loaded when it is first met: the tests of others
-    /// hide the way to memory.
-    pub(super) fn collect_conflicts<const SHARED: bool>(
-        &mut self,
-        slots: &Slots,
-        owner: u16,
-        points: &Points,
-        p: u32,
-        t: u32,
-    ) -> Result<bool, Error> {
-        let at = *points.xyz(p);
-        let Cavity { dead, dead_adj, boundary, .. } = self;
-        if dead.len() < SCRATCH {
-            lengthen(dead, dead_adj, boundary, SCRATCH)?;
-        }
-        dead[0] = 4 * t;
-        dead_adj[0] = slots.adj(t);
-        slots.set_flags(t, slots.flags(t) | flag::MARK);
-        let (mut dead_count, mut boundary_count, mut next) = (1, 0, 0);
-        // `dead` has corner codes here: the face through which each tetrahedron was entered, so that it is not looked at
-        // again. The first one has no such face.
-        let mut faces = 4;
-        while next < dead_count {
-            if dead_count.max(boundary_count) + 4 > dead.len().min(dead_adj.len()).min(boundary.len()) {
-                let length = 2 * dead_count.max(boundary_count) + 4;
-                lengthen(dead, dead_adj, boundary, length)?;
-            }
-            let code = dead[next];
-            let neighbors = dead_adj[next];
-            next += 1;
-            if next < dead_count {
-                // What the next step looks at: by then it has come from memory.
-                for across in dead_adj[next] {
-                    slots.prefetch(across >> 2);
-                }
-            }
-            let mut untested = [(0, 0, [0; 4]); 4];
-            let mut count = 0;
-            for turn in 1..=faces {
-                let f = (code + turn) % 4;
-                let across = neighbors[f as usize];
-                let n = across >> 2;
-                untested[count % 4] = (code & !3 | f, across, slots.verts(n));
-                count += (slots.flags(n) & flag::MARK == 0) as usize;
-            }
-            faces = 3;
-            for &(inner, across, v) in untested.iter().take(count) {
-                let n = across >> 2;
-                let conflict = if v[3] != GHOST {
-                    points.inside_perturbed(v, p, &at)
-                } else {
-                    ghost_in_conflict(slots, points, n, p)
-                };
-                // A number that the compiler cannot turn back into a branch, which would be foretold wrongly too often.
-                let conflict = black_box(u16::from(conflict));
-                let flags = slots.flags(n);
-                if SHARED && flags & flag::OWNER != owner {
-                    if conflict != 0 {
-                        for code in &dead[..dead_count] {
-                            slots.set_flags(code >> 2, owner);
-                        }
-                        return Ok(false);
-                    }
-                    boundary[boundary_count] = inner;
-                    boundary_count += 1;
-                    continue;
-                }
-                slots.set_flags(n, flags | (flag::MARK * conflict));
-                dead[dead_count] = across;
-                dead_adj[dead_count] = slots.adj(n);
-                dead_count += conflict as usize;
-                boundary[boundary_count] = inner;
-                boundary_count += 1 - conflict as usize;
-            }
-        }
-        for code in &mut dead[..dead_count] {
-            *code >>= 2;
-        }
-        self.dead_count = dead_count;
-        self.boundary_count = boundary_count;
-        Ok(true)
+    /// Makes `fresh` the slots of dead tetrahedra, as many as there are new ones.
+    #[inline(always)]
+    pub(super) fn reuse_slots(&mut self) -> Result<(), Error> {
+        let dead = self.conflicts.dead();
+        let count = dead.len().min(self.conflicts.face_count());
+        self.fresh.clear();
+        self.fresh.try_reserve(count)?;
+        self.fresh.extend_from_slice(&dead[..count]);
+        Ok(())
     }
 
-    /// The tetrahedra in conflict, as found last.
-    pub(super) fn dead(&self) -> &[u32] {
-        &self.dead[..self.dead_count]
-    }
-
-    /// How many tetrahedra the insertion makes.
-    pub(super) fn fresh_count(&self) -> usize {
-        self.boundary_count
-    }
-
-    /// Joins `p` to the boundary faces, in the slots `fresh`, and links the new tetrahedra, which get `flags`.
+    /// Joins `p` to the boundary faces, in the slots `fresh`, and links the new tetrahedra, which get `flags`. The list of faces is
+    /// used up.
     pub(super) fn fill(&mut self, slots: &Slots, flags: u16, p: u32) -> Result<(), Error> {
-        let count = self.boundary_count;
-        self.numbers.count = 0;
-        if self.local_faces.len() < count {
-            self.local_faces.try_reserve(2 * count - self.local_faces.len())?;
-            self.local_faces.resize(2 * count, [0; 4]);
-        }
-        let mut small = true;
-        for ((&code, &t), local_face) in
-            self.boundary[..count].iter().zip(&self.fresh).zip(&mut self.local_faces)
-        {
-            let mut b = slots.face(code);
-            if b[0] == GHOST {
-                b = [b[1], b[2], b[0]];
-            } else if b[1] == GHOST {
-                b = [b[2], b[0], b[1]];
-            }
-            let outer = slots.across(code);
+        let Cavity { conflicts, fresh, numbers, half_edges, .. } = self;
+        numbers.clear();
+        for (face, &t) in conflicts.faces().iter_mut().zip(&*fresh) {
+            let [a, b, c, outer] = *face;
             slots.set_across(outer, 4 * t);
-            slots.set_verts(t, [p, b[0], b[1], b[2]]);
+            slots.set_verts(t, [p, a, b, c]);
             slots.set_flags(t, flags);
-            slots.set_across(4 * t, outer);
-            if small {
-                let [i0, i1, i2] = self.numbers.of_face(b);
-                small = self.numbers.count <= LOCAL;
-                let table = &mut self.half_edges;
-                table[i1 as usize % LOCAL][i2 as usize % LOCAL] = 4 * t + 1;
-                table[i2 as usize % LOCAL][i0 as usize % LOCAL] = 4 * t + 2;
-                table[i0 as usize % LOCAL][i1 as usize % LOCAL] = 4 * t + 3;
-                *local_face = [i0, i1, i2, 0];
-            }
+            let [i, j, k] = [numbers.of(a), numbers.of(b), numbers.of(c)];
+            half_edges.set(j, k, 4 * t + 1);
+            half_edges.set(k, i, 4 * t + 2);
+            half_edges.set(i, j, 4 * t + 3);
+            *face = [i, j, k, outer];
         }
-        if !small {
+        if numbers.count > LOCAL {
             return self.link_by_hash(slots);
         }
-        let table = &self.half_edges;
-        for (&t, &[i0, i1, i2, _]) in self.fresh.iter().zip(&self.local_faces) {
-            slots.set_across(4 * t + 1, table[i2 as usize % LOCAL][i1 as usize % LOCAL]);
-            slots.set_across(4 * t + 2, table[i0 as usize % LOCAL][i2 as usize % LOCAL]);
-            slots.set_across(4 * t + 3, table[i1 as usize % LOCAL][i0 as usize % LOCAL]);
+        for (&mut [i, j, k, outer], &t) in conflicts.faces().iter_mut().zip(&*fresh) {
+            slots.set_adj(t, [outer, half_edges.get(k, j), half_edges.get(i, k), half_edges.get(j, i)]);
         }
         Ok(())
     }
@@ -295,14 +168,12 @@ impl Cavity {
             edges.insert(c, a, 4 * t + 2);
             edges.insert(a, b, 4 * t + 3);
         }
-        for &t in &self.fresh {
+        for (&t, &mut [.., outer]) in self.fresh.iter().zip(self.conflicts.faces()) {
             let [_, a, b, c] = slots.verts(t);
             let (Some(x), Some(y), Some(z)) = (edges.get(c, b), edges.get(a, c), edges.get(b, a)) else {
                 return Err(Error::internal("the boundary of a cavity is not closed"));
             };
-            slots.set_across(4 * t + 1, x);
-            slots.set_across(4 * t + 2, y);
-            slots.set_across(4 * t + 3, z);
+            slots.set_adj(t, [outer, x, y, z]);
         }
         Ok(())
     }
@@ -328,9 +199,14 @@ impl Delaunay {
         t: u32,
     ) -> Result<u32, Error> {
         let Delaunay { mesh, cavity, vertex_tet, .. } = self;
-        cavity.collect_conflicts::<false>(&mesh.exclusive(), 0, points, p, t)?;
-        cavity.fresh.clear();
-        mesh.allocate_all(cavity.boundary_count, &mut cavity.fresh)?;
+        cavity.conflicts.collect::<false>(&mesh.exclusive(), 0, points, p, t)?;
+        if CONSTRAINED {
+            cavity.fresh.clear();
+        } else {
+            cavity.reuse_slots()?;
+        }
+        let reused = cavity.fresh.len();
+        mesh.allocate_all(cavity.conflicts.face_count() - reused, &mut cavity.fresh)?;
         cavity.fill(&mesh.exclusive(), 0, p)?;
         if CONSTRAINED {
             for &t in &cavity.fresh {
@@ -341,8 +217,8 @@ impl Delaunay {
             vertex_tet[p as usize] = cavity.fresh[0];
             self.carry_edge_flags(p);
         }
-        for i in 0..self.cavity.dead_count {
-            self.mesh.release(self.cavity.dead[i]);
+        for &t in &self.cavity.conflicts.dead()[reused..] {
+            self.mesh.release(t);
         }
         Ok(self.cavity.fresh[0])
     }
@@ -353,8 +229,8 @@ impl Delaunay {
     /// them: one for each direction.
     fn carry_edge_flags(&mut self, p: u32) {
         self.cavity.lost_edges.clear();
-        for i in 0..self.cavity.dead_count {
-            let t = self.cavity.dead[i] as usize;
+        for i in 0..self.cavity.conflicts.dead().len() {
+            let t = self.cavity.conflicts.dead()[i] as usize;
             let mut bits = (self.mesh.flags[t] & flag::EDGES) >> 4;
             while bits != 0 {
                 let e = bits.trailing_zeros() as usize;
@@ -384,8 +260,7 @@ impl Delaunay {
             return wide_edges.get(a, b);
         }
         // What earlier cavities left in the table is told apart by its vertices: no other tetrahedra have `p`.
-        let [i, j] = [a, b].map(|v| numbers.of_vertex[v as usize] as usize % LOCAL);
-        let code = half_edges[i][j];
+        let code = half_edges.get(numbers.last(a), numbers.last(b));
         let v = self.mesh.verts.get((code >> 2) as usize)?;
         let [x, y] = HALF_EDGE[(code & 3) as usize];
         (v[0] == p && v[x as usize] == a && v[y as usize] == b).then_some(code)
@@ -394,5 +269,21 @@ impl Delaunay {
     /// A new tetrahedron of the last insertion with vertex `v`, or NONE.
     pub fn fresh_with(&self, v: u32) -> u32 {
         self.cavity.fresh.iter().copied().find(|&t| self.mesh.verts[t as usize].contains(&v)).unwrap_or(NONE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn local_numbers_are_forgotten_even_when_stamps_return() {
+        let mut numbers = LocalNumbers { of_vertex: vec![0; 8], ..LocalNumbers::default() };
+        numbers.clear();
+        assert_eq!([numbers.of(3), numbers.of(GHOST), numbers.of(3), numbers.of(6)], [0, 1, 0, 2]);
+        // The stamp of that cavity comes again after this one.
+        numbers.stamp = LOCAL.wrapping_neg();
+        numbers.clear();
+        assert_eq!([numbers.of(6), numbers.of(3), numbers.of(GHOST), numbers.count], [0, 1, 2, 3]);
     }
 }

@@ -4,7 +4,7 @@ use super::Delaunay;
 use crate::error::Error;
 use crate::mesh::slots::Slots;
 use crate::mesh::{flag, GHOST};
-use crate::predicates::{Points, Sign};
+use crate::predicates::{Glance, Points, Sign};
 
 /// Where a walk ended.
 pub(super) enum Walk {
@@ -20,16 +20,17 @@ impl Delaunay {
     /// A tetrahedron in conflict with `p`: the finite one that contains it (boundary included) or a ghost whose hull face
     /// sees it.
     pub fn locate(&self, points: &Points, p: u32, start: u32) -> Result<u32, Error> {
-        match walk::<false>(&self.mesh.slots(), 0, points, p, start) {
+        match walk::<false, true>(&self.mesh.slots(), 0, points, p, start) {
             Walk::Found(t) => Ok(t),
             _ => Err(Error::internal("point location did not end")),
         }
     }
 }
 
-/// Walks to `p`; with `SHARED` through tetrahedra of the range `owner` only, of which `start` must be one.
+/// Walks to `p`; with `SHARED` through tetrahedra of the range `owner` only, of which `start` must be one. Ends at the
+/// tetrahedron that contains `p`, or without `INTO` at the first one in conflict.
 #[inline(always)]
-pub(super) fn walk<const SHARED: bool>(
+pub(super) fn walk<const SHARED: bool, const INTO: bool>(
     slots: &Slots,
     owner: u16,
     points: &Points,
@@ -43,25 +44,21 @@ pub(super) fn walk<const SHARED: bool>(
             return Walk::Left;
         }
     }
-    // The face we came through needs no test. The first face tested rotates with the step count: a fixed order makes
-    // walks longer.
+    let at = *points.xyz(p);
+    // The face we came through needs no test.
     let mut entered = 4u32;
     let limit = 4 * slots.count() + 64;
     for step in 0..limit {
-        let mut next = None;
-        for i in 0..4u32 {
-            let f = (i + step as u32) & 3;
-            if f == entered {
-                continue;
-            }
-            let [x, y, z] = slots.face(4 * t + f);
-            let side = points.orient3d(p, x, y, z);
-            if side == Sign::Negative {
-                next = Some(slots.across(4 * t + f));
-                break;
-            }
-        }
-        let Some(code) = next else { return Walk::Found(t) };
+        let glance = if INTO { Glance::Unclear } else { points.glance(slots.verts(t), &at) };
+        let face = match glance {
+            Glance::Inside => return Walk::Found(t),
+            Glance::Beyond(face) => face,
+            Glance::Unclear => match separating(slots, points, p, t, step as u32, entered) {
+                Some(face) => face,
+                None => return Walk::Found(t),
+            },
+        };
+        let code = slots.across(4 * t + face);
         t = code >> 2;
         entered = code & 3;
         if SHARED && slots.flags(t) & flag::OWNER != owner {
@@ -72,4 +69,13 @@ pub(super) fn walk<const SHARED: bool>(
         }
     }
     Walk::Lost
+}
+
+/// A face of `t` with `p` beyond its plane. The first face tested rotates with `turn`: a fixed order makes walks longer.
+#[inline(always)]
+fn separating(slots: &Slots, points: &Points, p: u32, t: u32, turn: u32, entered: u32) -> Option<u32> {
+    (0..4).map(|i| (i + turn) & 3).find(|&f| {
+        let [x, y, z] = slots.face(4 * t + f);
+        f != entered && points.orient3d(p, x, y, z) == Sign::Negative
+    })
 }

@@ -7,6 +7,7 @@
 //! ghosts.
 pub mod cavity;
 pub mod check;
+mod conflicts;
 mod edge_table;
 pub mod locate;
 pub mod order;
@@ -17,6 +18,7 @@ use crate::error::{Error, Status};
 use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
 use crate::predicates::{Points, Sign};
 use cavity::Cavity;
+use locate::{walk, Walk};
 use order::Frame;
 use parallel::{Pass, FEWEST_VERTICES};
 use ranges::{range_count, Division};
@@ -108,7 +110,9 @@ impl Delaunay {
 
     /// Inserts one vertex, which equals none of the present ones.
     pub fn insert(&mut self, points: &Points, p: u32) -> Result<(), Error> {
-        let t = self.locate(points, p, self.hint)?;
+        let Walk::Found(t) = walk::<false, false>(&self.mesh.slots(), 0, points, p, self.hint) else {
+            return Err(Error::internal("point location did not end"));
+        };
         self.hint = self.insert_at::<false>(points, p, t)?;
         Ok(())
     }

@@ -4,7 +4,8 @@
 //! A *pass* divides space into ranges (module `ranges`). A tetrahedron with all vertices in one range belongs to it, the
 //! others are frozen. Each range inserts its vertices in their order and touches its own tetrahedra only; a vertex whose
 //! walk or cavity would need a frozen one is deferred, to the next pass, which divides space differently, and the few that
-//! remain at last are inserted by one thread. New tetrahedra go to a block of slots set aside for the range.
+//! remain at last are inserted by one thread. New tetrahedra take the slots of those that die, then a block of slots set aside
+//! for the range.
 //!
 //! *Same bytes for any number of threads.* What the ranges are depends on the vertices alone, and what a range does on its
 //! own tetrahedra alone: not on the worker, nor on what others do at the same time. So slots come out the same whether one
@@ -179,34 +180,38 @@ impl Shop<'_> {
     #[inline(always)]
     fn insert(&self, task: &mut Task, cavity: &mut Cavity, p: u32, hint: u32) -> Result<Option<u32>, Error> {
         let slots = &self.slots;
-        let t = match walk::<true>(slots, task.owner, self.points, p, hint) {
+        let t = match walk::<true, false>(slots, task.owner, self.points, p, hint) {
             Walk::Found(t) => t,
             Walk::Left => return Ok(None),
             Walk::Lost => return Err(Error::internal("point location did not end")),
         };
-        if !cavity.collect_conflicts::<true>(slots, task.owner, self.points, p, t)? {
+        if !cavity.conflicts.collect::<true>(slots, task.owner, self.points, p, t)? {
             return Ok(None);
         }
-        let count = cavity.fresh_count();
-        let recycled = count.min(task.free.len());
-        if task.block.len() < count - recycled {
-            for &t in cavity.dead() {
+        let (dead, fresh) = (cavity.conflicts.dead().len(), cavity.conflicts.face_count());
+        let more = fresh.saturating_sub(dead);
+        let recycled = more.min(task.free.len());
+        if task.block.len() < more - recycled {
+            for &t in cavity.conflicts.dead() {
                 slots.set_flags(t, task.owner);
             }
             return Ok(None);
         }
-        cavity.fresh.clear();
-        cavity.fresh.try_reserve(count)?;
-        cavity.fresh.extend(task.free.drain(task.free.len() - recycled..));
-        let end = task.block.start + (count - recycled) as u32;
-        cavity.fresh.extend(task.block.start..end);
-        task.block.start = end;
-        cavity.fill(slots, task.owner, p)?;
-        task.free.try_reserve(cavity.dead().len())?;
-        for &t in cavity.dead() {
-            slots.set_flags(t, flag::DEAD);
-            task.free.push(t);
+        cavity.reuse_slots()?;
+        if more > 0 {
+            cavity.fresh.try_reserve(more)?;
+            cavity.fresh.extend(task.free.drain(task.free.len() - recycled..));
+            let end = task.block.start + (more - recycled) as u32;
+            cavity.fresh.extend(task.block.start..end);
+            task.block.start = end;
+        } else {
+            task.free.try_reserve(dead - fresh)?;
+            for &t in &cavity.conflicts.dead()[fresh..] {
+                slots.set_flags(t, flag::DEAD);
+                task.free.push(t);
+            }
         }
+        cavity.fill(slots, task.owner, p)?;
         Ok(Some(cavity.fresh[0]))
     }
 }

@@ -21,7 +21,17 @@ fn build(xyz: Vec<[f64; 3]>) -> (Delaunay, Points) {
     let mut delaunay = Delaunay::new();
     delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
     check_delaunay(&delaunay, &points).unwrap();
+    slots_are_accounted_for(&delaunay);
     (delaunay, points)
+}
+
+/// Each free slot is listed once, and no other.
+fn slots_are_accounted_for(delaunay: &Delaunay) {
+    let mesh = &delaunay.mesh;
+    let mut free = mesh.free.clone();
+    free.sort_unstable();
+    let dead: Vec<u32> = (0..mesh.slot_count() as u32).filter(|&t| !mesh.is_live(t)).collect();
+    assert_eq!(free, dead);
 }
 
 fn finite_count(delaunay: &Delaunay) -> usize {
@@ -178,6 +188,7 @@ fn any_number_of_threads_makes_the_same_bytes() {
     for (name, xyz) in large_sets() {
         let (delaunay, points, one) = build_by(1, &xyz);
         check_delaunay(&delaunay, &points).unwrap();
+        slots_are_accounted_for(&delaunay);
         let round = delaunay.rounds.last().unwrap_or_else(|| panic!("{name}: no round by ranges"));
         assert!(round.ranges >= 2 && round.deferred[0] > 0, "{name}");
         for threads in [2, 3, 4, 7] {

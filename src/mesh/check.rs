@@ -14,7 +14,7 @@ pub fn check_topology(mesh: &Tetrahedra) -> Result<(), String> {
         if (0..4).any(|i| (0..i).any(|j| v[i] == v[j])) {
             return Err(format!("tetrahedron {t}: repeated vertex {v:?}"));
         }
-        if mesh.flags[t as usize] & flag::MARK != 0 {
+        if mesh.flags[t as usize] & (flag::MARK | flag::MET) != 0 {
             return Err(format!("tetrahedron {t}: left marked"));
         }
         for f in 0..4 {

@@ -53,6 +53,8 @@ pub mod flag {
     pub const MARK: u16 = 1 << 10;
     /// The slot is free.
     pub const DEAD: u16 = 1 << 11;
+    /// Another scratch mark: clear between operations.
+    pub const MET: u16 = 1 << 12;
 }
 
 /// Tetrahedra with vertices, neighbours and flags.

@@ -110,6 +110,13 @@ impl<'a> Slots<'a> {
         unsafe { *self.adj.add(self.at(t)) }
     }
 
+    /// Sets the neighbours of `t`.
+    #[inline(always)]
+    pub(crate) fn set_adj(&self, t: u32, adj: [u32; 4]) {
+        // SAFETY: in bounds and an own slot, see above.
+        unsafe { *self.adj.add(self.at(t)) = adj }
+    }
+
     /// The flags of `t`.
     #[inline(always)]
     pub(crate) fn flags(&self, t: u32) -> u16 {
@@ -149,7 +156,6 @@ impl<'a> Slots<'a> {
             // SAFETY: in bounds; a hint reads and writes nothing.
             unsafe {
                 _mm_prefetch::<_MM_HINT_T0>(self.verts.add(self.at(t)).cast());
-                _mm_prefetch::<_MM_HINT_T0>(self.flags.add(self.at(t)).cast());
                 _mm_prefetch::<_MM_HINT_T0>(self.adj.add(self.at(t)).cast());
             }
         }

@@ -37,11 +37,24 @@ pub(crate) fn orient3d_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3
 }
 
 /// The insphere determinant relative to `e`, rounded: positive inside for a positive tetrahedron.
+#[inline(always)]
+pub(crate) fn insphere_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> f64 {
+    insphere_minors(a, b, c, d, e).1
+}
+
+/// The insphere determinant relative to `e`, and minors of it: `orient3d` with `e` in the place of each vertex of `(a, b, c, d)`
+/// (with the same roundings as [`orient3d_det`], so its bounds hold).
 ///
 /// The points go in two pairs, (a, c) and (b, d): all steps but a few are the same for both members, and compilers make
 /// one instruction of the two.
 #[inline(always)]
-pub(crate) fn insphere_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> f64 {
+pub(crate) fn insphere_minors(
+    a: &[f64; 3],
+    b: &[f64; 3],
+    c: &[f64; 3],
+    d: &[f64; 3],
+    e: &[f64; 3],
+) -> ([f64; 4], f64) {
     let pair = |p: &[f64; 3], q: &[f64; 3], axis: usize| Pair([p[axis], q[axis]]) - Pair([e[axis]; 2]);
     let [acx, acy, acz] = [pair(a, c, 0), pair(a, c, 1), pair(a, c, 2)];
     let [bdx, bdy, bdz] = [pair(b, d, 0), pair(b, d, 1), pair(b, d, 2)];
@@ -58,7 +71,8 @@ pub(crate) fn insphere_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3
     let abc_cda = acz * bc_da + acz.swapped() * ab_cd + Pair([-bz_ac.0[0], bz_ac.0[1]]);
     let bcd_dab = bdz * ab_cd.swapped() + bdz.swapped() * bc_da + Pair([-az_bd.0[0], az_bd.0[1]]);
     let sum = acl * bcd_dab - bdl * abc_cda.swapped();
-    sum.0[0] + sum.0[1]
+    let ([abc, cda], [bcd, dab]) = (abc_cda.0, bcd_dab.0);
+    ([bcd, -cda, dab, -abc], sum.0[0] + sum.0[1])
 }
 
 /// Two numbers that take part in the same operations.

@@ -7,6 +7,17 @@
 
 use super::{exact, filter, robust_insphere, wide, Points, Sign};
 
+/// How a tetrahedron lies to a point, after a quick look.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Glance {
+    /// Its circumsphere contains the point.
+    Inside,
+    /// The point is beyond the plane of this face: of such faces the one with the largest determinant.
+    Beyond(u32),
+    /// A closer look is needed; if the point is beyond a plane at all, it is close to it.
+    Unclear,
+}
+
 impl Points {
     /// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`, zero if the five are
     /// cospherical (or coplanar); odd under swaps of the first four.
@@ -31,6 +42,24 @@ impl Points {
             det > 0.0
         } else {
             self.inside_close(det, [a, b, c, d, e])
+        }
+    }
+
+    /// How a finite tetrahedron lies to `e`, whose coordinates are `at`, as far as the static filter can tell.
+    #[inline(always)]
+    pub(crate) fn glance(&self, [a, b, c, d]: [u32; 4], at: &[f64; 3]) -> Glance {
+        let (sides, det) = filter::insphere_minors(self.xyz(a), self.xyz(b), self.xyz(c), self.xyz(d), at);
+        if det > self.insphere_bound {
+            return Glance::Inside;
+        }
+        // Without branches: which face it is cannot be foretold.
+        let first = (sides[1] < sides[0]) as usize;
+        let second = 2 + (sides[3] < sides[2]) as usize;
+        let least = if sides[second] < sides[first] { second } else { first };
+        if sides[least] < -self.orient3d_bound {
+            Glance::Beyond(least as u32)
+        } else {
+            Glance::Unclear
         }
     }
 

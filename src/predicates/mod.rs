@@ -21,6 +21,7 @@ mod tests;
 mod wide;
 
 pub use expansion::Expansion;
+pub(crate) use insphere::Glance;
 pub use orient::{dot_sign, Plane};
 pub use points::Points;
 pub use range::{in_range, is_parameter, range_scale, scale, to_range};

@@ -160,6 +160,9 @@ fn compare_all(points: &Points, count: usize, random: &mut Random) -> [usize; 2]
             "insphere {ids:?} {:?}",
             ids.map(|i| points.xyz(i))
         );
+        if orient == Sign::Positive {
+            glance_is_right(points, [a, b, c, d], e, inside);
+        }
         let axis = round % 3;
         assert_eq!(points.orient_in_plane(axis, a, b, c), exact_orient2d(&three, axis));
         let dots = sign(&dot(&sub(pb, pa), &sub(pc, pa)));
@@ -185,6 +188,23 @@ fn compare_all(points: &Points, count: usize, random: &mut Random) -> [usize; 2]
         perturbed_is_odd(points, ids, random);
     }
     zeros
+}
+
+/// A quick look at a positive tetrahedron tells nothing that is not so.
+fn glance_is_right(points: &Points, t: [u32; 4], e: u32, inside: Sign) {
+    let of_face = |face: usize| {
+        let mut v = t;
+        v[face] = e;
+        points.orient3d(v[0], v[1], v[2], v[3])
+    };
+    match points.glance(t, points.xyz(e)) {
+        Glance::Inside => assert_eq!(inside, Sign::Positive, "glance at {t:?} from {e}"),
+        Glance::Beyond(face) => {
+            assert_eq!(of_face(face as usize), Sign::Negative, "glance at {t:?} from {e}")
+        }
+        // Whether that is rare see `static_filter_decides`.
+        Glance::Unclear => {}
+    }
 }
 
 /// The perturbed sign of a permutation is the sign times the parity; never zero unless all five are coplanar.
@@ -451,13 +471,18 @@ fn lowest_id_is_lowered_first() {
 fn static_filter_decides() {
     let mut random = Random(13);
     let points = Points::new((0..1000).map(|_| random.point()).collect());
-    let mut undecided = [0, 0];
+    let mut undecided = [0, 0, 0];
     for _ in 0..10_000 {
-        let [a, b, c, d, e] = random.distinct::<5>(1000).map(|i| points.xyz(i));
+        let ids @ [a, b, c, d, e] = random.distinct::<5>(1000);
+        if points.orient3d(a, b, c, d) == Sign::Positive && points.insphere(a, b, c, d, e) == Sign::Negative {
+            let glance = points.glance([a, b, c, d], points.xyz(e));
+            undecided[2] += usize::from(matches!(glance, Glance::Unclear));
+        }
+        let [a, b, c, d, e] = ids.map(|i| points.xyz(i));
         undecided[0] += usize::from(filter::orient3d_det(a, b, c, d).abs() <= points.orient3d_bound);
         undecided[1] += usize::from(filter::insphere_det(a, b, c, d, e).abs() <= points.insphere_bound);
     }
-    assert!(undecided[0] < 10 && undecided[1] < 10, "{undecided:?}");
+    assert!(undecided.iter().all(|&count| count < 10), "{undecided:?}");
 }
 
 /// Steiner points off one and the same line are collinear, on both ends and in between.
