@@ -113,9 +113,9 @@ fn check_judges_conformity_by_the_parents_file() {
     let (code, said) = check();
     assert!(code == Some(0) && said.contains("correct") && !said.contains("not judged"), "{said}");
     let parents = text(dir.join("s.parents"));
-    // Another parameter of the first Steiner point.
+    // Another parameter of the first Steiner point: beyond the other one on its segment.
     let line = parents.lines().nth(1).unwrap();
-    let other = format!("{} 0.0625", line.rsplit_once(' ').unwrap().0);
+    let other = format!("{} 0.9375", line.rsplit_once(' ').unwrap().0);
     std::fs::write(dir.join("s.parents"), parents.replacen(line, &other, 1)).unwrap();
     assert_eq!(check().0, Some(1));
     // A number of faces that is not the mesh's.
