@@ -12,13 +12,12 @@ use super::fill::{Filler, Half};
 use super::subface::Subfaces;
 use super::{crossing, face_key};
 use crate::delaunay::Delaunay;
-use crate::error::{Element, Error, Status};
+use crate::error::{Element, Error};
 use crate::mesh::flag;
+use crate::mesh::lookup::Lookup;
 use crate::mesh::refill::Refill;
 use crate::mesh::star::StarSearch;
-use crate::mesh::tables::FACE;
 use crate::predicates::{Points, Sign};
-use rustc_hash::FxHashMap;
 
 /// The state of a recovery.
 pub struct FacetRecovery<'a> {
@@ -90,33 +89,26 @@ impl<'a> FacetRecovery<'a> {
 
     /// Flags the faces of the mesh that are subfaces. One pass over the mesh: nearly all subfaces are there.
     fn mark_present(&mut self) -> Result<(), Error> {
-        let mut corners = Vec::new();
-        corners.try_reserve(self.points.len())?;
-        corners.resize(self.points.len(), false);
-        let mut subface_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-        let full = |_| Error::new(Status::OutOfMemory, "out of memory");
-        subface_of.try_reserve(self.subfaces.verts.len()).map_err(full)?;
-        for (s, v) in self.subfaces.verts.iter().enumerate() {
-            subface_of.insert(face_key(*v), s as u32);
-            for w in v {
-                corners[*w as usize] = true;
-            }
-        }
+        let keys = self.subfaces.verts.iter().zip(0..).map(|(&v, s)| {
+            let [a, b, c] = face_key(v);
+            (a, [b, c], s)
+        });
+        let subface_of = Lookup::new(self.points.len(), keys)?;
         let mesh = &mut self.delaunay.mesh;
         for t in 0..mesh.slot_count() as u32 {
             mesh.flags[t as usize] &= !flag::EDGES;
             if !mesh.is_live(t) || mesh.is_ghost(t) {
                 continue;
             }
-            let corner = mesh.verts[t as usize].map(|w| corners[w as usize]);
             for f in 0..4u32 {
                 // Each face once, from the tetrahedron with the smaller number; from the inside on the hull.
                 let other = mesh.across(4 * t + f);
                 let seen = other < 4 * t && !mesh.is_ghost(other >> 2);
-                if seen || !FACE[f as usize].iter().all(|&k| corner[k as usize]) {
+                if seen {
                     continue;
                 }
-                if let Some(&s) = subface_of.get(&face_key(mesh.face(4 * t + f))) {
+                let [a, b, c] = face_key(mesh.face(4 * t + f));
+                if let Some(s) = subface_of.get(a, [b, c]) {
                     mesh.flag_face(4 * t + f);
                     self.recovered[s as usize] = true;
                 }

@@ -12,6 +12,7 @@ use super::placement::{choose, distance, round_parameter, Context, Subsegment};
 use super::{crossing, edge_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error, Status};
+use crate::mesh::lookup::Lookup;
 use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
 use crate::mesh::{flag, GHOST, NONE};
 use crate::predicates::{Expansion, Points, Sign};
@@ -308,14 +309,11 @@ impl<'a> Recovery<'a> {
     /// One pass over the mesh: most surfaces have more segments than a tenth of the tetrahedra, and where a piece is an edge is
     /// found in constant time only from there.
     fn mark_present(&mut self) -> Result<Vec<bool>, Error> {
-        let mut ends = Vec::new();
-        ends.try_reserve(self.points.len())?;
-        ends.resize(self.points.len(), false);
-        for piece in &self.segments.pieces {
-            for v in piece.ends {
-                ends[v as usize] = true;
-            }
-        }
+        let pieces = self.segments.pieces.iter().zip(0..).map(|(piece, i)| {
+            let [a, b] = edge_key(piece.ends[0], piece.ends[1]);
+            (a, [b], i)
+        });
+        let piece_of = Lookup::new(self.points.len(), pieces)?;
         let mut present = Vec::new();
         present.try_reserve(self.segments.pieces.len())?;
         present.resize(self.segments.pieces.len(), false);
@@ -324,13 +322,12 @@ impl<'a> Recovery<'a> {
             if *flags & flag::DEAD != 0 {
                 continue;
             }
-            let end = v.map(|w| w != GHOST && ends[w as usize]);
             for (e, [i, j]) in EDGE.into_iter().enumerate() {
-                let (i, j) = (i as usize, j as usize);
-                if !end[i] || !end[j] {
+                let [a, b] = edge_key(v[i as usize], v[j as usize]);
+                if b == GHOST {
                     continue;
                 }
-                if let Some(&piece) = self.segments.piece_of.get(&edge_key(v[i], v[j])) {
+                if let Some(piece) = piece_of.get(a, [b]) {
                     *flags |= flag::EDGE << e;
                     present[piece as usize] = true;
                 }

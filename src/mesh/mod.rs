@@ -7,6 +7,7 @@
 //! Invariants between operations: every live tetrahedron has four live neighbours; `adj[adj[c]] == c` for every corner code
 //! `c = 4·t + f`; the two tetrahedra share the three vertices of that face.
 pub mod check;
+pub mod lookup;
 pub mod refill;
 pub mod slots;
 pub mod star;

@@ -1,0 +1,82 @@
+//! Edges or faces, found by their vertices: grouped by the lowest one.
+//!
+//! Vertices are numbered along a curve, and so are, roughly, tetrahedra: questions about one after the other stay in a small part of
+//! the lists, where a hash table would answer each from another corner of memory.
+use crate::error::Error;
+
+/// Up to so many entries are looked at one by one.
+const FEW: usize = 8;
+
+/// Numbers of simplices of `N + 1` vertices.
+pub struct Lookup<const N: usize> {
+    /// Where the group of each vertex begins in `entries`; one more at the end.
+    begin: Vec<u32>,
+    /// The other vertices and the number; each group is sorted.
+    entries: Vec<([u32; N], u32)>,
+}
+
+impl<const N: usize> Lookup<N> {
+    /// Of simplices given by lowest vertex, other vertices in order, and number, all different. Vertices are below `vertex_count`.
+    pub fn new(
+        vertex_count: usize,
+        simplices: impl Iterator<Item = (u32, [u32; N], u32)> + Clone,
+    ) -> Result<Self, Error> {
+        let mut begin = Vec::new();
+        begin.try_reserve_exact(vertex_count + 1)?;
+        begin.resize(vertex_count + 1, 0u32);
+        let mut count = 0;
+        for (v, ..) in simplices.clone() {
+            begin[v as usize] += 1;
+            count += 1;
+        }
+        let mut sum = 0;
+        for begin in &mut begin {
+            sum += *begin;
+            *begin = sum;
+        }
+        let mut entries = Vec::new();
+        entries.try_reserve_exact(count)?;
+        entries.resize(count, ([0; N], 0));
+        for (v, others, number) in simplices {
+            let place = &mut begin[v as usize];
+            *place -= 1;
+            entries[*place as usize] = (others, number);
+        }
+        for group in begin.windows(2) {
+            entries[group[0] as usize..group[1] as usize].sort_unstable();
+        }
+        Ok(Lookup { begin, entries })
+    }
+
+    /// The number of a simplex, if it is one of these.
+    #[inline(always)]
+    pub fn get(&self, lowest: u32, others: [u32; N]) -> Option<u32> {
+        let v = lowest as usize;
+        let group = &self.entries[self.begin[v] as usize..self.begin[v + 1] as usize];
+        if group.len() <= FEW {
+            return group.iter().find(|entry| entry.0 == others).map(|entry| entry.1);
+        }
+        group.binary_search_by_key(&others, |entry| entry.0).ok().map(|i| group[i].1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_are_found_and_no_others() {
+        // A fan around vertex 0, wider than is looked at one by one, and a chain.
+        let edges: Vec<[u32; 2]> = (1..40).map(|v| [0, v]).chain((1..39).map(|v| [v, v + 1])).collect();
+        let numbered = edges.iter().zip(0..).map(|(&[a, b], i)| (a, [b], i));
+        let lookup = Lookup::new(40, numbered).unwrap();
+        for a in 0..40 {
+            for b in 0..40 {
+                let expected = edges.iter().position(|&e| e == [a, b]).map(|i| i as u32);
+                assert_eq!(lookup.get(a, [b]), expected, "{a} {b}");
+            }
+        }
+        let none = Lookup::new(3, std::iter::empty()).unwrap();
+        assert_eq!(none.get(1, [2, 3]), None);
+    }
+}
