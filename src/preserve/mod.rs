@@ -4,7 +4,7 @@
 //! with points on the edges that resist; where that is given up, the constrained Delaunay tetrahedralization takes its place.
 //! Then what lies on the surface goes ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are taken away
 //! ([`unsplit`]), patches get the surface's triangles again ([`retarget`]), points inside that are not needed go ([`thin`]), and
-//! the others move to better places ([`smooth`]).
+//! the others move to better places ([`smooth`]). At last bad tetrahedra are reconnected ([`mod@improve`]).
 //!
 //! Where only the outer boundary is kept, points on segments inside ([`internal`]) may stay; they get positions in doubles
 //! ([`mod@settle`]), and patches inside keep what triangles they have where the surface's would take points.
@@ -15,6 +15,7 @@ pub mod check;
 pub mod corridor;
 pub mod flips;
 pub mod hollow;
+pub mod improve;
 pub mod inside;
 pub mod internal;
 pub mod memory;
@@ -24,6 +25,7 @@ pub mod polygon;
 pub mod recover;
 pub mod regions;
 pub mod removal;
+pub mod reshape;
 pub mod retarget;
 pub mod settle;
 pub mod smooth;
@@ -110,6 +112,7 @@ pub fn from_constrained(
         }
         smooth::smooth(solid, points, &inside)?;
     }
+    improve::improve(solid, points, &isolated, &mut || tick(0.99))?;
     statistics.interior = inside.list.len() as u64;
     statistics.on_internal_facets = removal.settled.len() as u64;
     Ok(Freed { inside, settled: removal.settled, subfaces: subfaces(solid, target, &internal)? })

@@ -237,3 +237,85 @@ fn polygons_are_triangulated_as_wanted() {
     let wanted = polygons.triangulations(&points, 2, &polygon, &|a, b| edge_key(a, b) == [1, 4]).unwrap();
     assert!(wanted[0].iter().filter(|t| t.contains(&1) && t.contains(&4)).count() == 2);
 }
+
+/// A cube with a grid of points inside, each moved by next to nothing: the Delaunay mesh is full of slivers.
+fn crystal(n: i32) -> Model {
+    let far = f64::from(n);
+    let mut points: Vec<[f64; 3]> =
+        (0..8).map(|i| [0, 1, 2].map(|k| if i >> k & 1 == 0 { -far } else { far })).collect();
+    let mut noise = 1u32;
+    for i in 0..n * n * n {
+        points.push([i % n, i / n % n, i / n / n].map(|x| {
+            noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(x) - 0.5 * (far - 1.0) + f64::from(noise) * 2f64.powi(-60)
+        }));
+    }
+    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles: Vec<[u32; 3]> = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    // Both triangles of a side are one patch.
+    Model { patch: (0..12).map(|t| t / 2).collect(), ..Model::new(&points, &triangles) }
+}
+
+fn worst(solid: &Solid, points: &Points) -> crate::reconnect::shape::Shape {
+    use crate::reconnect::shape::Shape;
+    (0..solid.mesh.slot_count() as u32)
+        .filter(|&t| solid.mesh.is_live(t) && !solid.mesh.is_ghost(t))
+        .map(|t| reshape::shape(solid, points, t))
+        .fold(Shape::BEST, Shape::worse)
+}
+
+fn edges(solid: &Solid) -> rustc_hash::FxHashSet<[u32; 2]> {
+    let mut edges = rustc_hash::FxHashSet::default();
+    for t in (0..solid.mesh.slot_count()).filter(|&t| solid.mesh.is_live(t as u32)) {
+        let v = solid.mesh.verts[t];
+        edges.extend(crate::mesh::tables::EDGE.map(|[i, j]| edge_key(v[i as usize], v[j as usize])));
+    }
+    edges
+}
+
+#[test]
+fn slivers_are_reconnected_away() {
+    for n in 3..6 {
+        let (mut solid, points, segments) = crystal(n).carve();
+        assert!(segments.steiner_t.is_empty());
+        let (first, volume_before, patches) =
+            (worst(&solid, &points), volume(&solid, &points), solid.patch_of.clone());
+        let mut ticks = 0;
+        improve::improve(&mut solid, &points, &Default::default(), &mut || {
+            ticks += 1;
+            Ok(())
+        })
+        .unwrap();
+        check_solid(&solid, &points).unwrap();
+        let last = worst(&solid, &points);
+        println!("{n}: {first:?} {last:?} after {ticks}");
+        assert!(first.angle < 1e-6 && last.angle > 0.01, "{n}: {first:?} {last:?}");
+        assert!(last.ratio >= first.ratio.min(0.1));
+        assert_eq!(solid.patch_of, patches);
+        assert!((volume(&solid, &points) - volume_before).abs() <= 1e-12 * volume_before);
+    }
+}
+
+#[test]
+fn edges_on_no_facet_stay_when_a_mesh_is_improved() {
+    let (mut solid, points, _) = crystal(4).carve();
+    let improved = {
+        let mut solid = solid.clone();
+        improve::improve(&mut solid, &points, &Default::default(), &mut || Ok(())).unwrap();
+        edges(&solid)
+    };
+    let gone: rustc_hash::FxHashSet<[u32; 2]> = edges(&solid).difference(&improved).copied().collect();
+    assert!(gone.len() > 5);
+    improve::improve(&mut solid, &points, &gone, &mut || Ok(())).unwrap();
+    check_solid(&solid, &points).unwrap();
+    assert!(gone.is_subset(&edges(&solid)));
+}
+
+#[test]
+fn improvement_can_be_cancelled() {
+    let (mut solid, points, _) = crystal(3).carve();
+    let stop = || Err(Error::new(Status::Cancelled, "cancelled"));
+    let result = improve::improve(&mut solid, &points, &Default::default(), &mut || stop());
+    assert_eq!(result.unwrap_err().status, Status::Cancelled);
+    check_solid(&solid, &points).unwrap();
+}

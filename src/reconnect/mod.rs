@@ -11,14 +11,18 @@
 //! signs too, from one table: a polyhedron of 20 vertices has 4,845 of them and asks for each many times.
 //!
 //! The search is deterministic and bounded by a number of steps, never by time.
+mod optimise;
 pub mod quality;
 mod search;
+pub mod shape;
 pub mod sheet;
 mod signs;
+mod worths;
 
 use crate::error::Error;
 use crate::predicates::Points;
 use search::Search;
+use shape::Goal;
 
 /// Most vertices that a polyhedron may have: sets of vertices are bits of one word.
 pub const MOST_VERTICES: usize = 64;
@@ -57,6 +61,21 @@ impl Reconnect {
             return self.search.append_cone(apex, tets);
         }
         self.search.run(points, budget, tets)
+    }
+
+    /// As [`Reconnect::fill`], but the tetrahedra must reach a goal; of the fillings found within the budget the best one is taken.
+    pub fn improve(
+        &mut self,
+        points: &Points,
+        polyhedron: &Polyhedron,
+        goal: Goal,
+        budget: u32,
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
+        if !self.search.begin(points, polyhedron)? {
+            return Ok(false);
+        }
+        self.search.optimise(points, goal, budget, tets)
     }
 }
 

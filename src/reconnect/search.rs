@@ -1,19 +1,20 @@
 //! The search of [`Reconnect`](super::Reconnect): depth first over front faces, with an explicit stack.
 use super::quality::quality;
 use super::signs::Signs;
+use super::worths::Worths;
 use super::Polyhedron;
 use crate::error::Error;
 use crate::predicates::{Points, Sign};
 use rustc_hash::FxHashMap;
 
 /// A face by local numbers, smallest first, turned so that the side to be filled is positive.
-type Face = [u8; 3];
+pub(super) type Face = [u8; 3];
 
 /// Which vertices are on which side of a face's plane, as sets of bits. Those in the plane are on neither.
 #[derive(Clone, Copy, Default)]
-struct Sides {
+pub(super) struct Sides {
     /// On the side to be filled.
-    ahead: u64,
+    pub(super) ahead: u64,
     behind: u64,
 }
 
@@ -27,10 +28,10 @@ impl Sides {
 
 /// One step: a front face, the apexes to try, and what the current one changed.
 #[derive(Clone, Default)]
-struct Level {
-    face: Face,
+pub(super) struct Level {
+    pub(super) face: Face,
     /// Apexes not tried yet, the best last.
-    apexes: Vec<u8>,
+    pub(super) apexes: Vec<u8>,
     closed: Vec<Face>,
     opened: Vec<Face>,
 }
@@ -38,21 +39,25 @@ struct Level {
 /// State and scratch space.
 #[derive(Default)]
 pub struct Search {
-    signs: Signs,
+    pub(super) signs: Signs,
+    /// How good tetrahedra are, where that is asked.
+    pub(super) worths: Worths,
+    /// The best filling so far.
+    pub(super) best: Vec<[u8; 4]>,
     /// Faces whose inner side is open.
-    front: Vec<Face>,
+    pub(super) front: Vec<Face>,
     /// Boundary faces, as given.
     boundary: Vec<Face>,
     /// Edges that must be.
     edges: Vec<[u8; 2]>,
     inner: Vec<u8>,
-    levels: Vec<Level>,
-    depth: usize,
-    tets: Vec<[u8; 4]>,
+    pub(super) levels: Vec<Level>,
+    pub(super) depth: usize,
+    pub(super) tets: Vec<[u8; 4]>,
     uses: Vec<(u8, u8, bool)>,
     /// The sides of each face asked for, by the face's corners as one number: quick to hash.
     sides_of: FxHashMap<u32, Sides>,
-    xyz: Vec<[f64; 3]>,
+    pub(super) xyz: Vec<[f64; 3]>,
 }
 
 fn canonical([x, y, z]: Face) -> Face {
@@ -207,7 +212,7 @@ impl Search {
     }
 
     /// Which vertices are on which side of a face.
-    fn sides(&mut self, points: &Points, face: Face) -> Sides {
+    pub(super) fn sides(&mut self, points: &Points, face: Face) -> Sides {
         let [x, y, z] = face;
         let key = u32::from_le_bytes([x, y, z, 0]);
         if let Some(&sides) = self.sides_of.get(&key) {
@@ -272,7 +277,7 @@ impl Search {
     }
 
     /// Vertices of front faces, and inner ones that no tetrahedron has yet.
-    fn vertices_on_front(&self) -> u64 {
+    pub(super) fn vertices_on_front(&self) -> u64 {
         let mut set = 0u64;
         for f in &self.front {
             set |= 1 << f[0] | 1 << f[1] | 1 << f[2];
@@ -286,7 +291,7 @@ impl Search {
     }
 
     /// Joins a front face to an apex; false (and nothing changed) if a face would get a second tetrahedron on one side.
-    fn apply(&mut self, level: usize, face: Face, apex: u8) -> Result<bool, Error> {
+    pub(super) fn apply(&mut self, level: usize, face: Face, apex: u8) -> Result<bool, Error> {
         let others = other_faces(apex, face);
         if others.iter().any(|&g| self.front.contains(&canonical(reversed(g))) && !self.front.contains(&g)) {
             return Ok(false);
@@ -320,7 +325,7 @@ impl Search {
     }
 
     /// Takes the current apex of a level back.
-    fn undo(&mut self, level: usize) {
+    pub(super) fn undo(&mut self, level: usize) {
         let Search { front, levels, .. } = self;
         let level = &levels[level];
         for g in &level.opened {
@@ -333,13 +338,13 @@ impl Search {
     }
 
     /// The tetrahedra have all required edges and inner vertices.
-    fn complete(&self) -> bool {
+    pub(super) fn complete(&self) -> bool {
         let has = |a: u8, b: u8| self.tets.iter().any(|t| t.contains(&a) && t.contains(&b));
         self.edges.iter().all(|&[a, b]| has(a, b)) && self.inner.iter().all(|&v| has(v, v))
     }
 
     /// The tetrahedron holds no vertex, its new edges pierce no front face, and no front or required edge pierces its new faces.
-    fn is_free(&mut self, points: &Points, w: u8, face: Face, on_front: u64) -> bool {
+    pub(super) fn is_free(&mut self, points: &Points, w: u8, face: Face, on_front: u64) -> bool {
         let bit = |v: u8| 1u64 << v;
         let base = bit(face[0]) | bit(face[1]) | bit(face[2]);
         let others = other_faces(w, face);

@@ -7,6 +7,7 @@
 //!
 //! Signs are exact; quality is plain arithmetic and only chooses among valid sheets.
 use super::quality::quality;
+use super::shape::{Goal, Shape};
 use crate::error::Error;
 use crate::predicates::{Points, Sign};
 
@@ -16,7 +17,7 @@ pub const MOST_IN_RING: usize = 64;
 /// Finds sheets; keeps its scratch space.
 #[derive(Default)]
 pub struct Sheets {
-    /// Per part `i..=j` of the polygon the worst quality of its best triangulation (negative: none), and the apex on its chord.
+    /// Per part `i..=j` of the polygon the worst quality of its best triangulation (not above what is asked for: none), and the apex on its chord.
     best: Vec<(f64, u8)>,
     stack: Vec<(u8, u8)>,
 }
@@ -33,6 +34,46 @@ impl Sheets {
         ear: bool,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
+        self.plan(link, ear, 0.0, |triangle| worth(points, [p, q], triangle), [p, q], tets)
+    }
+
+    /// As [`Sheets::fill`], but the tetrahedra must reach a goal.
+    pub fn improve(
+        &mut self,
+        points: &Points,
+        [p, q]: [u32; 2],
+        link: &[u32],
+        goal: &Goal,
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
+        let worth = |[a, b, c]: [u32; 3]| {
+            let above = goal.worth(Shape::of(points, [a, b, c, q]));
+            let worse = if above > goal.above {
+                above.min(goal.worth(Shape::of(points, [b, a, c, p])))
+            } else {
+                above
+            };
+            // Signs last: hardly any triangle gets here.
+            let valid = worse > goal.above && is_positive(points, [p, q], [a, b, c]);
+            if valid {
+                worse
+            } else {
+                -1.0
+            }
+        };
+        self.plan(link, false, goal.above, worth, [p, q], tets)
+    }
+
+    /// Finds the best triangulation of the polygon whose triangles are worth more than `above`, and appends its tetrahedra.
+    fn plan(
+        &mut self,
+        link: &[u32],
+        ear: bool,
+        above: f64,
+        worth: impl Fn([u32; 3]) -> f64,
+        [p, q]: [u32; 2],
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
         let n = link.len();
         if !(3..=MOST_IN_RING).contains(&n) {
             return Ok(false);
@@ -43,14 +84,14 @@ impl Sheets {
         for width in 2..n {
             for i in 0..n - width {
                 let j = i + width;
-                let mut best = (-1.0, 0);
+                let mut best = (above, 0);
                 let from = if ear && width == n - 1 { j - 1 } else { i + 1 };
                 for k in from..j {
                     let rest = self.best[i * n + k].0.min(self.best[k * n + j].0);
                     if rest <= best.0 {
                         continue;
                     }
-                    let worst = rest.min(worth(points, [p, q], [link[i], link[k], link[j]]));
+                    let worst = rest.min(worth([link[i], link[k], link[j]]));
                     if worst > best.0 {
                         best = (worst, k as u8);
                     }
@@ -58,7 +99,7 @@ impl Sheets {
                 self.best[i * n + j] = best;
             }
         }
-        if self.best[n - 1].0 <= 0.0 {
+        if self.best[n - 1].0 <= above {
             return Ok(false);
         }
         tets.try_reserve(2 * (n - 2))?;
@@ -78,9 +119,14 @@ impl Sheets {
     }
 }
 
+/// Both tetrahedra at a triangle of a sheet are positive.
+fn is_positive(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
+    points.orient3d(a, b, c, q) == Sign::Positive && points.orient3d(b, a, c, p) == Sign::Positive
+}
+
 /// The worse quality of the two tetrahedra at a triangle of a sheet, or −1 if one is not positive.
 fn worth(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> f64 {
-    if points.orient3d(a, b, c, q) != Sign::Positive || points.orient3d(b, a, c, p) != Sign::Positive {
+    if !is_positive(points, [p, q], [a, b, c]) {
         return -1.0;
     }
     let at = |v: u32| points.xyz(v);

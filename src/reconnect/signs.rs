@@ -27,7 +27,8 @@ const fn choose3(i: usize) -> usize {
     }
 }
 
-const fn choose4(i: usize) -> usize {
+/// Combinations of four numbers below `i`.
+pub const fn choose4(i: usize) -> usize {
     if i < 4 {
         0
     } else {
@@ -49,6 +50,21 @@ const fn tables() -> [[u32; MOST_VERTICES]; 3] {
 }
 
 static CHOOSE: [[u32; MOST_VERTICES]; 3] = tables();
+
+/// The index of a quadruple of distinct numbers, the numbers in ascending order, and whether sorting them was an odd permutation.
+#[inline(always)]
+pub fn combination(mut v: [u8; 4]) -> (usize, [u8; 4], bool) {
+    let mut odd = false;
+    for (i, j) in [(0, 1), (2, 3), (0, 2), (1, 3), (1, 2)] {
+        if v[i] > v[j] {
+            v.swap(i, j);
+            odd = !odd;
+        }
+    }
+    let index = v[0] as usize
+        + (CHOOSE[0][v[1] as usize] + CHOOSE[1][v[2] as usize] + CHOOSE[2][v[3] as usize]) as usize;
+    (index, v, odd)
+}
 
 impl Signs {
     /// Takes the vertices (any order, with repetitions); false if they are too many.
@@ -83,15 +99,7 @@ impl Signs {
     /// 1, 0 or −1 for `det(b − a, c − a, d − a)`; distinct local numbers.
     #[inline]
     pub fn of(&mut self, points: &Points, a: u8, b: u8, c: u8, d: u8) -> i8 {
-        let (mut v, mut odd) = ([a, b, c, d], false);
-        for (i, j) in [(0, 1), (2, 3), (0, 2), (1, 3), (1, 2)] {
-            if v[i] > v[j] {
-                v.swap(i, j);
-                odd = !odd;
-            }
-        }
-        let index = v[0] as usize
-            + (CHOOSE[0][v[1] as usize] + CHOOSE[1][v[2] as usize] + CHOOSE[2][v[3] as usize]) as usize;
+        let (index, v, odd) = combination([a, b, c, d]);
         let mut sign = self.table[index];
         if sign == UNKNOWN {
             let [p, q, r, s] = v.map(|i| self.vertices[i as usize]);

@@ -1,4 +1,5 @@
 //! Fillings of known and random polyhedra.
+use super::shape::{Goal, Measure, Shape};
 use super::sheet::Sheets;
 use super::{Polyhedron, Reconnect};
 use crate::delaunay::Delaunay;
@@ -202,4 +203,74 @@ fn sheets_fill_rings_as_far_as_they_are_convex() {
     let mut tets = Vec::new();
     assert!(!Sheets::default().fill(&points, [0, 1], &[2, 3, 4], false, &mut tets).unwrap());
     assert!(tets.is_empty());
+}
+
+/// A skew octahedron: its three diagonals give three fillings, and their qualities differ.
+fn skew_octahedron() -> (Points, Vec<[u32; 3]>) {
+    let xyz = vec![
+        [1.0, 0.1, 0.0],
+        [-0.9, 0.0, 0.2],
+        [0.1, 1.5, 0.1],
+        [0.0, -1.3, -0.2],
+        [0.2, 0.1, 2.5],
+        [0.0, 0.3, -1.9],
+    ];
+    let mut faces = Vec::new();
+    for (x, y, z) in (0..8).map(|i| (i & 1, 2 + (i >> 1 & 1), 4 + (i >> 2))) {
+        let odd = (x + y + z) % 2 == 1;
+        faces.push(if odd { [x, z, y] } else { [x, y, z] });
+    }
+    (Points::new(xyz), faces)
+}
+
+#[test]
+fn the_best_filling_is_found() {
+    let (points, faces) = skew_octahedron();
+    let polyhedron = Polyhedron { faces: &faces, ..Default::default() };
+    let mut reconnect = Reconnect::default();
+    for measure in [Measure::Angle, Measure::Ratio] {
+        let worst = |tets: &[[u32; 4]]| {
+            tets.iter().map(|&t| Shape::of(&points, t).by(measure)).fold(f64::INFINITY, f64::min)
+        };
+        // All fillings: one for each diagonal.
+        let mut values: Vec<f64> = [[0, 1], [2, 3], [4, 5]]
+            .iter()
+            .map(|&edge| worst(&fill(&points, &Polyhedron { edges: &[edge], ..polyhedron }).unwrap()))
+            .collect();
+        values.sort_by(f64::total_cmp);
+        assert!(values[0] < values[1] && values[1] < values[2], "{values:?}");
+        for (above, found) in [(0.0, true), (values[1], true), (values[2], false)] {
+            let goal = Goal { measure, above, least: 0.0 };
+            let mut tets = Vec::new();
+            assert_eq!(reconnect.improve(&points, &polyhedron, goal, BUDGET, &mut tets).unwrap(), found);
+            assert_eq!(found, !tets.is_empty());
+            if found {
+                check(&points, &polyhedron, &tets);
+                assert_eq!(worst(&tets), values[2]);
+            }
+        }
+        // What is not reached by the other measure is no filling.
+        let goal = Goal { measure, above: 0.0, least: 10.0 };
+        assert!(!reconnect.improve(&points, &polyhedron, goal, BUDGET, &mut Vec::new()).unwrap());
+    }
+}
+
+#[test]
+fn a_sheet_reaches_its_goal_or_is_none() {
+    let (points, _) = skew_octahedron();
+    // Round the edge from bottom to top.
+    let (edge, link) = ([5, 4], [0, 2, 1, 3]);
+    let mut sheets = Sheets::default();
+    let mut best = Vec::new();
+    let mut goal = Goal { measure: Measure::Angle, above: 0.0, least: 0.0 };
+    assert!(sheets.improve(&points, edge, &link, &goal, &mut best).unwrap());
+    let worst = best.iter().map(|&t| Shape::of(&points, t).angle).fold(f64::INFINITY, f64::min);
+    assert!(best.iter().all(|&[a, b, c, d]| points.orient3d(a, b, c, d) == Sign::Positive));
+    goal.above = 0.999 * worst;
+    let mut again = Vec::new();
+    assert!(sheets.improve(&points, edge, &link, &goal, &mut again).unwrap());
+    assert_eq!(again, best);
+    goal.above = worst;
+    assert!(!sheets.improve(&points, edge, &link, &goal, &mut again).unwrap());
+    assert_eq!(again, best, "nothing is appended");
 }

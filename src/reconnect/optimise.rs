@@ -1,0 +1,136 @@
+//! The best filling of a polyhedron that the search finds: branch and bound (Marot, Verhetsel & Remacle 2020).
+//!
+//! As the search for any filling, but a tetrahedron must be better than a bound. A filling raises the bound to its worst
+//! tetrahedron, and the search goes on from before that one.
+use super::search::{Face, Level, Search};
+use super::shape::{Goal, Shape};
+use crate::error::Error;
+use crate::predicates::Points;
+
+impl Search {
+    /// Searches; appends the best filling found that reaches the goal.
+    pub fn optimise(
+        &mut self,
+        points: &Points,
+        goal: Goal,
+        budget: u32,
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
+        self.worths.clear(self.signs.count())?;
+        self.best.clear();
+        let mut bound = goal.above;
+        let mut steps = 0;
+        if !self.descend_above(points, &goal, bound)? {
+            return Ok(false);
+        }
+        // Invariant: level `depth − 1` has a face, and none of its apexes is applied.
+        while self.depth > 0 {
+            let level = self.depth - 1;
+            let face = self.levels[level].face;
+            let Some(apex) = self.levels[level].apexes.pop() else {
+                self.retreat();
+                continue;
+            };
+            steps += 1;
+            if steps > budget {
+                break;
+            }
+            // The bound may have risen since.
+            if self.worth(points, &goal, apex, face) <= bound || !self.apply(level, face, apex)? {
+                continue;
+            }
+            if self.front.is_empty() && self.complete() {
+                bound = self.keep(points, &goal)?;
+                self.undo(level);
+                while (0..self.tets.len()).any(|i| self.worth_of(points, &goal, i) <= bound) {
+                    self.retreat();
+                }
+            } else if self.front.is_empty() || !self.descend_above(points, &goal, bound)? {
+                self.undo(level);
+            }
+        }
+        tets.try_reserve(self.best.len())?;
+        let Search { best, signs, .. } = self;
+        tets.extend(best.iter().map(|t| t.map(|i| signs.vertices[i as usize])));
+        Ok(!best.is_empty())
+    }
+
+    /// Leaves the topmost level.
+    fn retreat(&mut self) {
+        self.depth -= 1;
+        if self.depth > 0 {
+            self.undo(self.depth - 1);
+        }
+    }
+
+    /// Keeps the filling at hand; returns the worth of its worst tetrahedron.
+    fn keep(&mut self, points: &Points, goal: &Goal) -> Result<f64, Error> {
+        self.best.clear();
+        self.best.try_reserve(self.tets.len())?;
+        self.best.extend_from_slice(&self.tets);
+        Ok((0..self.tets.len()).map(|i| self.worth_of(points, goal, i)).fold(f64::INFINITY, f64::min))
+    }
+
+    fn worth_of(&mut self, points: &Points, goal: &Goal, i: usize) -> f64 {
+        let [w, x, y, z] = self.tets[i];
+        self.worth(points, goal, w, [x, y, z])
+    }
+
+    /// How good the positive tetrahedron of an apex and a face is.
+    fn worth(&mut self, points: &Points, goal: &Goal, w: u8, [x, y, z]: Face) -> f64 {
+        let id = |i: u8| self.signs.vertices[i as usize];
+        let tet = [w, x, y, z];
+        self.worths.of(tet, || goal.worth(Shape::of(points, tet.map(id))))
+    }
+
+    /// Puts the front face with the fewest apexes above the bound on the stack; false if one has none.
+    fn descend_above(&mut self, points: &Points, goal: &Goal, bound: f64) -> Result<bool, Error> {
+        let on_front = self.vertices_on_front();
+        let mut fewest: Option<(u32, usize, u64)> = None;
+        for i in 0..self.front.len() {
+            let face = self.front[i];
+            let mut set = on_front & self.sides(points, face).ahead;
+            let mut rest = set;
+            while rest != 0 {
+                let w = rest.trailing_zeros() as u8;
+                rest &= rest - 1;
+                if self.worth(points, goal, w, face) <= bound {
+                    set &= !(1 << w);
+                }
+            }
+            let count = set.count_ones();
+            if count == 0 {
+                return Ok(false);
+            }
+            if fewest.is_none_or(|f| count < f.0) {
+                fewest = Some((count, i, set));
+            }
+        }
+        let Some((_, index, mut rest)) = fewest else { return Ok(false) };
+        let face = self.front[index];
+        let mut apexes: Vec<(f64, u8)> = Vec::new();
+        apexes.try_reserve(rest.count_ones() as usize)?;
+        while rest != 0 {
+            let w = rest.trailing_zeros() as u8;
+            rest &= rest - 1;
+            if self.is_free(points, w, face, on_front) {
+                apexes.push((self.worth(points, goal, w, face), w));
+            }
+        }
+        if apexes.is_empty() {
+            return Ok(false);
+        }
+        apexes.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+        if self.levels.len() == self.depth {
+            self.levels.try_reserve(1)?;
+            self.levels.push(Level::default());
+        }
+        let level = &mut self.levels[self.depth];
+        level.face = face;
+        level.apexes.clear();
+        level.apexes.try_reserve(apexes.len())?;
+        level.apexes.extend(apexes.iter().map(|a| a.1));
+        self.depth += 1;
+        Ok(true)
+    }
+}
