@@ -475,4 +475,6 @@ impl Run<'_> {
 }
 
 #[cfg(test)]
+mod preserve_tests;
+#[cfg(test)]
 mod tests;

@@ -24,6 +24,7 @@ pub mod place;
 pub mod polygon;
 pub mod recover;
 pub mod regions;
+pub mod relocate;
 pub mod removal;
 pub mod reshape;
 pub mod retarget;
@@ -33,6 +34,7 @@ pub mod solid;
 pub mod star;
 pub mod thin;
 pub mod unsplit;
+pub mod widen;
 
 use crate::constrain::face_key;
 use crate::constrain::segment::Segments;

@@ -8,7 +8,8 @@ use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::place::place;
 use super::solid::{ghost_at, Sector, Solid};
-use super::unsplit::axis_of;
+use super::unsplit::{axis_of, unit};
+use super::widen::{Rays, Widen};
 use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
 use crate::mesh::{flag, GHOST, NONE};
@@ -59,6 +60,9 @@ pub struct Retarget<'a> {
     /// How far the surroundings of a flip grow.
     pub growth: Growth,
     hollow: Hollow,
+    widen: Widen,
+    /// Points inside that cavities of the flip at hand swallow.
+    swallowed: Vec<u32>,
     reconnect: Reconnect,
     /// A corner code of each subface.
     code_of: FxHashMap<[u32; 3], u32>,
@@ -94,6 +98,8 @@ impl<'a> Retarget<'a> {
             loose,
             growth,
             hollow: Hollow::default(),
+            widen: Widen::default(),
+            swallowed: Vec::new(),
             reconnect: Reconnect::default(),
             code_of: FxHashMap::default(),
             apexes: FxHashMap::default(),
@@ -289,6 +295,7 @@ impl<'a> Retarget<'a> {
         let Some(&code) = self.code_of.get(&first) else { return Ok(false) };
         let codes = [code, self.solid.mesh.across(code)];
         let before = self.inside.list.len();
+        self.swallowed.clear();
         let mut sectors = Vec::new();
         for code in codes {
             let mut side = self.collect_side(code, [a, b], [c, d])?;
@@ -314,6 +321,9 @@ impl<'a> Retarget<'a> {
         self.solid.patch_of.insert(face_key([a, c, d]), patch);
         self.solid.patch_of.insert(face_key([b, c, d]), patch);
         self.solid.replace(&sectors)?;
+        for &p in &self.swallowed {
+            self.solid.vertex_tet[p as usize] = NONE;
+        }
         for i in 0..self.solid.fresh.len() {
             let t = self.solid.fresh[i];
             for code in 4 * t..4 * t + 4 {
@@ -391,10 +401,11 @@ impl<'a> Retarget<'a> {
         if self.reconnect.fill(self.points, &polyhedron, self.growth.budget, &mut new)? {
             return Ok(Some(new));
         }
+        let tets = side.tets.clone();
         let walls = [side.faces[side.faces.len() - 2], side.faces[side.faces.len() - 1]];
         let gone = [face_key([a, b, c]), face_key([a, b, d])];
         let start = Start {
-            tets: &side.tets,
+            tets: &tets,
             gone: &gone,
             walls: &walls,
             without: NONE,
@@ -418,6 +429,26 @@ impl<'a> Retarget<'a> {
         if place(self.points, p, &side.faces, from, &[normal, normal.map(|x| -x)])? {
             new.try_reserve(side.faces.len())?;
             new.extend(side.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+            return Ok(Some(new));
+        }
+        // Straight up, and leaning to the quadrilateral's middle: beside its edges other facets may rise.
+        let up = unit(normal);
+        let middle = unit([0, 1, 2].map(|k| 0.25 * (pa[k] + pb[k] + pc[k] + pd[k]) - from[k]));
+        let lean = |s: f64, m: f64| unit([0, 1, 2].map(|k| s * up[k] + m * middle[k]));
+        let toward = [
+            lean(1.0, 0.0),
+            lean(-1.0, 0.0),
+            lean(1.0, 1.0),
+            lean(-1.0, 1.0),
+            lean(1.0, 8.0),
+            lean(-1.0, 8.0),
+        ];
+        let rays = Rays { from, toward: &toward };
+        let Retarget { solid, points, isolated, inside, widen, .. } = self;
+        if let Some(new) = widen.place(solid, points, p, &start, isolated, (&inside.list, &rays))? {
+            side.tets = std::mem::take(&mut widen.tets);
+            self.swallowed.try_reserve(self.widen.swallowed.len())?;
+            self.swallowed.extend_from_slice(&self.widen.swallowed);
             return Ok(Some(new));
         }
         let last = self.inside.list.len() - 1;

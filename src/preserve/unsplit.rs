@@ -6,10 +6,10 @@
 //! are seen from all positions near it, and the walls from those between their planes.
 use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
-use super::place::place;
 use super::polygon::Polygons;
 use super::solid::{ghost_at, Sector, Solid};
 use super::star::{Star, Wall};
+use super::widen::Widen;
 use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
 use crate::mesh::NONE;
@@ -61,15 +61,18 @@ pub struct Unsplit<'a> {
     pub isolated: &'a mut FxHashSet<[u32; 2]>,
     /// Points inside made so far.
     pub inside: &'a mut Inside,
-    reconnect: Reconnect,
+    pub(super) reconnect: Reconnect,
     hollow: Hollow,
+    pub(super) widen: Widen,
+    /// Points inside that cavities of the attempt at hand swallow.
+    pub(super) swallowed: Vec<u32>,
     polygons: Polygons,
-    star: Star,
+    pub(super) star: Star,
     /// Triangulations of each wall, and the chosen ones.
     options: Vec<Vec<Vec<[u32; 3]>>>,
     filled: FxHashMap<(usize, [usize; 2]), Filling>,
     fills: usize,
-    faces: Vec<[u32; 3]>,
+    pub(super) faces: Vec<[u32; 3]>,
     /// All tetrahedra that the last attempt looked at, with repetitions: while they stay, it would end the same way.
     pub read: Vec<u32>,
 }
@@ -91,6 +94,8 @@ impl<'a> Unsplit<'a> {
             inside,
             reconnect: Reconnect::default(),
             hollow: Hollow::default(),
+            widen: Widen::default(),
+            swallowed: Vec::new(),
             polygons: Polygons::default(),
             star: Star::default(),
             options: Vec::new(),
@@ -122,6 +127,7 @@ impl<'a> Unsplit<'a> {
             return Ok(Outcome::Kept);
         }
         let before = self.inside.list.len();
+        self.swallowed.clear();
         let mut sectors = Vec::new();
         sectors.try_reserve(self.star.sectors.len())?;
         for s in 0..self.star.sectors.len() {
@@ -144,6 +150,9 @@ impl<'a> Unsplit<'a> {
         }
         self.solid.replace(&sectors)?;
         self.solid.vertex_tet[v as usize] = NONE;
+        for &p in &self.swallowed {
+            self.solid.vertex_tet[p as usize] = NONE;
+        }
         if self.isolated.remove(&edge_key(ends[0], v)) {
             self.isolated.remove(&edge_key(v, ends[1]));
             self.isolated.insert(edge_key(ends[0], ends[1]));
@@ -278,8 +287,7 @@ impl<'a> Unsplit<'a> {
         if !effort.relocate {
             return Ok(None);
         }
-        let new = self.place_inside(v, s, ends, effort)?;
-        Ok(new.map(|new| Sector { old, new, region }))
+        self.place_inside(v, s, (ends, taken), effort)
     }
 
     /// Fills a sector that has grown.
@@ -291,10 +299,7 @@ impl<'a> Unsplit<'a> {
         taken: &[Sector],
         growth: Growth,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
-        let touches = |wall: &&Wall| wall.sides.iter().any(|side| side.0 == s);
-        let gone: Vec<[u32; 3]> =
-            self.star.walls.iter().filter(touches).flat_map(|w| w.faces.iter().copied()).collect();
-        let walls = self.faces[self.star.sectors[s].link.len()..].to_vec();
+        let (gone, walls) = self.walls_of(s);
         let start = Start {
             tets: &self.star.sectors[s].tets,
             gone: &gone,
@@ -311,126 +316,11 @@ impl<'a> Unsplit<'a> {
         Ok(grown)
     }
 
-    /// The tetrahedra of a sector with points inside.
-    fn place_inside(
-        &mut self,
-        v: u32,
-        s: usize,
-        ends: [u32; 2],
-        effort: Effort,
-    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
-        let from = *self.points.xyz(v);
-        let normals = self.wall_normals(s, from, ends);
-        if self.convex(s) {
-            let toward = match normals[..] {
-                [m, n] => vec![[0, 1, 2].map(|k| m[k] + n[k]), m, n],
-                _ => normals.clone(),
-            };
-            let p = self.new_point(from)?;
-            if place(self.points, p, &self.faces, from, &toward)? {
-                let mut new = Vec::new();
-                new.try_reserve(self.faces.len())?;
-                new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
-                return Ok(Some(new));
-            }
-            let last = self.inside.list.len() - 1;
-            self.discard(last);
-        }
-        self.fill_around(v, s, ends, &normals, effort)
-    }
-
-    /// The sector has two different walls: it goes less than all round.
-    fn convex(&self, s: usize) -> bool {
-        let count = self.star.walls.iter().filter(|w| w.sides.iter().any(|side| side.0 == s)).count();
-        count == 2
-    }
-
-    /// The unit normals of the walls at a sector, turned inward, in plain arithmetic.
-    fn wall_normals(&self, s: usize, from: [f64; 3], ends: [u32; 2]) -> Vec<[f64; 3]> {
-        let mut normals = Vec::new();
-        let [a, b] = ends.map(|e| sub(self.points.xyz(e), &from));
-        let along = if dot(&a, &a) > dot(&b, &b) { a.map(|x| -x) } else { b };
-        for wall in &self.star.walls {
-            for &(sector, forward) in &wall.sides {
-                if sector != s {
-                    continue;
-                }
-                // The corner farthest from the line tells the plane best.
-                let normal = wall.polygon[1..wall.polygon.len() - 1]
-                    .iter()
-                    .map(|&u| unit(cross(&along, &sub(self.points.xyz(u), &from))))
-                    .find(|n| dot(n, n) > 0.5);
-                if let Some(n) = normal {
-                    // The polygon runs from the first end round to the second: it turns about −(along × u).
-                    // A face turned inward has its normal pointing away from the inside.
-                    normals.push(if forward { n } else { n.map(|x| -x) });
-                }
-            }
-        }
-        normals
-    }
-
-    fn new_point(&mut self, at: [f64; 3]) -> Result<u32, Error> {
-        self.inside.add(self.solid, self.points, at)
-    }
-
-    /// Takes the last points inside back, all but the first `count`.
-    fn discard(&mut self, count: usize) {
-        self.inside.shorten(count);
-    }
-
-    /// A sector that goes all round, or all round from one side of a wall to the other: two or three points inside near the segment, joined
-    /// by reconnection.
-    fn fill_around(
-        &mut self,
-        v: u32,
-        s: usize,
-        ends: [u32; 2],
-        normals: &[[f64; 3]],
-        effort: Effort,
-    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
-        let from = *self.points.xyz(v);
-        let along = unit(sub(self.points.xyz(ends[1]), self.points.xyz(ends[0])));
-        let up = match normals.first() {
-            Some(&n) => n,
-            None => any_normal(&along),
-        };
-        let side = cross(&along, &up);
-        let way = |angle: f64| [0, 1, 2].map(|k| angle.cos() * up[k] + angle.sin() * side[k]);
-        let third = std::f64::consts::TAU / 3.0;
-        let quarter = std::f64::consts::FRAC_PI_2;
-        let sets: [&[f64]; 5] = [
-            &[quarter],
-            &[-quarter],
-            &[0.0, 2.0 * quarter],
-            &[0.0, third, 2.0 * third],
-            &[0.0, quarter, 2.0 * quarter, 3.0 * quarter],
-        ];
-        let reach = self.star.sectors[s].link.iter().flatten().map(|&w| {
-            let d = sub(self.points.xyz(w), &from);
-            dot(&d, &d)
-        });
-        let reach = reach.fold(f64::INFINITY, f64::min).sqrt();
-        let walled = !normals.is_empty();
-        let edges: &[[u32; 2]] = if walled { &[] } else { &[ends] };
-        let before = self.inside.list.len();
-        for set in sets {
-            for halvings in [2, 4, 8, 16, 24, 32] {
-                let distance = reach * 0.5f64.powi(halvings);
-                for &angle in set {
-                    let w = way(angle);
-                    self.new_point([0, 1, 2].map(|k| from[k] + distance * w[k]))?;
-                }
-                let inner: Vec<u32> = self.inside.list[before..].to_vec();
-                let polyhedron = Polyhedron { faces: &self.faces, inner: &inner, edges };
-                let mut new = Vec::new();
-                if self.reconnect.fill(self.points, &polyhedron, effort.budget, &mut new)? {
-                    return Ok(Some(new));
-                }
-                self.discard(before);
-            }
-        }
-        Ok(None)
+    /// The faces of the walls at a sector now, and those with the chosen triangulations, turned inward.
+    pub(super) fn walls_of(&self, s: usize) -> (Vec<[u32; 3]>, Vec<[u32; 3]>) {
+        let touches = |wall: &&Wall| wall.sides.iter().any(|side| side.0 == s);
+        let gone = self.star.walls.iter().filter(touches).flat_map(|w| w.faces.iter().copied()).collect();
+        (gone, self.faces[self.star.sectors[s].link.len()..].to_vec())
     }
 }
 
@@ -470,19 +360,12 @@ pub fn axis_of(points: &Points, polygon: &[u32]) -> Option<usize> {
     axes.into_iter().find(|&k| points.orient_in_plane(k, a, u, b) != Sign::Zero)
 }
 
-fn unit(a: [f64; 3]) -> [f64; 3] {
+/// Of length one, or zero.
+pub fn unit(a: [f64; 3]) -> [f64; 3] {
     let length = dot(&a, &a).sqrt();
     if length > 0.0 {
         a.map(|x| x / length)
     } else {
         a
     }
-}
-
-/// A unit vector across.
-fn any_normal(along: &[f64; 3]) -> [f64; 3] {
-    let k = (0..3).min_by(|&i, &j| along[i].abs().total_cmp(&along[j].abs())).unwrap_or(0);
-    let mut e = [0.0; 3];
-    e[k] = 1.0;
-    unit(cross(along, &e))
 }

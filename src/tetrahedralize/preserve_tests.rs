@@ -1,0 +1,59 @@
+//! Mode preserve end to end, where doubles leave no room: every mesh proved by the exact checker.
+use super::tetrahedralize;
+use crate::check::check_preserved;
+use crate::{Mode, Options, Plc, Silent};
+use std::collections::HashMap;
+
+/// A prism over a polygon in thousandths with a sloping lid, all triangles split at the middles of their edges, twice. The triangles of
+/// the lid are coplanar to the last bits only.
+fn sloping_prism(polygon: &[[i32; 2]], lid: &[[usize; 3]]) -> Plc {
+    let n = polygon.len();
+    let thousandths = |x: i32| f64::from(x) / 1000.0;
+    let top = polygon.iter().map(|&[x, y]| [x, y, 500 - x]);
+    let corners: Vec<[f64; 3]> =
+        top.chain(polygon.iter().map(|&[x, y]| [x, y, -500])).map(|p| p.map(thousandths)).collect();
+    let mut triangles: Vec<[[f64; 3]; 3]> = Vec::new();
+    for &[a, b, c] in lid {
+        triangles.extend([[a, b, c], [n + a, n + c, n + b]].map(|t| t.map(|v| corners[v])));
+    }
+    for i in 0..n {
+        let j = (i + 1) % n;
+        triangles.extend([[n + i, n + j, j], [n + i, j, i]].map(|t| t.map(|v| corners[v])));
+    }
+    for _ in 0..2 {
+        let middle = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| (p[k] + q[k]) / 2.0);
+        let split = |&[a, b, c]: &[[f64; 3]; 3]| {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+        };
+        triangles = triangles.iter().flat_map(split).collect();
+    }
+    let mut plc = Plc::default();
+    let mut number: HashMap<[u64; 3], u32> = HashMap::new();
+    for triangle in triangles {
+        plc.triangles.push(triangle.map(|p| {
+            *number.entry(p.map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
+                plc.points.push(p);
+                plc.points.len() as u32 - 1
+            })
+        }));
+    }
+    plc
+}
+
+/// Around points on segments of such a lid there are tetrahedra as thin as the last bits: no double sees all faces of a sector, but
+/// one higher up sees those of the sector with its surroundings.
+#[test]
+fn almost_coplanar_triangles_leave_room_farther_away() {
+    let heptagon = [[-70, -200], [250, -70], [380, 0], [210, 170], [200, 210], [40, 240], [10, 220]];
+    let hexagon = [[-332, 67], [-345, -4], [166, -165], [379, 9], [200, 247], [-146, 197]];
+    let prisms = [
+        sloping_prism(&heptagon, &[[0, 1, 2], [0, 2, 3], [6, 0, 3], [6, 3, 4], [4, 5, 6]]),
+        sloping_prism(&hexagon, &[[0, 1, 2], [4, 5, 0], [2, 3, 4], [4, 0, 2]]),
+    ];
+    for plc in prisms {
+        let options = Options { mode: Mode::Preserve, ..Options::default() };
+        let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+        check_preserved(&plc, &mesh, 10).unwrap();
+    }
+}
