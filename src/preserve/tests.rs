@@ -1,16 +1,22 @@
 //! Invariants after every step, on small models of their own.
 use super::center::{center, Plane};
 use super::check::check_solid;
+use super::hollow::Start;
 use super::polygon::Polygons;
 use super::retarget::Target;
-use super::solid::Solid;
+use super::solid::{Sector, Solid};
+use super::widen::{Rays, Widen};
 use super::*;
 use crate::constrain::facet::FacetRecovery;
 use crate::constrain::segment::Recovery;
 use crate::constrain::subface::{Subfaces, Triangles};
 use crate::constrain::{edge_key, face_key};
 use crate::delaunay::Delaunay;
+use crate::mesh::star::StarSearch;
+use crate::mesh::NONE;
+use crate::predicates::Sign;
 use crate::region::{components, label, Seeds};
+use rustc_hash::FxHashSet;
 
 /// A triangulated surface whose triangles are patches of their own, but for those that share a number in `patch`.
 struct Model {
@@ -318,4 +324,49 @@ fn improvement_can_be_cancelled() {
     let result = improve::improve(&mut solid, &points, &Default::default(), &mut || stop());
     assert_eq!(result.unwrap_err().status, Status::Cancelled);
     check_solid(&solid, &points).unwrap();
+}
+
+/// A cavity grown for a position is star-shaped from it, swallows points only where it may, and fits into the mesh.
+#[test]
+fn cavities_grow_round_a_position() {
+    let mut model = cube(2, false);
+    let (first, mut state) = (model.points.len(), 3u64);
+    let mut next = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        0.25 + 1.5 * ((state >> 33) as f64 / (1u64 << 31) as f64)
+    };
+    model.points.extend((0..60).map(|_| [next(), next(), next()]));
+    for may_swallow in [true, false] {
+        let (mut solid, mut points, _) = model.carve();
+        let inner: Vec<u32> = (first as u32..model.points.len() as u32).collect();
+        let mut inside = Inside::of(inner.clone());
+        let (mut widen, mut search, mut link) = (Widen::default(), StarSearch::default(), Vec::new());
+        let (mut moves, mut swallowed) = (0, 0);
+        for &v in &inner {
+            if solid.vertex_tet[v as usize] == NONE {
+                continue;
+            }
+            solid.link(&mut search, v, &mut link).unwrap();
+            let (from, region) = (*points.xyz(v), solid.region[search.tets[0] as usize]);
+            let p = inside.add(&mut solid, &mut points, from).unwrap();
+            let (tets, gone, walls, taken) = (&search.tets, &[], &[], &[]);
+            let start = Start { tets, gone, walls, without: v, edge: None, avoid: [v; 2], taken };
+            let known: &[u32] = if may_swallow { &inside.list } else { &[] };
+            let rays = Rays { from, toward: &[[0.6, 0.8, 0.0], [0.0, -0.6, 0.8]] };
+            let none = FxHashSet::default();
+            let new = widen.place(&solid, &mut points, p, &start, &none, (known, &rays)).unwrap();
+            let Some(new) = new else { continue };
+            assert!(new.iter().all(|&[p, x, y, z]| points.orient3d(p, x, y, z) == Sign::Positive));
+            moves += usize::from(widen.tets.len() > search.tets.len());
+            swallowed += widen.swallowed.len();
+            solid.replace(&[Sector { old: std::mem::take(&mut widen.tets), new, region }]).unwrap();
+            for &w in widen.swallowed.iter().chain([&v]) {
+                assert!(inside.list.contains(&w));
+                solid.vertex_tet[w as usize] = NONE;
+            }
+            check_solid(&solid, &points).unwrap();
+        }
+        assert!((volume(&solid, &points) - 8.0).abs() < 1e-12);
+        assert!(moves > 20 && (swallowed > 0) == may_swallow, "{moves} {swallowed}");
+    }
 }
