@@ -160,8 +160,9 @@ def icosphere(frequency):
     return points, triangles
 
 
-def blob(count=5000):
-    """A scan: a lump with bumps and noise, in single precision. It is star-shaped, so it cannot cross itself."""
+def blob(count=5000, stretch=1):
+    """A scan: a lump with bumps and noise, in single precision. It is star-shaped, so it cannot cross itself. Stretched, its triangles are
+    long and thin, whatever their number: about as large a part of the edges is not Delaunay."""
     points, triangles = icosphere(max(1, math.ceil(math.sqrt(count / 20))))
     noise = random.Random(7)
     m = Model(single)
@@ -169,7 +170,7 @@ def blob(count=5000):
     index = []
     for x, y, z in points:
         r = 50 * (1 + 0.18 * math.sin(3 * x + 1) * math.cos(2 * y) + 0.1 * math.sin(5 * z + 4 * x * y) + spread * noise.uniform(-1, 1))
-        index.append(m.point(r * x + 11.25, r * y - 3.5, 0.8 * r * z + 100))
+        index.append(m.point(stretch * r * x + 11.25, r * y - 3.5, 0.8 * r * z + 100))
     for t in triangles:
         m.facet([index[i] for i in t])
     return m

@@ -1,24 +1,29 @@
 //! Mode preserve end to end, where doubles leave no room: every mesh proved by the exact checker.
 use super::tetrahedralize;
-use crate::check::check_preserved;
-use crate::{Mode, Options, Plc, Silent};
+use crate::check::{check_preserved, check_preserved_outer};
+use crate::{Mode, Options, Plc, Preserve, Silent};
 use std::collections::HashMap;
 
 /// A prism over a polygon in thousandths with a sloping lid, all triangles split at the middles of their edges, twice. The triangles of
-/// the lid are coplanar to the last bits only.
-fn sloping_prism(polygon: &[[i32; 2]], lid: &[[usize; 3]]) -> Plc {
+/// the lid are coplanar to the last bits only. With `loft` there is a second room above the lid.
+fn sloping_prism(polygon: &[[i32; 2]], lid: &[[usize; 3]], loft: bool) -> Plc {
     let n = polygon.len();
     let thousandths = |x: i32| f64::from(x) / 1000.0;
     let top = polygon.iter().map(|&[x, y]| [x, y, 500 - x]);
+    let level = |z: i32| polygon.iter().map(move |&[x, y]| [x, y, z]);
     let corners: Vec<[f64; 3]> =
-        top.chain(polygon.iter().map(|&[x, y]| [x, y, -500])).map(|p| p.map(thousandths)).collect();
+        top.chain(level(-500)).chain(level(1500)).map(|p| p.map(thousandths)).collect();
     let mut triangles: Vec<[[f64; 3]; 3]> = Vec::new();
     for &[a, b, c] in lid {
         triangles.extend([[a, b, c], [n + a, n + c, n + b]].map(|t| t.map(|v| corners[v])));
+        triangles.extend(loft.then(|| [2 * n + a, 2 * n + b, 2 * n + c].map(|v| corners[v])));
     }
     for i in 0..n {
         let j = (i + 1) % n;
         triangles.extend([[n + i, n + j, j], [n + i, j, i]].map(|t| t.map(|v| corners[v])));
+        if loft {
+            triangles.extend([[2 * n + j, 2 * n + i, i], [2 * n + j, i, j]].map(|t| t.map(|v| corners[v])));
+        }
     }
     for _ in 0..2 {
         let middle = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| (p[k] + q[k]) / 2.0);
@@ -48,12 +53,25 @@ fn almost_coplanar_triangles_leave_room_farther_away() {
     let heptagon = [[-70, -200], [250, -70], [380, 0], [210, 170], [200, 210], [40, 240], [10, 220]];
     let hexagon = [[-332, 67], [-345, -4], [166, -165], [379, 9], [200, 247], [-146, 197]];
     let prisms = [
-        sloping_prism(&heptagon, &[[0, 1, 2], [0, 2, 3], [6, 0, 3], [6, 3, 4], [4, 5, 6]]),
-        sloping_prism(&hexagon, &[[0, 1, 2], [4, 5, 0], [2, 3, 4], [4, 0, 2]]),
+        sloping_prism(&heptagon, &[[0, 1, 2], [0, 2, 3], [6, 0, 3], [6, 3, 4], [4, 5, 6]], false),
+        sloping_prism(&hexagon, &[[0, 1, 2], [4, 5, 0], [2, 3, 4], [4, 0, 2]], false),
     ];
     for plc in prisms {
         let options = Options { mode: Mode::Preserve, ..Options::default() };
         let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
         check_preserved(&plc, &mesh, 10).unwrap();
     }
+}
+
+/// A point on an internal segment may stay, but no double near it sees its star: it is relocated after all.
+#[test]
+fn points_that_may_stay_are_relocated_where_doubles_leave_no_room() {
+    let pentagon = [[-284, 87], [-192, 42], [-278, -14], [-286, -113], [309, -160]];
+    let plc = sloping_prism(&pentagon, &[[4, 0, 1], [4, 1, 2], [2, 3, 4]], true);
+    let options = Options { mode: Mode::Preserve, preserve: Preserve::Outer, ..Options::default() };
+    let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+    check_preserved_outer(&plc, &mesh, 10).unwrap();
+    let counts = mesh.statistics.preserve;
+    assert_eq!((counts.by_splits, counts.on_internal_facets), (1, 0));
+    assert_eq!((counts.deleted, counts.relocated), (0, 1));
 }
