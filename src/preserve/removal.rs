@@ -85,11 +85,8 @@ pub fn remove_all(
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<Removal, Error> {
     let mut along = Along::new(segments)?;
-    let mut wanted: FxHashSet<[u32; 2]> = FxHashSet::default();
-    for &[a, b, c] in target.triangles {
-        wanted.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
-    }
-    let mut removal = Removal { isolated: isolated_pieces(solid, segments), ..Removal::default() };
+    let wanted = edges_of(target.triangles.iter())?;
+    let mut removal = Removal { isolated: isolated_pieces(solid, segments)?, ..Removal::default() };
     let mut left: Vec<u32> = Vec::new();
     left.try_reserve(along.ends.len())?;
     left.extend((0..along.ends.len() as u32).rev().map(|i| along.first + i));
@@ -160,14 +157,19 @@ fn take(
     Ok(true)
 }
 
+/// The edges of triangles, in order.
+fn edges_of<'a>(triangles: impl ExactSizeIterator<Item = &'a [u32; 3]>) -> Result<Vec<[u32; 2]>, Error> {
+    let mut edges = Vec::new();
+    edges.try_reserve_exact(3 * triangles.len())?;
+    edges.extend(triangles.flat_map(|&[a, b, c]| [edge_key(a, b), edge_key(b, c), edge_key(c, a)]));
+    edges.sort_unstable();
+    edges.dedup();
+    Ok(edges)
+}
+
 /// The pieces of segments that no subface has.
-fn isolated_pieces(solid: &Solid, segments: &Segments) -> FxHashSet<[u32; 2]> {
-    let mut isolated: FxHashSet<[u32; 2]> = FxHashSet::default();
-    isolated.extend(segments.pieces.iter().map(|piece| edge_key(piece.ends[0], piece.ends[1])));
-    for &[a, b, c] in solid.patch_of.keys() {
-        for edge in [[a, b], [b, c], [a, c]] {
-            isolated.remove(&edge);
-        }
-    }
-    isolated
+fn isolated_pieces(solid: &Solid, segments: &Segments) -> Result<FxHashSet<[u32; 2]>, Error> {
+    let edges = edges_of(solid.patch_of.keys())?;
+    let keys = segments.pieces.iter().map(|piece| edge_key(piece.ends[0], piece.ends[1]));
+    Ok(keys.filter(|key| edges.binary_search(key).is_err()).collect())
 }

@@ -163,27 +163,42 @@ impl Solid {
         NONE
     }
 
-    /// Takes note of the subfaces that are faces of the domain, and flags them on both sides.
+    /// Takes note of the subfaces that are faces of the domain, and flags them on both sides. Tetrahedra have the flags of the
+    /// constrained mesh, ghosts none: only what may be a subface is looked up.
     fn take_subfaces(&mut self, subfaces: &Subfaces) -> Result<(), Error> {
         let mut patch_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
         patch_of.try_reserve(subfaces.verts.len()).map_err(out_of_memory)?;
         for (&corners, &patch) in subfaces.verts.iter().zip(&subfaces.patch) {
             patch_of.insert(face_key(corners), patch);
         }
-        self.patch_of.try_reserve(subfaces.verts.len()).map_err(out_of_memory)?;
+        let mut sides = 0;
         for t in 0..self.mesh.slot_count() as u32 {
+            let before = self.mesh.flags[t as usize];
             self.mesh.flags[t as usize] &= flag::DEAD;
             if !self.mesh.is_live(t) {
                 continue;
             }
-            for f in 0..4 {
-                let key = face_key(self.mesh.face(4 * t + f));
-                if let Some(&patch) = patch_of.get(&key) {
+            let flagged = if self.mesh.is_ghost(t) { flag::FACE << 3 } else { before };
+            for f in (0..4).filter(|f| flagged & (flag::FACE << f) != 0) {
+                if patch_of.contains_key(&face_key(self.mesh.face(4 * t + f))) {
                     self.mesh.flags[t as usize] |= flag::FACE << f;
-                    self.patch_of.insert(key, patch);
+                    sides += 1;
                 }
             }
         }
+        // Each face of the domain has two sides; subfaces that were carved have none.
+        if sides < 2 * patch_of.len() {
+            let mut stay: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+            stay.try_reserve(sides / 2).map_err(out_of_memory)?;
+            for code in (0..4 * self.mesh.slot_count() as u32).filter(|&code| code < self.mesh.across(code)) {
+                if self.mesh.flags[(code >> 2) as usize] & (flag::FACE << (code & 3)) != 0 {
+                    let key = face_key(self.mesh.face(code));
+                    stay.extend(patch_of.get(&key).map(|&patch| (key, patch)));
+                }
+            }
+            patch_of = stay;
+        }
+        self.patch_of = patch_of;
         Ok(())
     }
 

@@ -55,8 +55,8 @@ pub struct Unsplit<'a> {
     pub solid: &'a mut Solid,
     /// The vertices.
     pub points: &'a mut Points,
-    /// Edges of the input's triangles: walls get them where they can.
-    pub wanted: &'a FxHashSet<[u32; 2]>,
+    /// Edges of the input's triangles, in order: walls get them where they can.
+    pub wanted: &'a [[u32; 2]],
     /// Pieces of segments on no facet: what is filled must keep them.
     pub isolated: &'a mut FxHashSet<[u32; 2]>,
     /// Points inside made so far.
@@ -82,7 +82,7 @@ impl<'a> Unsplit<'a> {
     pub fn new(
         solid: &'a mut Solid,
         points: &'a mut Points,
-        wanted: &'a FxHashSet<[u32; 2]>,
+        wanted: &'a [[u32; 2]],
         isolated: &'a mut FxHashSet<[u32; 2]>,
         inside: &'a mut Inside,
     ) -> Self {
@@ -167,9 +167,9 @@ impl<'a> Unsplit<'a> {
         let wanted = self.wanted;
         for wall in &self.star.walls {
             let Some(axis) = axis_of(self.points, &wall.polygon) else { return Ok(false) };
-            let mut list = self
-                .polygons
-                .triangulations(self.points, axis, &wall.polygon, &|a, b| wanted.contains(&edge_key(a, b)))?;
+            let mut list = self.polygons.triangulations(self.points, axis, &wall.polygon, &|a, b| {
+                wanted.binary_search(&edge_key(a, b)).is_ok()
+            })?;
             list.truncate(most);
             if list.is_empty() {
                 return Ok(false);

@@ -361,10 +361,11 @@ fn faces(
 ) -> Result<(), Error> {
     let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
     code_of.try_reserve(subfaces.len()).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
-    for t in 0..mesh.slot_count() as u32 {
-        for f in 0..4 {
-            if mesh.is_live(t) && mesh.flags[t as usize] & (flag::FACE << f) != 0 {
-                code_of.insert(face_key(mesh.face(4 * t + f)), 4 * t + f);
+    for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t)) {
+        for code in 4 * t..4 * t + 4 {
+            // One side is enough: both are flagged.
+            if mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0 && code < mesh.across(code) {
+                code_of.insert(face_key(mesh.face(code)), code);
             }
         }
     }
