@@ -16,10 +16,16 @@ pub struct Subsegment {
     pub t: [f64; 2],
 }
 
-/// Nearest and farthest admissible position within a subsegment, as fractions of its length.
-const NEAR: f64 = 0.2;
-/// See [`NEAR`].
-const FAR: f64 = 0.8;
+/// Distance of the point nearest to the reference point from the ends of a subsegment at least, as a part of its length.
+///
+/// Where it is nearer the middle is taken, and that is a new height at which neighbours have to be split as well; a piece that is
+/// too short is split again and again. On the public models 0.05 to 0.14 take about equally many points, 0.2 takes 8 % more.
+const NEAR: f64 = 0.1;
+/// The same for the sphere round a common vertex.
+///
+/// Equal radii must stay equal: a fan or a strip of slivers is crossed by one row of Steiner points then, where each that is put in
+/// the middle instead begins a row of its own. With 0.2 the public models take 12 % more points when facets are merged.
+const NEAR_SHARED: f64 = 1e-4;
 
 /// Length of the vector from `a` to `b`.
 pub fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
@@ -51,7 +57,7 @@ pub fn choose(points: &Points, sub: &Subsegment, context: &Context, reference: O
     let [t0, t1] = sub.t;
     let (a, b) = (points.xyz(context.ends[0]), points.xyz(context.ends[1]));
     let length = distance(a, b);
-    let inside = |t: f64| t >= t0 + NEAR * (t1 - t0) && t <= t0 + FAR * (t1 - t0);
+    let inside = |t: f64, near: f64| t >= t0 + near * (t1 - t0) && t <= t1 - near * (t1 - t0);
     let sphere = |end: usize, radius: f64| [radius / length, 1.0 - radius / length][end];
     let middle = t0 + 0.5 * (t1 - t0);
     if t1 - t0 < DEEP {
@@ -66,12 +72,12 @@ pub fn choose(points: &Points, sub: &Subsegment, context: &Context, reference: O
     let p = points.xyz(reference);
     if let Some(end) = context.shared {
         let t = sphere(end, distance([a, b][end], p));
-        if inside(t) {
+        if inside(t, NEAR_SHARED) {
             return t;
         }
     }
     let nearest = (0..3).map(|k| (b[k] - a[k]) * (p[k] - a[k])).sum::<f64>() / (length * length);
-    if inside(nearest) {
+    if inside(nearest, NEAR) {
         nearest
     } else {
         middle
