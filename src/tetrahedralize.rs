@@ -206,6 +206,9 @@ impl Run<'_> {
     /// The same with merging. Steiner points on an edge that merging has made beside the input's surface would lie beside it too. So
     /// such edges are not split; those that turn out to be missing are flipped back, as often as that helps, and then
     /// avoided from the start. In the last attempt there is no such edge at all.
+    ///
+    /// Steiner points that an earlier state took stay. Recovery from the start once more would save 46 of 354,660 on the eleven models
+    /// that take longest, and costs a tenth to a sixth of the instructions.
     fn merge_and_recover(
         &mut self,
         plc: &Plc,
@@ -221,7 +224,7 @@ impl Run<'_> {
             let mut merger = prepared.merger(plc, degrees)?;
             let mut trial = engine.clone();
             let mut segments: Option<Segments> = None;
-            for mending in 0..MENDINGS {
+            for _ in 0..MENDINGS {
                 self.merge(&mut merger, &mut trial, (&avoid, avoid_all))?;
                 let surface = merger.surface();
                 let ends = trial.map(&surface.segments)?;
@@ -232,14 +235,8 @@ impl Run<'_> {
                 current.deferred = edges_beside(surface)?;
                 self.recover_segments(&mut current, options, &mut trial)?;
                 if current.waiting.is_empty() {
-                    let again =
-                        (mending > 0).then(|| self.recover_anew(surface, options, engine)).transpose()?;
-                    let fewer = again.filter(|(_, segments)| {
-                        segments.waiting.is_empty() && segments.steiner_t.len() < current.steiner_t.len()
-                    });
-                    let (best, segments) = fewer.unwrap_or((trial, current));
-                    *engine = best;
-                    return Ok((prepared.into_surface(), segments));
+                    *engine = trial;
+                    return Ok((prepared.into_surface(), current));
                 }
                 let known = avoid.len();
                 avoid.try_reserve(current.waiting.len())?;
@@ -255,20 +252,6 @@ impl Run<'_> {
             }
         }
         Err(Error::internal("merging did not end"))
-    }
-
-    /// Recovers the segments of a mended surface from the start: points that its earlier states took are not there then.
-    fn recover_anew(
-        &mut self,
-        surface: &Surface,
-        options: &Options,
-        engine: &Engine,
-    ) -> Result<(Engine, Segments), Error> {
-        let mut trial = engine.clone();
-        let mut segments = Segments::new(&trial.points, trial.map(&surface.segments)?)?;
-        segments.deferred = edges_beside(surface)?;
-        self.recover_segments(&mut segments, options, &mut trial)?;
-        Ok((trial, segments))
     }
 
     /// Flips edges of the surface, steered by the edges of the triangulation, and finds its segments and patches.

@@ -37,7 +37,7 @@ pub fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 pub struct Context {
     /// The input ends.
     pub ends: [u32; 2],
-    /// The ends are acute vertices (two segments meet there at less than 90°).
+    /// The ends are acute vertices (two segments meet there at less than 90°); asked for where the piece is very short.
     pub acute: [bool; 2],
     /// The end that this segment has in common with the reference point's own segment.
     pub shared: Option<usize>,
@@ -45,6 +45,13 @@ pub struct Context {
 
 /// Pieces shorter than this part of their segment are split on concentric shells, which always ends.
 const DEEP: f64 = 1.0 / (1u64 << 20) as f64;
+
+impl Subsegment {
+    /// It is so short that it is split on concentric shells.
+    pub fn is_deep(&self) -> bool {
+        self.t[1] - self.t[0] < DEEP
+    }
+}
 
 /// The parameter at which to split `sub`, seen from reference vertex `reference`.
 ///
@@ -60,7 +67,7 @@ pub fn choose(points: &Points, sub: &Subsegment, context: &Context, reference: O
     let inside = |t: f64, near: f64| t >= t0 + near * (t1 - t0) && t <= t1 - near * (t1 - t0);
     let sphere = |end: usize, radius: f64| [radius / length, 1.0 - radius / length][end];
     let middle = t0 + 0.5 * (t1 - t0);
-    if t1 - t0 < DEEP {
+    if sub.is_deep() {
         let shell = (std::f64::consts::FRAC_1_SQRT_2 * (t1 - t0) * length).log2().floor().exp2();
         return match (context.acute[0] && t0 == 0.0, context.acute[1] && t1 == 1.0) {
             (true, false) => sphere(0, shell),

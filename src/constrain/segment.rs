@@ -12,8 +12,8 @@ use super::placement::{choose, distance, round_parameter, Context, Subsegment};
 use super::{crossing, edge_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error, Status};
-use crate::mesh::lookup::Lookup;
-use crate::mesh::tables::{EDGE, EDGE_OF, FACE};
+use crate::mesh::star::StarSearch;
+use crate::mesh::tables::{EDGE_OF, FACE};
 use crate::mesh::{flag, GHOST, NONE};
 use crate::predicates::{Expansion, Points, Sign};
 use rustc_hash::FxHashMap;
@@ -58,7 +58,10 @@ pub struct Segments {
     pub deferred: Vec<bool>,
     /// Deferred segments that were missing at some time.
     pub waiting: Vec<u32>,
+    /// Vertices at which two segments meet at less than 90°, once asked for.
     acute: Vec<bool>,
+    /// Pieces that may be missing; none if any may.
+    doubtful: Option<Vec<u32>>,
     exact_bits: Vec<u8>,
     /// All pairs of ends, sorted, once asked for.
     sorted: Vec<[u32; 2]>,
@@ -75,8 +78,7 @@ impl Segments {
             pieces.push(Subsegment { segment: i as u32, ends: e, t: [0.0, 1.0] });
             piece_of.insert(edge_key(e[0], e[1]), i as u32);
         }
-        let acute = acute_vertices(points, &ends)?;
-        Ok(Segments { ends, pieces, piece_of, first_steiner: points.len() as u32, acute, ..Self::default() })
+        Ok(Segments { ends, pieces, piece_of, first_steiner: points.len() as u32, ..Self::default() })
     }
 
     /// The Steiner points of each segment in order from its first end: a list of segments and parameters sorted by both.
@@ -147,11 +149,12 @@ impl Segments {
         }
     }
 
-    /// The same Steiner points on other segments: those with points are among the new ones, the others may have gone.
+    /// The same Steiner points on other segments: those with points are among the new ones, the others may have gone. All but the
+    /// deferred ones must be recovered.
     ///
     /// # Errors
     /// `Internal` if a segment with points has gone; `OutOfMemory`.
-    pub fn exchange(self, points: &Points, ends: Vec<[u32; 2]>) -> Result<Self, Error> {
+    pub fn exchange(mut self, points: &Points, ends: Vec<[u32; 2]>) -> Result<Self, Error> {
         let mut new = Segments::new(points, ends)?;
         new.first_steiner = self.first_steiner;
         new.missing = self.missing;
@@ -162,6 +165,16 @@ impl Segments {
             new.steiner_segment.try_reserve(1)?;
             new.steiner_segment.push(heir);
         }
+        self.waiting.sort_unstable();
+        let mut doubtful = Vec::new();
+        for (i, &[a, b]) in (0..).zip(&new.ends) {
+            let known = self.piece_of.get(&edge_key(a, b)).map(|&piece| self.pieces[piece as usize].segment);
+            if known.is_none_or(|s| self.waiting.binary_search(&s).is_ok()) {
+                doubtful.try_reserve(1)?;
+                doubtful.push(i);
+            }
+        }
+        new.doubtful = Some(doubtful);
         new.steiner_t = self.steiner_t;
         new.split_pieces()?;
         Ok(new)
@@ -233,7 +246,9 @@ fn acute_vertices(points: &Points, ends: &[[u32; 2]]) -> Result<Vec<bool>, Error
         incident.push([b, a]);
     }
     incident.sort_unstable();
-    let mut acute = vec![false; points.len()];
+    let mut acute = Vec::new();
+    acute.try_reserve_exact(points.len())?;
+    acute.resize(points.len(), false);
     for group in incident.chunk_by(|x, y| x[0] == y[0]) {
         let v = group[0][0];
         let others = &group[..group.len().min(7)];
@@ -257,6 +272,9 @@ pub struct Recovery<'a> {
     pub limit: Option<u64>,
     /// Missing pieces by length (the bits of a non-negative double are in its order), then by number.
     queue: BinaryHeap<(u64, Reverse<u32>)>,
+    /// Scratch space of [`present`](super::present).
+    pub(super) search: StarSearch,
+    pub(super) ring: Vec<(u32, u8)>,
 }
 
 impl<'a> Recovery<'a> {
@@ -267,14 +285,30 @@ impl<'a> Recovery<'a> {
         segments: &'a mut Segments,
         limit: Option<u64>,
     ) -> Self {
-        Recovery { delaunay, points, segments, limit, queue: Default::default() }
+        Recovery {
+            delaunay,
+            points,
+            segments,
+            limit,
+            queue: Default::default(),
+            search: StarSearch::default(),
+            ring: Vec::new(),
+        }
     }
 
     /// Makes every segment a union of edges. `tick` gets the numbers of pieces done and known.
     pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<(), Error> {
-        let present = self.mark_present()?;
-        for piece in (0..self.segments.pieces.len()).filter(|&piece| !present[piece]) {
-            self.enqueue(piece as u32)?;
+        if let Some(doubtful) = self.segments.doubtful.take() {
+            for piece in doubtful {
+                if !self.mark_edge(self.segments.pieces[piece as usize].ends)? {
+                    self.enqueue(piece)?;
+                }
+            }
+        } else {
+            let present = self.mark_present()?;
+            for piece in (0..self.segments.pieces.len()).filter(|&piece| !present[piece]) {
+                self.enqueue(piece as u32)?;
+            }
         }
         let missing = (self.queue.len() + self.segments.waiting.len()) as u64;
         self.segments.missing = self.segments.missing.max(missing);
@@ -304,38 +338,6 @@ impl<'a> Recovery<'a> {
         Ok(())
     }
 
-    /// Flags the edges of the mesh that are pieces, and tells which pieces are.
-    ///
-    /// One pass over the mesh: most surfaces have more segments than a tenth of the tetrahedra, and where a piece is an edge is
-    /// found in constant time only from there.
-    fn mark_present(&mut self) -> Result<Vec<bool>, Error> {
-        let pieces = self.segments.pieces.iter().zip(0..).map(|(piece, i)| {
-            let [a, b] = edge_key(piece.ends[0], piece.ends[1]);
-            (a, [b], i)
-        });
-        let piece_of = Lookup::new(self.points.len(), pieces)?;
-        let mut present = Vec::new();
-        present.try_reserve(self.segments.pieces.len())?;
-        present.resize(self.segments.pieces.len(), false);
-        let mesh = &mut self.delaunay.mesh;
-        for (v, flags) in mesh.verts.iter().zip(&mut mesh.flags) {
-            if *flags & flag::DEAD != 0 {
-                continue;
-            }
-            for (e, [i, j]) in EDGE.into_iter().enumerate() {
-                let [a, b] = edge_key(v[i as usize], v[j as usize]);
-                if b == GHOST {
-                    continue;
-                }
-                if let Some(piece) = piece_of.get(a, [b]) {
-                    *flags |= flag::EDGE << e;
-                    present[piece as usize] = true;
-                }
-            }
-        }
-        Ok(present)
-    }
-
     /// Splits a missing piece in two by a Steiner point.
     fn split(&mut self, piece: u32) -> Result<(), Error> {
         let sub = self.segments.pieces[piece as usize];
@@ -343,7 +345,7 @@ impl<'a> Recovery<'a> {
             return Err(Error::new(Status::SteinerLimit, "the limit on Steiner points was reached"));
         }
         let (reference, near) = self.find_reference(&sub);
-        let context = self.context(&sub, reference);
+        let context = self.context(&sub, reference)?;
         let place = match self.close_parameter(&sub, &context, reference)? {
             Some(place) => place,
             None => self.usual_parameter(&sub, &context, reference)?,
@@ -488,16 +490,22 @@ impl<'a> Recovery<'a> {
         present
     }
 
-    /// The segment's ends, their acuteness, and which end it shares with the segment of the reference point.
-    fn context(&self, sub: &Subsegment, reference: Option<u32>) -> Context {
+    /// The segment's ends, their acuteness where that matters, and which end it shares with the segment of the reference point.
+    fn context(&mut self, sub: &Subsegment, reference: Option<u32>) -> Result<Context, Error> {
         let ends = self.segments.ends[sub.segment as usize];
-        let acute = [self.segments.acute[ends[0] as usize], self.segments.acute[ends[1] as usize]];
+        let mut acute = [false; 2];
+        if sub.is_deep() {
+            if self.segments.acute.is_empty() {
+                self.segments.acute = acute_vertices(self.points, &self.segments.ends)?;
+            }
+            acute = ends.map(|v| self.segments.acute[v as usize]);
+        }
         let shared = reference.and_then(|p| {
             let index = p.checked_sub(self.segments.first_steiner)?;
             let other = self.segments.ends[self.segments.steiner_segment[index as usize] as usize];
             (0..2).find(|&k| other.contains(&ends[k]))
         });
-        Context { ends, acute, shared }
+        Ok(Context { ends, acute, shared })
     }
 
     /// The vertex that sees the piece under the largest angle among those met on a walk from its first end to its second,

@@ -151,3 +151,19 @@ fn steiner_points_move_to_other_lists_of_segments() {
     // A segment with points must stay.
     assert!(new.exchange(&points, vec![[1, 2], [0, 3]]).is_err());
 }
+
+/// Equal radii round a common vertex are kept very near to the end of a piece, or strips of slivers get row after row of Steiner
+/// points; a foot there is not, or the piece is split again and again.
+#[test]
+fn radii_are_kept_where_feet_are_not() {
+    use super::placement::{choose, Context, Subsegment};
+    let points = Points::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.001, 1e-5, 0.0], [0.25, 1e-3, 0.0]]);
+    let sub = Subsegment { segment: 0, ends: [0, 1], t: [0.0, 1.0] };
+    let split = |shared, reference| {
+        choose(&points, &sub, &Context { ends: [0, 1], acute: [false; 2], shared }, Some(reference))
+    };
+    assert!((split(Some(0), 2) - 0.001).abs() < 1e-6);
+    assert_eq!(split(None, 2), 0.5);
+    assert!((split(Some(1), 3) - 0.25).abs() < 1e-5);
+    assert_eq!(split(None, 3), 0.25);
+}

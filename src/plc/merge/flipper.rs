@@ -65,6 +65,10 @@ pub(super) struct Flipper<'a> {
     pub(super) negligible: f64,
     /// Edges to be looked at.
     queue: Vec<[u32; 2]>,
+    /// Edges whose flip was wanted but not allowed.
+    blocked: Vec<[u32; 2]>,
+    /// How many edges have been looked at.
+    looked: usize,
 }
 
 /// A Steiner point this near to the input's surface, relative to the diagonal of its box, counts as lying on it.
@@ -100,6 +104,8 @@ impl<'a> Flipper<'a> {
             bound: Bound::new(degrees),
             negligible,
             queue: Vec::new(),
+            blocked: Vec::new(),
+            looked: 0,
         };
         flipper.fix_creases();
         Ok(flipper)
@@ -119,8 +125,27 @@ impl<'a> Flipper<'a> {
         }
     }
 
-    /// Looks at every edge until there is nothing to flip, at most `passes` times.
+    /// Looks at every edge until there is nothing to flip, `passes` times at most at those whose flip is wanted but not allowed: another
+    /// one far away may make room.
     pub(super) fn run(
+        &mut self,
+        rule: Rule,
+        guide: &mut Guide,
+        passes: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<(), Error> {
+        self.queue.clear();
+        self.blocked.clear();
+        for t in 0..self.surface.triangles.len() {
+            self.queue.try_reserve(3)?;
+            self.queue.extend(sides(self.surface.triangles[t]));
+            self.empty_queue(rule, guide, observer)?;
+        }
+        self.run_on(rule, guide, passes - 1, observer)
+    }
+
+    /// The same where everything else has been looked at: the edges in the queue and those whose flip was not allowed.
+    pub(super) fn run_on(
         &mut self,
         rule: Rule,
         guide: &mut Guide,
@@ -129,11 +154,24 @@ impl<'a> Flipper<'a> {
     ) -> Result<(), Error> {
         for _ in 0..passes {
             let before = self.records.len();
-            self.pass(rule, guide, observer)?;
+            let blocked = std::mem::take(&mut self.blocked);
+            self.empty_queue(rule, guide, observer)?;
+            for edge in blocked {
+                self.queue.try_reserve(1)?;
+                self.queue.push(edge);
+                self.empty_queue(rule, guide, observer)?;
+            }
             if self.records.len() == before || self.is_exhausted() {
                 break;
             }
         }
+        Ok(())
+    }
+
+    /// Puts an edge into the queue.
+    pub(super) fn look_at(&mut self, edge: [u32; 2]) -> Result<(), Error> {
+        self.queue.try_reserve(1)?;
+        self.queue.push(edge);
         Ok(())
     }
 
@@ -146,25 +184,31 @@ impl<'a> Flipper<'a> {
         self.records.len() / FLIPS_PER_TRIANGLE > self.surface.triangles.len()
     }
 
-    /// Looks at every edge, and again at the edges around each flip.
-    fn pass(&mut self, rule: Rule, guide: &mut Guide, observer: &mut dyn Observer) -> Result<(), Error> {
-        let mut looked = 0usize;
-        for t in 0..self.surface.triangles.len() {
-            self.queue.try_reserve(3)?;
-            self.queue.extend(sides(self.surface.triangles[t]));
-            while let Some(edge) = self.queue.pop() {
-                if looked % EDGES_PER_REPORT == 0 {
-                    report(observer, Phase::Validate, 0.9)?;
-                }
-                looked += 1;
-                if self.is_exhausted() {
-                    self.queue.clear();
-                    return Ok(());
-                }
-                let Some(candidate) = self.candidate(edge) else { continue };
-                if self.is_wanted(rule, guide, &candidate) && self.is_allowed(&candidate)? {
-                    self.flip(&candidate)?;
-                }
+    /// Looks at the edges in the queue, and at those around each flip.
+    fn empty_queue(
+        &mut self,
+        rule: Rule,
+        guide: &mut Guide,
+        observer: &mut dyn Observer,
+    ) -> Result<(), Error> {
+        while let Some(edge) = self.queue.pop() {
+            if self.looked % EDGES_PER_REPORT == 0 {
+                report(observer, Phase::Validate, 0.9)?;
+            }
+            self.looked += 1;
+            if self.is_exhausted() {
+                self.queue.clear();
+                return Ok(());
+            }
+            let Some(candidate) = self.candidate(edge) else { continue };
+            if !self.is_wanted(rule, guide, &candidate) {
+                continue;
+            }
+            if self.is_allowed(&candidate)? {
+                self.flip(&candidate)?;
+            } else {
+                self.blocked.try_reserve(1)?;
+                self.blocked.push(edge);
             }
         }
         Ok(())
@@ -233,10 +277,6 @@ impl<'a> Flipper<'a> {
             return Ok(are_flat(points, [a, b], c, d) && are_flat(points, [c, d], a, b));
         }
         self.obstacles.allow_flip(points, candidate.triangles, candidate.vertices)
-    }
-
-    pub(super) fn clear_queue(&mut self) {
-        self.queue.clear();
     }
 
     /// Edge `ab` becomes `cd`; the triangle with `a` stays `t`, that with `b` is `u`.

@@ -10,6 +10,9 @@
 //! ([`steer`]): towards edges that need no Steiner point, and away from new edges on which a Steiner point would
 //! leave the input's surface.
 //!
+//! Every edge is looked at once; then only those at flips, those whose flip was wanted but not allowed, and those that the caller wants to be
+//! avoided by now.
+//!
 //! Only facets given as triangles, and not split by vertices in them, take part: a flip can be told in terms of the input then.
 use super::patch::{connect, FixedEdge};
 use super::surface::Surface;
@@ -50,6 +53,8 @@ pub struct Merger<'a> {
     flipper: Flipper<'a>,
     fixed: Vec<FixedEdge>,
     plc: &'a Plc,
+    /// Flips have been steered before.
+    is_steered: bool,
 }
 
 impl<'a> Merger<'a> {
@@ -64,7 +69,7 @@ impl<'a> Merger<'a> {
         plc: &'a Plc,
         degrees: f64,
     ) -> Result<Merger<'a>, Error> {
-        Ok(Merger { flipper: Flipper::new(surface, &fixed, plc, degrees)?, fixed, plc })
+        Ok(Merger { flipper: Flipper::new(surface, &fixed, plc, degrees)?, fixed, plc, is_steered: false })
     }
 
     /// The surface as it is now.
@@ -91,6 +96,7 @@ impl<'a> Merger<'a> {
     /// `Cancelled`, `OutOfMemory`, `TooLarge`.
     pub fn run(&mut self, guide: Option<&mut Guide>, observer: &mut dyn Observer) -> Result<(), Error> {
         let flipper = &mut self.flipper;
+        let again = std::mem::replace(&mut self.is_steered, guide.is_some());
         if !flipper.is_started() {
             let (avoid, avoid_all) =
                 guide.as_ref().map_or((&[][..], false), |guide| (guide.avoid, guide.avoid_all));
@@ -98,9 +104,17 @@ impl<'a> Merger<'a> {
             flipper.run(Rule::Angles, &mut none, PASSES, observer)?;
         }
         if let Some(guide) = guide {
-            flipper.run(Rule::Cost, guide, PASSES, observer)?;
+            if again {
+                // Costs have changed at the edges to be avoided only.
+                for &edge in guide.avoid {
+                    flipper.look_at(edge)?;
+                }
+                flipper.run_on(Rule::Cost, guide, PASSES, observer)?;
+            } else {
+                flipper.run(Rule::Cost, guide, PASSES, observer)?;
+            }
             flipper.take_back(guide, observer)?;
-            flipper.run(Rule::Cost, guide, PASSES, observer)?;
+            flipper.run_on(Rule::Cost, guide, PASSES, observer)?;
         }
         let beside = flipper.edges_beside()?;
         flipper.surface.edges_beside = beside;

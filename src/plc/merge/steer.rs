@@ -4,7 +4,6 @@
 //! input's surface, and much more if it is a new one beside it, since its Steiner points would lie beside the surface too.
 //! Flips that lower the cost are made as long as there are any; then new edges of the dear kind are taken back, together
 //! with the later flips that have changed the triangles at them.
-use super::edges::sides;
 use super::flipper::{Candidate, Flipper};
 use super::Guide;
 use crate::error::Error;
@@ -42,13 +41,10 @@ impl Flipper<'_> {
     /// The edges made by flips that lie beside the input's surface, sorted.
     pub(super) fn edges_beside(&self) -> Result<Vec<[u32; 2]>, Error> {
         let mut beside: Vec<[u32; 2]> = Vec::new();
-        for &corners in &self.surface.triangles {
-            for ends in sides(corners) {
-                let maker = self.edges.maker(ends);
-                if maker.is_some_and(|k| self.records[k as usize].deviation > self.negligible) {
-                    beside.try_reserve(1)?;
-                    beside.push([ends[0].min(ends[1]), ends[0].max(ends[1])]);
-                }
+        for (ends, record) in self.surface.facet_flips.iter().map(|flip| flip.new).zip(&self.records) {
+            if record.deviation > self.negligible && self.is_beside(ends) {
+                beside.try_reserve(1)?;
+                beside.push([ends[0].min(ends[1]), ends[0].max(ends[1])]);
             }
         }
         beside.sort_unstable();
@@ -56,23 +52,26 @@ impl Flipper<'_> {
         Ok(beside)
     }
 
+    /// Whether there is such an edge, and it lies beside the input's surface.
+    fn is_beside(&self, ends: [u32; 2]) -> bool {
+        self.edges.maker(ends).is_some_and(|k| self.records[k as usize].deviation > self.negligible)
+    }
+
     /// Takes back flips until no missing edge lies beside the input's surface, or none that does can be taken back.
     pub(super) fn take_back(&mut self, guide: &mut Guide, observer: &mut dyn Observer) -> Result<(), Error> {
         for _ in 0..ROUNDS {
             report(observer, Phase::Validate, 0.95)?;
             let before = self.records.len();
-            for t in 0..self.surface.triangles.len() {
-                for ends in sides(self.surface.triangles[t]) {
-                    if self.edges.maker(ends).is_some() && self.live_cost(guide, ends) == MISSING_BESIDE {
-                        self.take_back_edge(ends)?;
-                    }
+            for k in 0..before {
+                let ends = self.surface.facet_flips[k].new;
+                if self.is_beside(ends) && self.live_cost(guide, ends) == MISSING_BESIDE {
+                    self.take_back_edge(ends)?;
                 }
             }
             if self.records.len() == before || self.is_exhausted() {
                 break;
             }
         }
-        self.clear_queue();
         Ok(())
     }
 
