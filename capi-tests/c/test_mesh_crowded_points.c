@@ -5,8 +5,8 @@
 static DelotetPlc *coarse_prism(void)
 {
     const double o = 4503599627370496.0;
-    const double xyz[18] = {2 + o, 2 + o, 2 + o, o, o, 3 + o, 2 + o, o, 2 + o,
-                            2 + o, 1 + o, 1 + o, 2 + o, 2 + o, 1 + o, 1 + o, 2 + o, 1 + o};
+    const double xyz[18] = {2 + o, o, 1 + o, 3 + o, 1 + o, 1 + o, 3 + o, 2 + o, o,
+                            3 + o, 1 + o, o, o, o, o, 1 + o, 1 + o, 1 + o};
     const uint32_t triangles[24] = {0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5};
     DelotetPlc *plc = NULL;
     OK(delotet_plc_new(xyz, 6, &plc, &error));

@@ -159,7 +159,7 @@ fn schoenhardt_gets_points_on_its_edges_only() {
 #[test]
 fn where_doubles_are_too_coarse_the_exact_form_remains() {
     // Beyond 2^52 doubles are the integers: a twisted prism three units wide whose edges must be split has no room for it.
-    let lattice = [[2, 2, 2], [0, 0, 3], [2, 0, 2], [2, 1, 1], [2, 2, 1], [1, 2, 1]];
+    let lattice = [[2, 0, 1], [3, 1, 1], [3, 2, 0], [3, 1, 0], [0, 0, 0], [1, 1, 1]];
     let points = lattice.map(|p: [u64; 3]| p.map(|x| ((1 << 52) + x) as f64)).to_vec();
     let plc = Plc { points, ..schoenhardt(0.0) };
     let error = run(&plc, &Options::default()).unwrap_err();
