@@ -8,8 +8,8 @@ use crate::predicates::{Glance, Points, Sign};
 
 /// Where a walk ended.
 pub(super) enum Walk {
-    /// At a tetrahedron in conflict.
-    Found(u32),
+    /// At a tetrahedron in conflict, after so many steps.
+    Found(u32, u32),
     /// At one that the range does not own.
     Left,
     /// Nowhere: the mesh is broken.
@@ -21,7 +21,7 @@ impl Delaunay {
     /// sees it.
     pub fn locate(&self, points: &Points, p: u32, start: u32) -> Result<u32, Error> {
         match walk::<false, true>(&self.mesh.slots(), 0, points, p, start) {
-            Walk::Found(t) => Ok(t),
+            Walk::Found(t, _) => Ok(t),
             _ => Err(Error::internal("point location did not end")),
         }
     }
@@ -51,11 +51,11 @@ pub(super) fn walk<const SHARED: bool, const INTO: bool>(
     for step in 0..limit {
         let glance = if INTO { Glance::Unclear } else { points.glance(slots.verts(t), &at) };
         let face = match glance {
-            Glance::Inside => return Walk::Found(t),
+            Glance::Inside => return Walk::Found(t, step as u32),
             Glance::Beyond(face) => face,
             Glance::Unclear => match separating(slots, points, p, t, step as u32, entered) {
                 Some(face) => face,
-                None => return Walk::Found(t),
+                None => return Walk::Found(t, step as u32),
             },
         };
         let code = slots.across(4 * t + face);
@@ -65,7 +65,7 @@ pub(super) fn walk<const SHARED: bool, const INTO: bool>(
             return Walk::Left;
         }
         if slots.vertex(t, 3) == GHOST {
-            return Walk::Found(t);
+            return Walk::Found(t, step as u32);
         }
     }
     Walk::Lost

@@ -23,6 +23,10 @@ use order::Frame;
 use parallel::{Pass, FEWEST_VERTICES};
 use ranges::{range_count, Division};
 
+/// Walks of more steps are long: tetrahedra reach far, and it matters at which one of the last vertex a walk starts.
+const LONG_WALK: u32 = 24;
+/// So many starts are chosen with care after a long walk.
+const CAREFUL: u32 = 64;
 /// Most passes over what the first one of a round has deferred.
 const MOST_PASSES: usize = 2;
 
@@ -110,11 +114,38 @@ impl Delaunay {
 
     /// Inserts one vertex, which equals none of the present ones.
     pub fn insert(&mut self, points: &Points, p: u32) -> Result<(), Error> {
-        let Walk::Found(t) = walk::<false, false>(&self.mesh.slots(), 0, points, p, self.hint) else {
+        self.insert_from(points, p, self.hint)?;
+        Ok(())
+    }
+
+    /// Inserts one vertex by a walk from a tetrahedron; returns its steps.
+    fn insert_from(&mut self, points: &Points, p: u32, start: u32) -> Result<u32, Error> {
+        let Walk::Found(t, steps) = walk::<false, false>(&self.mesh.slots(), 0, points, p, start) else {
             return Err(Error::internal("point location did not end"));
         };
         self.hint = self.insert_at::<false>(points, p, t)?;
-        Ok(())
+        Ok(steps)
+    }
+
+    /// Of the tetrahedra made last the one whose vertices are nearest to `p`.
+    fn nearest_made(&self, points: &Points, p: u32) -> u32 {
+        let at = points.xyz(p);
+        let mut best = (f64::INFINITY, self.hint);
+        for &t in &self.cavity.fresh {
+            let verts = self.mesh.verts[t as usize];
+            if verts[3] == GHOST {
+                continue;
+            }
+            let distance = |v: u32| {
+                let q = points.xyz(v);
+                (0..3).map(|k| (at[k] - q[k]) * (at[k] - q[k])).sum::<f64>()
+            };
+            let sum = verts.iter().map(|&v| distance(v)).sum();
+            if sum < best.0 {
+                best = (sum, t);
+            }
+        }
+        best.1
     }
 
     /// Builds the triangulation of the given vertices, in this order of insertion (the first four may change places with
@@ -185,11 +216,14 @@ impl Delaunay {
         vertices: &[u32],
         tick: &mut dyn FnMut(usize) -> Result<(), Error>,
     ) -> Result<(), Error> {
+        let mut careful = 0;
         for (i, &p) in vertices.iter().enumerate() {
             if i % 8192 == 0 {
                 tick(i)?;
             }
-            self.insert(points, p)?;
+            let start = if careful > 0 { self.nearest_made(points, p) } else { self.hint };
+            let steps = self.insert_from(points, p, start)?;
+            careful = if steps > LONG_WALK { CAREFUL } else { careful.saturating_sub(1) };
         }
         Ok(())
     }
@@ -219,7 +253,9 @@ impl Delaunay {
         present = &order[..round.end];
         for turn in 0..MOST_PASSES {
             // A pass looks at all tetrahedra once, which takes as long as inserting a part of the vertices.
-            if left.len() < FEWEST_VERTICES.max(present.len() / 32) {
+            // Nor does another division help where no vertex has its surroundings in one range.
+            let hopeless = 4 * left.len() > 3 * round.len();
+            if hopeless || left.len() < FEWEST_VERTICES.max(present.len() / 32) {
                 break;
             }
             let done_before = round.end - left.len();

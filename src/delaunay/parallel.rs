@@ -51,6 +51,9 @@ use std::time::Duration;
 
 /// A pass with fewer vertices is not worth its preparation.
 pub(super) const FEWEST_VERTICES: usize = 4096;
+/// After so many vertices a range gives up if it has deferred most of them: where tetrahedra reach across ranges, as through a
+/// cylinder's inside, walks that end at a border only take time.
+const TRIAL: usize = 1024;
 /// After so many deferred vertices in a row a walk starts elsewhere.
 const PATIENCE: usize = 16;
 /// Vertices between two looks at the clock and the caller.
@@ -131,6 +134,11 @@ impl Shop<'_> {
                     return Err(Error::new(Status::Cancelled, "cancelled"));
                 }
             }
+            if i == TRIAL && 4 * deferred.len() > 3 * TRIAL {
+                deferred.try_reserve(vertices.len() - i)?;
+                deferred.extend_from_slice(&vertices[i..]);
+                break;
+            }
             if row == PATIENCE {
                 row = 0;
                 hint = self.nearest(&task, p).unwrap_or(hint);
@@ -181,7 +189,7 @@ impl Shop<'_> {
     fn insert(&self, task: &mut Task, cavity: &mut Cavity, p: u32, hint: u32) -> Result<Option<u32>, Error> {
         let slots = &self.slots;
         let t = match walk::<true, false>(slots, task.owner, self.points, p, hint) {
-            Walk::Found(t) => t,
+            Walk::Found(t, _) => t,
             Walk::Left => return Ok(None),
             Walk::Lost => return Err(Error::internal("point location did not end")),
         };

@@ -197,6 +197,26 @@ fn any_number_of_threads_makes_the_same_bytes() {
     }
 }
 
+/// Tetrahedra reach through the inside of a cylinder from every range to others: the first pass gives up, and no other is made.
+#[test]
+fn ranges_are_given_up_where_tetrahedra_cross_them() {
+    let mut random = Lcg(5);
+    let xyz: Vec<[f64; 3]> = (0..72_000)
+        .map(|_| {
+            let angle = std::f64::consts::TAU * random.next();
+            [angle.cos(), angle.sin(), 4.0 * random.next()]
+        })
+        .collect();
+    let (delaunay, points, one) = build_by(1, &xyz);
+    check_delaunay(&delaunay, &points).unwrap();
+    slots_are_accounted_for(&delaunay);
+    let round = delaunay.rounds.last().unwrap();
+    assert!(round.deferred.len() == 1 && 4 * round.deferred[0] > 3 * round.vertices, "{round:?}");
+    for threads in [2, 3, 7] {
+        assert!(build_by(threads, &xyz).2 == one, "{threads} threads");
+    }
+}
+
 #[test]
 fn ranges_make_the_tetrahedra_that_one_by_one_insertion_makes() {
     for (name, xyz) in large_sets() {
