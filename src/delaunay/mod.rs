@@ -197,7 +197,7 @@ impl Delaunay {
                 }
                 done?;
             } else {
-                self.insert_all(points, &order[begin..end], &mut |done| tick(begin + done))?;
+                self.insert_in_order(points, &order[begin..end], &mut |done| tick(begin + done))?;
             }
             begin = end;
         }
@@ -209,9 +209,8 @@ impl Delaunay {
         Ok(())
     }
 
-    /// Inserts vertices one after the other. Not inlined: instruction counts find it by its name.
-    #[inline(never)]
-    fn insert_all(
+    /// Inserts vertices one after the other.
+    fn insert_in_order(
         &mut self,
         points: &Points,
         vertices: &[u32],
@@ -269,7 +268,7 @@ impl Delaunay {
         self.rounds.push(report);
         self.hint = (0..self.mesh.slot_count() as u32).find(|&t| self.mesh.is_live(t)).unwrap_or(0);
         let done_before = round.end - left.len();
-        self.insert_all(points, &left, &mut |done| ahead(done_before + done))
+        self.insert_in_order(points, &left, &mut |done| ahead(done_before + done))
     }
 
     /// Fills `vertex_tet` for `vertex_count` vertices: a finite tetrahedron where there is one, NONE for absent vertices.
