@@ -2,7 +2,7 @@
 //!
 //! As the search for any filling, but a tetrahedron must be better than a bound. A filling raises the bound to its worst
 //! tetrahedron, and the search goes on from before that one.
-use super::search::{Face, Level, Search};
+use super::search::{Face, Search};
 use super::shape::{Goal, Shape};
 use crate::error::Error;
 use crate::predicates::Points;
@@ -53,14 +53,6 @@ impl Search {
         let Search { best, signs, .. } = self;
         tets.extend(best.iter().map(|t| t.map(|i| signs.vertices[i as usize])));
         Ok(!best.is_empty())
-    }
-
-    /// Leaves the topmost level.
-    fn retreat(&mut self) {
-        self.depth -= 1;
-        if self.depth > 0 {
-            self.undo(self.depth - 1);
-        }
     }
 
     /// Keeps the filling at hand; returns the worth of its worst tetrahedron.
@@ -117,20 +109,6 @@ impl Search {
                 apexes.push((self.worth(points, goal, w, face), w));
             }
         }
-        if apexes.is_empty() {
-            return Ok(false);
-        }
-        apexes.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-        if self.levels.len() == self.depth {
-            self.levels.try_reserve(1)?;
-            self.levels.push(Level::default());
-        }
-        let level = &mut self.levels[self.depth];
-        level.face = face;
-        level.apexes.clear();
-        level.apexes.try_reserve(apexes.len())?;
-        level.apexes.extend(apexes.iter().map(|a| a.1));
-        self.depth += 1;
-        Ok(true)
+        self.push_level(face, apexes)
     }
 }

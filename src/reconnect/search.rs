@@ -183,10 +183,7 @@ impl Search {
             let level = self.depth - 1;
             let face = self.levels[level].face;
             let Some(apex) = self.levels[level].apexes.pop() else {
-                self.depth -= 1;
-                if self.depth > 0 {
-                    self.undo(self.depth - 1);
-                }
+                self.retreat();
                 continue;
             };
             steps += 1;
@@ -259,6 +256,11 @@ impl Search {
                 apexes.push((self.quality(w, face) * (1.0 + closes), w));
             }
         }
+        self.push_level(face, apexes)
+    }
+
+    /// Puts a face with these apexes, each with its worth, on the stack; false if there are none.
+    pub(super) fn push_level(&mut self, face: Face, mut apexes: Vec<(f64, u8)>) -> Result<bool, Error> {
         if apexes.is_empty() {
             return Ok(false);
         }
@@ -274,6 +276,14 @@ impl Search {
         level.apexes.extend(apexes.iter().map(|a| a.1));
         self.depth += 1;
         Ok(true)
+    }
+
+    /// Leaves the topmost level.
+    pub(super) fn retreat(&mut self) {
+        self.depth -= 1;
+        if self.depth > 0 {
+            self.undo(self.depth - 1);
+        }
     }
 
     /// Vertices of front faces, and inner ones that no tetrahedron has yet.
