@@ -82,7 +82,7 @@ pub fn improve(
         solid.patch_of.keys().map(|face| needle(face.map(|v| points.xyz(v)))).fold(ENOUGH.ratio, f64::min);
     let enough = Shape { ratio: forced, ..ENOUGH };
     for stage in STAGES {
-        let least = improve.worst(solid);
+        let least = improve.worst(solid)?;
         improve.run(solid, points, isolated, &stage, Aim { measure: stage.measure, enough, least }, tick)?;
     }
     Ok(())
@@ -110,17 +110,19 @@ impl Improve {
     }
 
     /// The worst of the mesh by either measure. What could not be improved is to be tried again.
-    fn worst(&mut self, solid: &Solid) -> Shape {
+    fn worst(&mut self, solid: &Solid) -> Result<Shape, Error> {
         let first = self.worst;
         let mut of = |measure: Measure| {
             let Bad { queue, stuck } = self.bad(measure);
+            queue.try_reserve(stuck.len())?;
             queue.extend(stuck.drain(..).map(Reverse));
             while queue.peek().is_some_and(|top| !is_there(solid, &top.0)) {
                 queue.pop();
             }
-            queue.peek().map_or(first.by(measure).max(BAD.by(measure)), |top| f64::from_bits(top.0 .0))
+            let good = first.by(measure).max(BAD.by(measure));
+            Ok::<f64, Error>(queue.peek().map_or(good, |top| f64::from_bits(top.0 .0)))
         };
-        Shape { angle: of(Measure::Angle), ratio: of(Measure::Ratio) }
+        Ok(Shape { angle: of(Measure::Angle)?, ratio: of(Measure::Ratio)? })
     }
 
     /// One stage.
