@@ -6,7 +6,7 @@
 //!
 //! Invariants: subfaces and subsegments stay; every tetrahedron is positive in doubles.
 use super::positive;
-use super::untangle::{is_subface, Site};
+use super::untangle::{is_closed, Site};
 use crate::error::Error;
 use crate::mesh::edge_key;
 use crate::mesh::star::EdgeRing;
@@ -55,7 +55,7 @@ impl Lawson {
         let across = mesh.across(code);
         let [a, b, c, d] = mesh.verts[(code >> 2) as usize];
         let (v, e) = (mesh.verts[(code >> 2) as usize][(code & 3) as usize], mesh.apex(across));
-        if is_subface(mesh, code) || points.insphere(a, b, c, d, e) != Sign::Positive {
+        if is_closed(mesh, code) || points.insphere(a, b, c, d, e) != Sign::Positive {
             return Ok(false);
         }
         let [x, y, z] = mesh.face(code);
@@ -94,7 +94,7 @@ impl Lawson {
         self.old.try_reserve(MOST_RING)?;
         self.link.try_reserve(MOST_RING)?;
         for (t, .., k, l) in EdgeRing::new(mesh, t, p, q) {
-            if is_subface(mesh, 4 * t + k) || is_subface(mesh, 4 * t + l) || self.old.len() == MOST_RING {
+            if is_closed(mesh, 4 * t + k) || is_closed(mesh, 4 * t + l) || self.old.len() == MOST_RING {
                 return Ok(false);
             }
             self.old.push(t);

@@ -3,7 +3,7 @@ use crate::check::check_mesh;
 use crate::error::Status;
 use crate::options::Options;
 use crate::output::TetMesh;
-use crate::plc::Plc;
+use crate::plc::{Plc, Segment};
 use crate::progress::Silent;
 use crate::tetrahedralize::tetrahedralize;
 
@@ -101,4 +101,27 @@ fn tetrahedra_of_caps_rough_by_units_in_the_last_place_are_replaced() {
         replaced += mesh.replaced.len();
     }
     assert!(meshed >= 15 && replaced > 0, "{meshed} {replaced}");
+}
+
+/// Isolated segments in a cube that keeps its hull, coordinates times 0.1: a tetrahedron on the hull is replaced (found by the property
+/// test of segments; cavities took ghosts in).
+#[test]
+fn cavities_end_at_the_convex_hull() {
+    let point = |p: [i32; 3]| p.map(|x| f64::from(x) * 0.1);
+    let mut plc = Plc {
+        points: (0..8).map(|i| point([i & 1, i >> 1 & 1, i >> 2].map(|x| 5 * x))).collect(),
+        ..Plc::default()
+    };
+    for (i, ends) in
+        [[[3, 0, 0], [0, 0, 0]], [[5, 2, 3], [3, 4, 1]], [[5, 3, 2], [1, 5, 0]]].into_iter().enumerate()
+    {
+        plc.points.extend(ends.map(point));
+        plc.segments.push(Segment { ends: [8 + 2 * i as u32, 9 + 2 * i as u32], marker: 1 });
+    }
+    let options = Options { keep_hull: true, ..Options::default() };
+    match tetrahedralize(&plc, &options, &mut Silent) {
+        Ok(mesh) => check_mesh(&plc, &mesh, true, 10).unwrap(),
+        // The end of one segment is an ulp from the other.
+        Err(error) => assert_eq!(error.status, Status::Rounding),
+    }
 }

@@ -6,7 +6,7 @@
 //! polyhedron is filled anew by small polyhedron reconnection ([`crate::reconnect`]), by exact signs of the doubles that are handed out.
 //!
 //! Invariants: subfaces and subsegments stay; new tetrahedra are positive in doubles; components keep what they hold, because no
-//! cavity reaches across a subface. What is given up is the Delaunay property of the new tetrahedra, and that they are positive in the
+//! cavity reaches across a subface, and none holds ghosts. What is given up is the Delaunay property of the new tetrahedra, and that they are positive in the
 //! exact positions too: so they are listed.
 use super::lawson::Lawson;
 use super::{positive, Repair};
@@ -121,7 +121,7 @@ impl Untangle {
         self.faces.try_reserve(4 * cavity.len())?;
         for code in cavity.iter().flat_map(|&t| 4 * t..4 * t + 4) {
             let inside = cavity.binary_search(&(mesh.across(code) >> 2)).is_ok();
-            if !inside || is_subface(mesh, code) {
+            if !inside || is_closed(mesh, code) {
                 self.faces.push(mesh.face(code));
             }
         }
@@ -157,9 +157,10 @@ impl Untangle {
     }
 }
 
-/// The face is a subface.
-pub fn is_subface(mesh: &Tetrahedra, code: u32) -> bool {
+/// The face bounds every cavity: it is a subface, or a face of the convex hull.
+pub fn is_closed(mesh: &Tetrahedra, code: u32) -> bool {
     mesh.flags[(code >> 2) as usize] & (flag::FACE << (code & 3)) != 0
+        || mesh.is_ghost(mesh.across(code) >> 2)
 }
 
 /// The cavities to try, in this order: with each neighbour, round each edge, at each vertex, and all within more and more faces; each
@@ -169,7 +170,7 @@ fn cavities(mesh: &Tetrahedra, t: u32) -> Result<Vec<Vec<u32>>, Error> {
     let verts = mesh.verts[t as usize];
     list.try_reserve(4 + EDGE.len() + 4 + MOST_LAYERS)?;
     for f in 0..4 {
-        if !is_subface(mesh, 4 * t + f) {
+        if !is_closed(mesh, 4 * t + f) {
             list.push(vec![t, mesh.across(4 * t + f) >> 2]);
         }
     }
@@ -198,7 +199,7 @@ fn cavities(mesh: &Tetrahedra, t: u32) -> Result<Vec<Vec<u32>>, Error> {
     Ok(list)
 }
 
-/// The tetrahedra that have all of `common`, from `t` across faces that are no subfaces.
+/// The tetrahedra that have all of `common`, from `t` across faces that are open.
 fn around(mesh: &Tetrahedra, t: u32, common: &[u32]) -> Result<Vec<u32>, Error> {
     let mut list = vec![t];
     let mut next = 0;
@@ -209,13 +210,13 @@ fn around(mesh: &Tetrahedra, t: u32, common: &[u32]) -> Result<Vec<u32>, Error> 
     Ok(list)
 }
 
-/// Adds the neighbours of `t` across faces that are no subfaces and have all of `common`.
+/// Adds the neighbours of `t` across faces that are open and have all of `common`.
 fn add_neighbors(mesh: &Tetrahedra, t: u32, common: &[u32], list: &mut Vec<u32>) -> Result<(), Error> {
     list.try_reserve(4)?;
     for code in 4 * t..4 * t + 4 {
         let n = mesh.across(code) >> 2;
         let face = mesh.face(code);
-        if !is_subface(mesh, code) && common.iter().all(|v| face.contains(v)) && !list.contains(&n) {
+        if !is_closed(mesh, code) && common.iter().all(|v| face.contains(v)) && !list.contains(&n) {
             list.push(n);
         }
     }
