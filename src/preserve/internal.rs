@@ -57,6 +57,18 @@ impl Internal {
         Ok(internal)
     }
 
+    /// Whether any Steiner point may stay on its segment.
+    pub fn any_may_stay(&self) -> bool {
+        self.points.contains(&true)
+    }
+
+    /// These may stay no longer.
+    pub fn forbid(&mut self, list: &[u32]) {
+        for v in list {
+            self.points[(v - self.first) as usize] = false;
+        }
+    }
+
     /// Whether a Steiner point may stay on its segment.
     pub fn may_stay(&self, v: u32) -> bool {
         v.checked_sub(self.first).and_then(|i| self.points.get(i as usize)).is_some_and(|&x| x)

@@ -6,8 +6,9 @@
 //! ([`unsplit`]), patches get the surface's triangles again ([`retarget`]), points inside that are not needed go ([`thin`]), and
 //! the others move to better places ([`smooth`]). At last bad tetrahedra are reconnected ([`mod@improve`]).
 //!
-//! Where only the outer boundary is kept, points on segments inside ([`internal`]) may stay; they get positions in doubles
-//! ([`mod@settle`]), and patches inside keep what triangles they have where the surface's would take points.
+//! Where only the outer boundary is kept, points on segments inside ([`internal`]) may stay, and patches inside keep what triangles they
+//! have where the surface's would take points. They get positions in doubles ([`mod@settle`]) when all else is done: until then they are
+//! exactly on their segments, and every step tests them there.
 pub mod breakpoint;
 pub mod cavity;
 pub mod center;
@@ -82,8 +83,42 @@ pub fn from_constrained(
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<Freed, Error> {
     inside.sweep(solid);
-    let internal = Internal::find(target.preserve, solid, segments)?;
-    let both = (segments, &internal);
+    let mut internal = Internal::find(target.preserve, solid, segments)?;
+    let mut done = 0.0;
+    let mut tick = |f: f64| {
+        done = f.max(done);
+        tick(done)
+    };
+    loop {
+        let start = internal
+            .any_may_stay()
+            .then(|| (solid.clone(), points.clone(), inside.clone(), statistics.clone()));
+        let both = (segments, &internal);
+        let (mut freed, staying) = free(solid, points, both, target, inside, statistics, &mut tick)?;
+        let (settled, crowded) = settle::settle(solid, points, segments, &staying)?;
+        let Some(start) = start.filter(|_| !crowded.is_empty()) else {
+            statistics.on_internal_facets = settled.len() as u64;
+            freed.settled = settled;
+            return Ok(freed);
+        };
+        // These have no doubles where they are: they must go as well.
+        internal.forbid(&crowded);
+        (*solid, *points, inside, *statistics) = start;
+    }
+}
+
+/// Takes off what must go; also returns the points that stay, which are exactly on their segments still: so every tetrahedron is
+/// positive there, and stays so while others get doubles.
+fn free(
+    solid: &mut Solid,
+    points: &mut Points,
+    (segments, internal): (&Segments, &Internal),
+    target: &Target,
+    mut inside: Inside,
+    statistics: &mut PreserveStatistics,
+    tick: &mut dyn FnMut(f64) -> Result<(), Error>,
+) -> Result<(Freed, Vec<u32>), Error> {
+    let both = (segments, internal);
     let removal = removal::remove_all(solid, points, both, target, &mut inside, &mut |f| tick(0.6 * f))?;
     statistics.deleted += removal.deleted;
     statistics.relocated += removal.relocated;
@@ -116,8 +151,8 @@ pub fn from_constrained(
     }
     improve::improve(solid, points, &isolated, &mut || tick(0.99))?;
     statistics.interior = inside.list.len() as u64;
-    statistics.on_internal_facets = removal.settled.len() as u64;
-    Ok(Freed { inside, settled: removal.settled, subfaces: subfaces(solid, target, &internal)? })
+    let subfaces = subfaces(solid, target, internal)?;
+    Ok((Freed { inside, settled: Vec::new(), subfaces }, removal.staying))
 }
 
 /// The surface's faces: its triangles, but for those in whose place internal patches have others. (All of a patch has one marker: which

@@ -1,12 +1,10 @@
 //! All points off the segments: those that go easily first, the last made first; relocation comes last.
 //!
-//! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place. The
-//! others get positions in doubles; where one has none, it is relocated after all.
+//! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place.
 use super::inside::Inside;
 use super::internal::Internal;
 use super::memory::Memory;
 use super::retarget::Target;
-use super::settle::{settle, Settled};
 use super::solid::Solid;
 use super::unsplit::{Effort, Outcome, Unsplit};
 use super::{BUDGET, SOME};
@@ -36,8 +34,8 @@ pub struct Removal {
     pub left: Vec<u32>,
     /// Pieces of segments on no facet.
     pub isolated: FxHashSet<[u32; 2]>,
-    /// Points that stay.
-    pub settled: Vec<Settled>,
+    /// Points that stay, ascending.
+    pub staying: Vec<u32>,
 }
 
 /// Steiner points and their neighbours on their segments.
@@ -117,25 +115,8 @@ pub fn remove_all(
             }
         }
     }
-    let (mut staying, mut left): (Vec<u32>, Vec<u32>) = left.into_iter().partition(|&v| internal.may_stay(v));
-    staying.reverse();
-    while left.is_empty() {
-        let (settled, crowded) = settle(unsplit.solid, unsplit.points, segments, &staying)?;
-        if crowded.is_empty() {
-            removal.settled = settled;
-            break;
-        }
-        tick(1.0)?;
-        for v in crowded.into_iter().rev() {
-            let effort = EFFORTS[EFFORTS.len() - 1];
-            if take(&mut unsplit, &mut along, v, effort, &mut counts)? {
-                staying.retain(|&w| w != v);
-            } else {
-                left.push(v);
-            }
-        }
-    }
-    removal.left = left;
+    (removal.staying, removal.left) = left.into_iter().partition(|&v| internal.may_stay(v));
+    removal.staying.reverse();
     [removal.deleted, removal.relocated] = counts;
     Ok(removal)
 }

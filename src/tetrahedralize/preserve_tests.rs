@@ -1,6 +1,7 @@
 //! Mode preserve end to end, where doubles leave no room: every mesh proved by the exact checker.
 use super::tetrahedralize;
 use crate::check::{check_preserved, check_preserved_outer};
+use crate::plc::Segment;
 use crate::{Mode, Options, Plc, Preserve, Silent};
 use std::collections::HashMap;
 
@@ -63,15 +64,50 @@ fn almost_coplanar_triangles_leave_room_farther_away() {
     }
 }
 
-/// A point on an internal segment may stay, but no double near it sees its star: it is relocated after all.
+/// Points on internal segments may stay. In the first prism one has no double near it that sees its star: it is relocated after all, and
+/// another stays. In the second all have doubles.
 #[test]
 fn points_that_may_stay_are_relocated_where_doubles_leave_no_room() {
-    let pentagon = [[-284, 87], [-192, 42], [-278, -14], [-286, -113], [309, -160]];
-    let plc = sloping_prism(&pentagon, &[[4, 0, 1], [4, 1, 2], [2, 3, 4]], true);
-    let options = Options { mode: Mode::Preserve, preserve: Preserve::Outer, ..Options::default() };
+    let crowded = [[-277, 262], [-218, -1], [-367, -28], [-184, -218], [373, -110]];
+    let roomy = [[-284, 87], [-192, 42], [-278, -14], [-286, -113], [309, -160]];
+    let prisms = [
+        (sloping_prism(&crowded, &[[2, 3, 4], [1, 2, 4], [4, 0, 1]], true), [2, 1, 0, 1]),
+        (sloping_prism(&roomy, &[[4, 0, 1], [4, 1, 2], [2, 3, 4]], true), [1, 1, 0, 0]),
+    ];
+    for (plc, expected) in prisms {
+        let options = Options { mode: Mode::Preserve, preserve: Preserve::Outer, ..Options::default() };
+        let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+        check_preserved_outer(&plc, &mesh, 10).unwrap();
+        let counts = mesh.statistics.preserve;
+        let counts = [counts.by_splits, counts.on_internal_facets, counts.deleted, counts.relocated];
+        assert_eq!(counts, expected);
+    }
+}
+
+/// Crossing-free segments in a cube, coordinates times 0.1, whose points stay: tetrahedra that are reconnected at them must be
+/// positive where the points are exactly, too (found by the property test of segments).
+#[test]
+fn tetrahedra_at_points_that_stay_are_positive_in_exact_positions() {
+    let ends = [
+        [[4, 5, 4], [0, 1, 4]],
+        [[2, 0, 2], [0, 0, 0]],
+        [[0, 3, 5], [1, 2, 4]],
+        [[3, 4, 5], [0, 2, 1]],
+        [[1, 0, 4], [4, 4, 5]],
+        [[0, 4, 4], [5, 2, 0]],
+        [[1, 2, 2], [2, 2, 4]],
+    ];
+    let point = |p: [i32; 3]| p.map(|x| f64::from(x) * 0.1);
+    let corner = |i: i32| [i & 1, i >> 1 & 1, i >> 2].map(|x| 5 * x);
+    let mut plc = Plc { points: (0..8).map(|i| point(corner(i))).collect(), ..Plc::default() };
+    for (i, pair) in ends.into_iter().enumerate() {
+        plc.points.extend(pair.map(point));
+        let base = 8 + 2 * i as u32;
+        plc.segments.push(Segment { ends: [base, base + 1], marker: 1 });
+    }
+    let options =
+        Options { mode: Mode::Preserve, preserve: Preserve::Outer, keep_hull: true, ..Options::default() };
     let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
     check_preserved_outer(&plc, &mesh, 10).unwrap();
-    let counts = mesh.statistics.preserve;
-    assert_eq!((counts.by_splits, counts.on_internal_facets), (1, 0));
-    assert_eq!((counts.deleted, counts.relocated), (0, 1));
+    assert!(mesh.statistics.preserve.on_internal_facets > 0);
 }
