@@ -244,8 +244,8 @@ fn an_interrupt_ends_cleanly_with_3() {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 11) as f64 / (1u64 << 53) as f64
     };
-    let points: String = (0..200_000).map(|i| format!("{i} {} {} {}\n", next(), next(), next())).collect();
-    std::fs::write(dir.join("p.node"), format!("200000 3 0 0\n{points}")).unwrap();
+    let points: String = (0..800_000).map(|i| format!("{i} {} {} {}\n", next(), next(), next())).collect();
+    std::fs::write(dir.join("p.node"), format!("800000 3 0 0\n{points}")).unwrap();
     let child = Command::new(env!("CARGO_BIN_EXE_delotet"))
         .args(["mesh", "p.node", "-o", "p.ele"])
         .current_dir(&dir)
