@@ -7,6 +7,7 @@
 //! Invariants between operations: every live tetrahedron has four live neighbours; `adj[adj[c]] == c` for every corner code
 //! `c = 4·t + f`; the two tetrahedra share the three vertices of that face.
 pub mod check;
+pub mod journal;
 pub mod lookup;
 pub mod refill;
 pub mod slots;
@@ -32,9 +33,9 @@ pub fn edge_key(a: u32, b: u32) -> [u32; 2] {
 
 /// An unordered vertex triple as a key.
 #[inline]
-pub fn face_key(mut v: [u32; 3]) -> [u32; 3] {
-    v.sort_unstable();
-    v
+pub fn face_key([a, b, c]: [u32; 3]) -> [u32; 3] {
+    let (low, high) = (a.min(b), a.max(b));
+    [low.min(c), high.min(c).max(low), high.max(c)]
 }
 
 /// Flag bits of a tetrahedron.

@@ -10,6 +10,7 @@ use super::cavity::{Cavity, Edges};
 use crate::constrain::edge_key;
 use crate::delaunay::Delaunay;
 use crate::error::Error;
+use crate::mesh::journal::Journal;
 use crate::mesh::star::{EdgeRing, StarSearch};
 use crate::mesh::{flag, NONE};
 use crate::predicates::{Points, Sign};
@@ -25,12 +26,6 @@ pub struct Limits {
     pub depth: usize,
     /// Rings looked at for one edge.
     pub rings: u32,
-}
-
-/// One filling, by vertices: slots may change when later ones are taken back.
-struct Filling {
-    before: Vec<[u32; 4]>,
-    after: Vec<[u32; 4]>,
 }
 
 /// An edge whose ring is being made smaller.
@@ -85,7 +80,7 @@ pub struct Flips {
     link: Vec<u32>,
     tets: Vec<[u32; 4]>,
     frames: Vec<Frame>,
-    log: Vec<Filling>,
+    log: Journal,
 }
 
 impl Flips {
@@ -253,18 +248,12 @@ impl Flips {
 
     /// Puts the filling at hand in the place of the ring.
     fn put(&mut self, site: &mut Site) -> Result<(), Error> {
-        let mut filling = Filling { before: Vec::new(), after: Vec::new() };
-        filling.before.try_reserve_exact(self.ring.len())?;
-        filling.after.try_reserve_exact(self.tets.len())?;
-        self.log.try_reserve(1)?;
-        filling.before.extend(self.ring.iter().map(|&t| site.delaunay.mesh.verts[t as usize]));
-        filling.after.extend_from_slice(&self.tets);
+        self.log.begin(&site.delaunay.mesh, &self.ring)?;
         site.cavity.tets.clear();
         site.cavity.tets.try_reserve(self.ring.len())?;
         site.cavity.tets.extend_from_slice(&self.ring);
         site.cavity.replace(site.delaunay, &self.tets, &[])?;
-        self.log.push(filling);
-        Ok(())
+        self.log.end(&site.cavity.refill.fresh)
     }
 
     /// The edges whose removal would make the ring smaller: where the ear at a vertex of the link is seen from one end only, the edge to
@@ -288,24 +277,9 @@ impl Flips {
 
     /// Takes fillings back until the log has this length.
     fn undo(&mut self, site: &mut Site, length: usize) -> Result<(), Error> {
+        let Delaunay { mesh, vertex_tet, .. } = &mut *site.delaunay;
         while self.log.len() > length {
-            let Some(filling) = self.log.pop() else { break };
-            let Delaunay { mesh, vertex_tet, .. } = &mut *site.delaunay;
-            site.cavity.tets.clear();
-            site.cavity.tets.try_reserve(filling.after.len())?;
-            for &[a, b, c, d] in &filling.after {
-                let start = vertex_tet[a as usize];
-                let slot = self.search.find_edge(mesh, a, b, start).and_then(|t| {
-                    EdgeRing::new(mesh, t, a, b)
-                        .map(|x| x.0)
-                        .find(|&t| [c, d].iter().all(|v| mesh.verts[t as usize].contains(v)))
-                });
-                let Some(slot) = slot else {
-                    return Err(Error::internal("a filling to be taken back is not there"));
-                };
-                site.cavity.tets.push(slot);
-            }
-            site.cavity.replace(site.delaunay, &filling.before, &[])?;
+            self.log.take_back(mesh, vertex_tet)?;
         }
         Ok(())
     }

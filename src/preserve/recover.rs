@@ -1,7 +1,7 @@
 //! Recovery of edges and faces by flips and reconnection, with points only on segments that resist.
 //!
-//! First flips ([`flips`](super::flips)): an edge in the way of a missing one is removed if fewer tetrahedra are in its way then. Where no flip
-//! helps, a search fills the whole corridor anew with the edge in it (Liu, Chen & Chen 2007); a missing triangle, whose edges are
+//! First flips ([`flips`](super::flips)): an edge in the way of a missing one is removed if fewer tetrahedra are in its way then. Those near
+//! the ends come first, and only a few are tried: what can be removed at all mostly can be there. Where no flip helps, a search fills the whole corridor anew with the edge in it (Liu, Chen & Chen 2007); a missing triangle, whose edges are
 //! there, is opened by the tetrahedra that cross it, cut in two halves by the triangle. What fails is tried again after the
 //! others, with more steps. A segment that resists to the end gets points ([`breakpoint`](super::breakpoint)), each of which makes the
 //! corridors shorter, so that this ends.
@@ -27,19 +27,21 @@ use rustc_hash::FxHashMap;
 pub struct Round {
     /// For each edge in the way.
     pub limits: Limits,
+    /// Most edges in the way that are tried before the corridor is filled.
+    pub tried: usize,
     /// Search steps for the corridor.
     pub budget: u32,
 }
 
-const fn round(depth: usize, rings: u32, budget: u32) -> Round {
-    Round { limits: Limits { depth, rings }, budget }
+const fn round(depth: usize, rings: u32, tried: usize, budget: u32) -> Round {
+    Round { limits: Limits { depth, rings }, tried, budget }
 }
 
 /// Rounds over the missing edges; the last is that of the pieces of those that resist. The second list takes longer and needs fewer
 /// points: its meshes leave more room where those of the first leave none.
 pub const ROUNDS: [&[Round]; 2] = [
-    &[round(2, 50, 50), round(4, 1000, 200), round(4, 1000, 200)],
-    &[round(2, 200, 0), round(5, 3000, 200), round(5, 3000, 200), round(5, 3000, 200)],
+    &[round(3, 60, 6, 50), round(6, 200, 6, 200), round(6, 1000, 6, 200)],
+    &[round(2, 200, 50, 0), round(5, 3000, 50, 200), round(5, 3000, 50, 200), round(5, 3000, 50, 200)],
 ];
 
 /// Search steps per cavity of a face in each round, and how far edges that pierce it are tried for.
@@ -62,8 +64,7 @@ pub struct Recovery<'a> {
     pub(super) cavity: Cavity,
     corridor: Corridor,
     places: Vec<f64>,
-    /// The obstacle removed last: those after it come first.
-    last_obstacle: [u32; 2],
+    obstacles: Vec<[u32; 2]>,
     flips: Flips,
     pub(super) search: StarSearch,
     pub(super) crossed: RegionCavity,
@@ -94,7 +95,7 @@ impl<'a> Recovery<'a> {
             cavity: Cavity::default(),
             corridor: Corridor::default(),
             places: Vec::new(),
-            last_obstacle: [0; 2],
+            obstacles: Vec::new(),
             flips: Flips::default(),
             search: StarSearch::default(),
             crossed: RegionCavity::default(),
@@ -234,7 +235,6 @@ impl<'a> Recovery<'a> {
     /// Makes `a b` an edge of the mesh, if it can: edges in its way are flipped away while that makes its corridor shorter, then the
     /// corridor is filled anew.
     pub(super) fn recover_edge(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
-        self.last_obstacle = [0; 2];
         loop {
             match self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? {
                 Outcome::Present => {
@@ -250,7 +250,7 @@ impl<'a> Recovery<'a> {
                     continue;
                 }
             }
-            if !self.clear_way(edge, round.limits)? && !self.fill_corridor(edge, round.budget)? {
+            if !self.clear_way(edge, round)? && !self.fill_corridor(edge, round.budget)? {
                 return Ok(false);
             }
         }
@@ -287,23 +287,13 @@ impl<'a> Recovery<'a> {
     }
 
     /// Removes one of the edges in the way of `edge` such that fewer are left.
-    fn clear_way(&mut self, edge: [u32; 2], limits: Limits) -> Result<bool, Error> {
-        let mut obstacles = std::mem::take(&mut self.corridor.obstacles);
-        for o in &mut obstacles {
-            *o = edge_key(o[0], o[1]);
-        }
-        obstacles.sort_unstable();
-        obstacles.dedup();
+    fn clear_way(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
+        self.choose_obstacles(edge, round.tried)?;
         let before = self.cavity.tets.len();
-        // Those before the last one removed have just failed.
-        let from = obstacles.partition_point(|&o| o <= self.last_obstacle);
-        obstacles.rotate_left(from);
-        for &obstacle in &obstacles {
-            if self.edges.contains(&obstacle) || edge.iter().any(|v| obstacle.contains(v)) {
-                continue;
-            }
+        for i in 0..self.obstacles.len() {
+            let obstacle = self.obstacles[i];
             let (flips, mut site) = self.site();
-            if !flips.remove(&mut site, obstacle, limits)? {
+            if !flips.remove(&mut site, obstacle, round.limits)? {
                 continue;
             }
             let outcome = self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)?;
@@ -312,13 +302,32 @@ impl<'a> Recovery<'a> {
                 self.cavity.unmark(self.delaunay);
             }
             if outcome != Outcome::Blocked && after < before {
-                self.last_obstacle = obstacle;
                 return Ok(true);
             }
             let (flips, mut site) = self.site();
             flips.take_back(&mut site)?;
         }
         Ok(false)
+    }
+
+    /// The edges in the way of `edge` that may go, from both ends by turns, as many as are tried.
+    fn choose_obstacles(&mut self, edge: [u32; 2], most: usize) -> Result<(), Error> {
+        let Recovery { corridor, obstacles, edges, .. } = self;
+        obstacles.clear();
+        let found = corridor.obstacles.len();
+        obstacles.try_reserve(most.min(found))?;
+        let by_turns = (0..found).map(|i| if i % 2 == 0 { i / 2 } else { found - 1 - i / 2 });
+        for [p, q] in by_turns.map(|i| corridor.obstacles[i]) {
+            if obstacles.len() == most {
+                break;
+            }
+            let obstacle = edge_key(p, q);
+            let at_end = edge.iter().any(|v| obstacle.contains(v));
+            if !at_end && !edges.contains(&obstacle) && !obstacles.contains(&obstacle) {
+                obstacles.push(obstacle);
+            }
+        }
+        Ok(())
     }
 
     /// Flags the triangle in the mesh if it is a face there.
