@@ -5,6 +5,8 @@
 //! Hecht & Saltel 1991; Liu & Baida 2000, "Applications of flips in boundary recovery"; here with an explicit stack). What does not
 //! lead to the removal of the edge itself is taken back from a log.
 //!
+//! Where an edge is removed to make way for another, of the sheets that replace it the one is taken that leaves most of the way clear.
+//!
 //! Invariants: constrained edges and subfaces stay; the mesh is valid after every step.
 use super::cavity::{Cavity, Edges};
 use crate::constrain::edge_key;
@@ -81,11 +83,20 @@ pub struct Flips {
     tets: Vec<[u32; 4]>,
     frames: Vec<Frame>,
     log: Journal,
+    /// The edge that is made way for.
+    way: Option<[u32; 2]>,
 }
 
 impl Flips {
-    /// Removes an edge; nothing has changed if the outcome is false.
-    pub fn remove(&mut self, site: &mut Site, edge: [u32; 2], limits: Limits) -> Result<bool, Error> {
+    /// Removes an edge, to make way for another if there is one; nothing has changed if the outcome is false.
+    pub fn remove(
+        &mut self,
+        site: &mut Site,
+        edge: [u32; 2],
+        way: Option<[u32; 2]>,
+        limits: Limits,
+    ) -> Result<bool, Error> {
+        self.way = way;
         self.log.clear();
         self.frames.clear();
         let mut left = limits.rings;
@@ -143,7 +154,8 @@ impl Flips {
         {
             return Ok(Next::Done(false));
         }
-        if self.fill_ring(site, edge, ear.is_some())? {
+        let way = self.way.filter(|_| self.frames.is_empty());
+        if self.fill_ring(site, edge, ear.is_some(), way)? {
             return Ok(Next::Done(true));
         }
         if self.frames.len() >= depth {
@@ -177,7 +189,8 @@ impl Flips {
             return Ok(Next::Done(true));
         };
         if self.collect_ring(site, edge, ear, (NONE, USUAL_RING))? {
-            if self.fill_ring(site, edge, ear.is_some())? {
+            let way = self.way.filter(|_| self.frames.len() == 1);
+            if self.fill_ring(site, edge, ear.is_some(), way)? {
                 self.frames.pop();
                 return Ok(Next::Done(true));
             }
@@ -237,13 +250,23 @@ impl Flips {
     }
 
     /// Fills the ring without its edge, if a sheet does.
-    fn fill_ring(&mut self, site: &mut Site, edge: [u32; 2], ear: bool) -> Result<bool, Error> {
-        self.tets.clear();
-        if !self.sheets.fill(site.points, edge, &self.link, ear, &mut self.tets)? {
-            return Ok(false);
+    fn fill_ring(
+        &mut self,
+        site: &mut Site,
+        edge: [u32; 2],
+        ear: bool,
+        way: Option<[u32; 2]>,
+    ) -> Result<bool, Error> {
+        let Flips { sheets, link, tets, .. } = self;
+        tets.clear();
+        let found = match way {
+            Some(way) => sheets.clear(site.points, edge, link, way, tets)?,
+            None => sheets.fill(site.points, edge, link, ear, tets)?,
+        };
+        if found {
+            self.put(site)?;
         }
-        self.put(site)?;
-        Ok(true)
+        Ok(found)
     }
 
     /// Puts the filling at hand in the place of the ring.

@@ -40,8 +40,8 @@ const fn round(depth: usize, rings: u32, tried: usize, budget: u32) -> Round {
 /// Rounds over the missing edges; the last is that of the pieces of those that resist. The second list takes longer and needs fewer
 /// points: its meshes leave more room where those of the first leave none.
 pub const ROUNDS: [&[Round]; 2] = [
-    &[round(3, 60, 6, 50), round(6, 200, 6, 200), round(6, 1000, 6, 200)],
-    &[round(2, 200, 50, 0), round(5, 3000, 50, 200), round(5, 3000, 50, 200), round(5, 3000, 50, 200)],
+    &[round(4, 60, 12, 50), round(6, 200, 12, 200), round(6, 600, 12, 200)],
+    &[round(4, 200, 50, 0), round(6, 1000, 50, 200), round(6, 1000, 50, 200), round(7, 2000, 50, 200)],
 ];
 
 /// Search steps per cavity of a face in each round, and how far edges that pierce it are tried for.
@@ -293,7 +293,7 @@ impl<'a> Recovery<'a> {
         for i in 0..self.obstacles.len() {
             let obstacle = self.obstacles[i];
             let (flips, mut site) = self.site();
-            if !flips.remove(&mut site, obstacle, round.limits)? {
+            if !flips.remove(&mut site, obstacle, Some(edge), round.limits)? {
                 continue;
             }
             let outcome = self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)?;

@@ -295,7 +295,7 @@ impl Recovery<'_> {
                 continue;
             }
             let (flips, mut site) = self.site();
-            if !flips.remove(&mut site, edge, PIERCING)? {
+            if !flips.remove(&mut site, edge, None, PIERCING)? {
                 continue;
             }
             let outcome = self.collect_crossing(region)?;

@@ -205,6 +205,52 @@ fn sheets_fill_rings_as_far_as_they_are_convex() {
     assert!(tets.is_empty());
 }
 
+/// Of the sheets of a ring the one is taken of which fewest tetrahedra meet a way across it.
+#[test]
+fn a_sheet_leaves_most_of_a_way_clear() {
+    let mut less = 0;
+    for n in 5..=12u32 {
+        let mut xyz = vec![[0.0, 0.0, -1.0], [0.0, 0.0, 1.0], [-3.0, 0.3, 0.1], [3.0, 0.5, 0.3]];
+        xyz.extend((0..n).map(|k| {
+            let angle = (f64::from(k) + 0.3) * std::f64::consts::TAU / f64::from(n);
+            [angle.cos(), angle.sin(), 0.0]
+        }));
+        let points = Points::new(xyz.clone());
+        let link: Vec<u32> = (4..n + 4).collect();
+        let (mut usual, mut clear) = (Vec::new(), Vec::new());
+        let mut sheets = Sheets::default();
+        assert!(sheets.fill(&points, [0, 1], &link, false, &mut usual).unwrap());
+        assert!(sheets.clear(&points, [0, 1], &link, [2, 3], &mut clear).unwrap());
+        let faces: Vec<[u32; 3]> = (0..link.len())
+            .map(|k| [link[k], link[(k + 1) % link.len()]])
+            .flat_map(|[a, b]| [[0, b, a], [1, a, b]])
+            .collect();
+        check(&points, &Polyhedron { faces: &faces, ..Default::default() }, &clear);
+        // Tetrahedra that have one of many places on the way inside.
+        let met = |tets: &[[u32; 4]]| {
+            let place = |i: u32| {
+                let part = f64::from(i) / 2000.0;
+                std::array::from_fn(|k| xyz[2][k] + part * (xyz[3][k] - xyz[2][k]))
+            };
+            let with_places = Points::new(xyz.iter().copied().chain((1..2000).map(place)).collect());
+            let places = n + 4..n + 4 + 1999;
+            let inside = |t: &[u32; 4], p: u32| {
+                (0..4).all(|i| {
+                    let mut with = *t;
+                    with[i] = p;
+                    let [a, b, c, d] = with;
+                    with_places.orient3d(a, b, c, d) == Sign::Positive
+                })
+            };
+            tets.iter().filter(|t| places.clone().any(|p| inside(t, p))).count()
+        };
+        let [usual, clear] = [met(&usual), met(&clear)];
+        assert!(clear <= usual, "{n}: {clear} {usual}");
+        less += usize::from(clear < usual);
+    }
+    assert!(less > 0);
+}
+
 /// A skew octahedron: its three diagonals give three fillings, and their qualities differ.
 fn skew_octahedron() -> (Points, Vec<[u32; 3]>) {
     let xyz = vec![
