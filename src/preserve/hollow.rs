@@ -129,7 +129,7 @@ impl Hollow {
             return Ok(false);
         }
         let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges };
-        reconnect.fill(points, &polyhedron, budget, new)
+        reconnect.fill_another(points, &polyhedron, budget, new)
     }
 
     /// Fills the hollow with more and more opened, breadth first. Returns the new tetrahedra, or nothing; the old ones are in `self.tets`.
@@ -143,6 +143,8 @@ impl Hollow {
         growth: Growth,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
         self.read.clear();
+        // No point moves from here on.
+        reconnect.forget();
         let mut new = Vec::new();
         let mut known: FxHashSet<Vec<u32>> = FxHashSet::default();
         let mut queue: Vec<Vec<u32>> = Vec::new();

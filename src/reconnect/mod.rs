@@ -11,8 +11,11 @@
 //! signs too, from one table: a polyhedron of 20 vertices has 4,845 of them and asks for each many times.
 //!
 //! The search is deterministic and bounded by a number of steps, never by time.
+mod face;
+mod free;
 mod optimise;
 pub mod quality;
+mod rows;
 mod search;
 pub mod shape;
 pub mod sheet;
@@ -54,6 +57,24 @@ impl Reconnect {
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
+        self.forget();
+        self.fill_another(points, polyhedron, budget, tets)
+    }
+
+    /// Forgets all vertices.
+    pub fn forget(&mut self) {
+        self.search.forget();
+    }
+
+    /// As [`Reconnect::fill`], for one of several polyhedra that have many vertices in common: what is known of these is used again.
+    /// So none may have moved since the last [`Reconnect::fill`] or [`Reconnect::forget`].
+    pub fn fill_another(
+        &mut self,
+        points: &Points,
+        polyhedron: &Polyhedron,
+        budget: u32,
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
         if !self.search.begin(points, polyhedron)? {
             return Ok(false);
         }
@@ -72,6 +93,7 @@ impl Reconnect {
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
+        self.forget();
         if !self.search.begin(points, polyhedron)? {
             return Ok(false);
         }

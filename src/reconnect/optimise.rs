@@ -2,7 +2,8 @@
 //!
 //! As the search for any filling, but a tetrahedron must be better than a bound. A filling raises the bound to its worst
 //! tetrahedron, and the search goes on from before that one.
-use super::search::{Face, Search};
+use super::face::{take_lowest, Face};
+use super::search::Search;
 use super::shape::{Goal, Shape};
 use crate::error::Error;
 use crate::predicates::Points;
@@ -39,13 +40,13 @@ impl Search {
             if self.worth(points, &goal, apex, face) <= bound || !self.apply(level, face, apex)? {
                 continue;
             }
-            if self.front.is_empty() && self.complete() {
+            if self.front.faces.is_empty() && self.complete() {
                 bound = self.keep(points, &goal)?;
                 self.undo(level);
                 while (0..self.tets.len()).any(|i| self.worth_of(points, &goal, i) <= bound) {
                     self.retreat();
                 }
-            } else if self.front.is_empty() || !self.descend_above(points, &goal, bound)? {
+            } else if self.front.faces.is_empty() || !self.descend_above(points, &goal, bound)? {
                 self.undo(level);
             }
         }
@@ -65,13 +66,17 @@ impl Search {
 
     fn worth_of(&mut self, points: &Points, goal: &Goal, i: usize) -> f64 {
         let [w, x, y, z] = self.tets[i];
-        self.worth(points, goal, w, [x, y, z])
+        self.worth_at(points, goal, [w, x, y, z])
     }
 
     /// How good the positive tetrahedron of an apex and a face is.
-    fn worth(&mut self, points: &Points, goal: &Goal, w: u8, [x, y, z]: Face) -> f64 {
+    fn worth(&mut self, points: &Points, goal: &Goal, w: u8, face: Face) -> f64 {
+        let [x, y, z] = face.corners();
+        self.worth_at(points, goal, [w, x, y, z])
+    }
+
+    fn worth_at(&mut self, points: &Points, goal: &Goal, tet: [u8; 4]) -> f64 {
         let id = |i: u8| self.signs.vertices[i as usize];
-        let tet = [w, x, y, z];
         self.worths.of(tet, || goal.worth(Shape::of(points, tet.map(id))))
     }
 
@@ -79,13 +84,11 @@ impl Search {
     fn descend_above(&mut self, points: &Points, goal: &Goal, bound: f64) -> Result<bool, Error> {
         let on_front = self.vertices_on_front();
         let mut fewest: Option<(u32, usize, u64)> = None;
-        for i in 0..self.front.len() {
-            let face = self.front[i];
-            let mut set = on_front & self.sides(points, face).ahead;
+        for i in 0..self.front.faces.len() {
+            let face = self.front.faces[i];
+            let mut set = on_front & self.front_sides(points, i).ahead;
             let mut rest = set;
-            while rest != 0 {
-                let w = rest.trailing_zeros() as u8;
-                rest &= rest - 1;
+            while let Some(w) = take_lowest(&mut rest) {
                 if self.worth(points, goal, w, face) <= bound {
                     set &= !(1 << w);
                 }
@@ -98,17 +101,17 @@ impl Search {
                 fewest = Some((count, i, set));
             }
         }
-        let Some((_, index, mut rest)) = fewest else { return Ok(false) };
-        let face = self.front[index];
-        let mut apexes: Vec<(f64, u8)> = Vec::new();
-        apexes.try_reserve(rest.count_ones() as usize)?;
-        while rest != 0 {
-            let w = rest.trailing_zeros() as u8;
-            rest &= rest - 1;
+        let Some((count, index, mut rest)) = fewest else { return Ok(false) };
+        let face = self.front.faces[index];
+        self.front.collect_neighbours(&mut self.neighbours);
+        self.apexes.clear();
+        self.apexes.try_reserve(count as usize)?;
+        while let Some(w) = take_lowest(&mut rest) {
             if self.is_free(points, w, face, on_front) {
-                apexes.push((self.worth(points, goal, w, face), w));
+                let worth = self.worth(points, goal, w, face);
+                self.apexes.push((worth, w));
             }
         }
-        self.push_level(face, apexes)
+        self.push_level(face)
     }
 }

@@ -1,17 +1,32 @@
 //! The orientations of all quadruples of a small set of vertices, computed when first asked for.
+//!
+//! Vertices may come while the table is in use: the combinatorial number system orders quadruples by their largest number first, so
+//! new ones come after all that are there.
 use super::MOST_VERTICES;
 use crate::error::Error;
 use crate::predicates::{Points, Sign};
 
 const UNKNOWN: i8 = 2;
 
+/// Buckets of the hash from ids to local numbers: a power of two, at least four times as many as vertices.
+const BUCKETS: usize = 256;
+
 /// Signs by local vertex numbers.
-#[derive(Default)]
 pub struct Signs {
-    /// Vertex ids, in ascending order.
+    /// Vertex ids by local number, in the order in which they came.
     pub vertices: Vec<u32>,
+    /// Coordinates by local number.
+    pub xyz: Vec<[f64; 3]>,
+    /// Local numbers plus one, zero where there is none; open addressing.
+    buckets: [u8; BUCKETS],
     /// Per combination `i < j < k < l` its sign, or `UNKNOWN`.
     table: Vec<i8>,
+}
+
+impl Default for Signs {
+    fn default() -> Self {
+        Signs { vertices: Vec::new(), xyz: Vec::new(), buckets: [0; BUCKETS], table: Vec::new() }
+    }
 }
 
 /// `PAIRS[i]`: combinations of two numbers below `i`, and so on.
@@ -19,7 +34,8 @@ const fn choose2(i: usize) -> usize {
     i * (i.wrapping_sub(1)) / 2
 }
 
-const fn choose3(i: usize) -> usize {
+/// Combinations of three numbers below `i`.
+pub const fn choose3(i: usize) -> usize {
     if i < 3 {
         0
     } else {
@@ -51,6 +67,15 @@ const fn tables() -> [[u32; MOST_VERTICES]; 3] {
 
 static CHOOSE: [[u32; MOST_VERTICES]; 3] = tables();
 
+/// The index of a triple of distinct numbers, in any order.
+#[inline(always)]
+pub fn triple([x, y, z]: [u8; 3]) -> usize {
+    let (low, high) = (x.min(y), x.max(y));
+    let (middle, high) = (high.min(z), high.max(z));
+    let (low, middle) = (low.min(middle), low.max(middle));
+    low as usize + (CHOOSE[0][middle as usize] + CHOOSE[1][high as usize]) as usize
+}
+
 /// The index of a quadruple of distinct numbers, the numbers in ascending order, and whether sorting them was an odd permutation.
 #[inline(always)]
 pub fn combination(mut v: [u8; 4]) -> (usize, [u8; 4], bool) {
@@ -67,28 +92,50 @@ pub fn combination(mut v: [u8; 4]) -> (usize, [u8; 4], bool) {
 }
 
 impl Signs {
-    /// Takes the vertices (any order, with repetitions); false if they are too many.
-    pub fn set(&mut self, vertices: impl Iterator<Item = u32>) -> Result<bool, Error> {
+    /// Forgets all vertices and signs.
+    pub fn clear(&mut self) {
         self.vertices.clear();
-        for v in vertices {
-            self.vertices.try_reserve(1)?;
-            self.vertices.push(v);
-        }
-        self.vertices.sort_unstable();
-        self.vertices.dedup();
-        let count = self.vertices.len();
-        if !(4..=MOST_VERTICES).contains(&count) {
-            return Ok(false);
-        }
+        self.xyz.clear();
+        self.buckets = [0; BUCKETS];
         self.table.clear();
-        self.table.try_reserve(choose4(count))?;
-        self.table.resize(choose4(count), UNKNOWN);
-        Ok(true)
     }
 
-    /// The local number of a vertex.
+    /// The bucket that has a vertex, or the empty one where it would be.
+    fn bucket(&self, v: u32) -> usize {
+        let mut at = (v.wrapping_mul(0x9e37_79b9) >> 24) as usize;
+        loop {
+            match self.buckets[at] {
+                0 => return at,
+                n if self.vertices[n as usize - 1] == v => return at,
+                _ => at = (at + 1) % BUCKETS,
+            }
+        }
+    }
+
+    /// The local number of a vertex, which becomes one if it is new; none if there are too many.
+    pub fn add(&mut self, points: &Points, v: u32) -> Result<Option<u8>, Error> {
+        let at = self.bucket(v);
+        if self.buckets[at] > 0 {
+            return Ok(Some(self.buckets[at] - 1));
+        }
+        let count = self.vertices.len();
+        if count == MOST_VERTICES {
+            return Ok(None);
+        }
+        let room = choose4(count + 1);
+        self.table.try_reserve(room - self.table.len())?;
+        self.table.resize(room, UNKNOWN);
+        self.vertices.try_reserve(1)?;
+        self.vertices.push(v);
+        self.xyz.try_reserve(1)?;
+        self.xyz.push(*points.xyz(v));
+        self.buckets[at] = count as u8 + 1;
+        Ok(Some(count as u8))
+    }
+
+    /// The local number of a vertex that was added.
     pub fn number(&self, v: u32) -> Option<u8> {
-        self.vertices.binary_search(&v).ok().map(|i| i as u8)
+        self.buckets[self.bucket(v)].checked_sub(1)
     }
 
     /// How many vertices there are.

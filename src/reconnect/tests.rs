@@ -117,8 +117,11 @@ fn octahedron_has_every_diagonal() {
     assert!(fill(&points, &Polyhedron { faces: &faces, edges: &two, ..Default::default() }).is_none());
 }
 
-#[test]
-fn stars_of_random_vertices_are_filled_without_them_and_with_them() {
+/// A vertex and the faces opposite it.
+type Link = (u32, Vec<[u32; 3]>);
+
+/// The vertices inside the Delaunay tetrahedralization of 400 random points.
+fn random_stars() -> (Points, Vec<Link>) {
     let mut state = 1u64;
     let mut random = || {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -129,7 +132,7 @@ fn stars_of_random_vertices_are_filled_without_them_and_with_them() {
     let mut order: Vec<u32> = (0..400).collect();
     delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
     delaunay.index_vertices(400).unwrap();
-    let (mut without, mut all) = (0, 0);
+    let mut stars = Vec::new();
     for v in 0..400 {
         let start = delaunay.vertex_tet[v as usize];
         let mut star = StarSearch::default();
@@ -139,14 +142,46 @@ fn stars_of_random_vertices_are_filled_without_them_and_with_them() {
         if star.tets.iter().any(|&t| mesh.is_ghost(t)) {
             continue;
         }
-        let faces: Vec<[u32; 3]> =
-            star.tets.iter().map(|&t| mesh.face(4 * t + mesh.slot_of(t, v).unwrap())).collect();
-        assert!(fill(&points, &Polyhedron { faces: &faces, inner: &[v], ..Default::default() }).is_some());
-        all += 1;
-        without += fill(&points, &Polyhedron { faces: &faces, ..Default::default() }).is_some() as usize;
+        stars.push((v, star.tets.iter().map(|&t| mesh.face(4 * t + mesh.slot_of(t, v).unwrap())).collect()));
     }
-    assert!(all > 200);
-    assert_eq!(without, all, "a Delaunay vertex can always be deleted");
+    assert!(stars.len() > 200);
+    (points, stars)
+}
+
+#[test]
+fn stars_of_random_vertices_are_filled_without_them_and_with_them() {
+    let (points, stars) = random_stars();
+    for (v, faces) in &stars {
+        assert!(fill(&points, &Polyhedron { faces, inner: &[*v], ..Default::default() }).is_some());
+        let without = fill(&points, &Polyhedron { faces, ..Default::default() });
+        assert!(without.is_some(), "a Delaunay vertex can always be deleted");
+    }
+}
+
+/// What is known of vertices changes nothing, whatever came before: also where it is more than there is room for.
+#[test]
+fn fillings_do_not_depend_on_what_was_filled_before() {
+    let (points, stars) = random_stars();
+    let mut reconnect = Reconnect::default();
+    let (mut found, mut none) = (0, 0);
+    for (i, (v, faces)) in stars.iter().enumerate() {
+        // The same again, with the vertex, and with an edge that most fillings lack.
+        let edge = [[faces[0][0], faces[faces.len() / 2].iter().copied().max().unwrap()]];
+        let asked: &[[u32; 2]] = if edge[0][0] == edge[0][1] { &[] } else { &edge };
+        for polyhedron in [
+            Polyhedron { faces, ..Default::default() },
+            Polyhedron { faces, inner: &[*v], ..Default::default() },
+            Polyhedron { faces, edges: asked, ..Default::default() },
+        ] {
+            let (mut alone, mut after) = (Vec::new(), Vec::new());
+            let budget = [50, 5][i % 2];
+            let filled = Reconnect::default().fill(&points, &polyhedron, budget, &mut alone).unwrap();
+            assert_eq!(reconnect.fill_another(&points, &polyhedron, budget, &mut after).unwrap(), filled);
+            assert_eq!(alone, after);
+            *if filled { &mut found } else { &mut none } += 1;
+        }
+    }
+    assert!(found > 400 && none > 20, "{found} {none}");
 }
 
 /// A cone from an end of the required edge would lack the triangle, which has the inside on both sides: there is no filling at all.
