@@ -3,10 +3,9 @@
 //! Every triangle of the link polygon's triangulation is joined to `p` and to `q`; both tetrahedra must be positive. The best
 //! triangulation is found by dynamic programming over the polygon (Klincsek 1980; for edges of tetrahedra Shewchuk 2002, "Two
 //! discrete optimization algorithms for the topological improvement of tetrahedral meshes"): best is the one with the best
-//! worst tetrahedron. The flips 3-2 and 4-4 are the cases of three and four tetrahedra. Where the way from one point to another shall become
-//! clear, that comes first: best are the triangulations of which fewest tetrahedra meet it.
+//! worst tetrahedron. The flips 3-2 and 4-4 are the cases of three and four tetrahedra.
 //!
-//! Signs are exact; quality and the tetrahedra on the way are plain arithmetic and only choose among valid sheets.
+//! Signs are exact; quality is plain arithmetic and only chooses among valid sheets.
 use super::quality::quality;
 use super::shape::{Goal, Shape};
 use crate::error::Error;
@@ -30,7 +29,9 @@ struct Best {
 /// Finds sheets; keeps its scratch space.
 #[derive(Default)]
 pub struct Sheets {
-    /// Per part `i..=j` of the polygon.
+    /// Per part `i..=j` of the polygon the apexes on its chord with which it can be triangulated.
+    apexes: Vec<u64>,
+    /// Per part its best triangulation.
     best: Vec<Best>,
     stack: Vec<(u8, u8)>,
 }
@@ -47,7 +48,17 @@ impl Sheets {
         ear: bool,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        self.plan(link, ear, 0.0, |triangle| (worth(points, [p, q], triangle), 0), [p, q], tets)
+        let n = link.len();
+        if !(3..=MOST_IN_RING).contains(&n) || !self.find_apexes(points, [p, q], link, ear)? {
+            return Ok(false);
+        }
+        if n == 3 {
+            let [a, b, c] = [0, 1, 2].map(|i| link[i]);
+            tets.try_reserve(2)?;
+            tets.extend([[a, b, c, q], [b, a, c, p]]);
+            return Ok(true);
+        }
+        self.plan_valid(points, link, ear, |_| 0, [p, q], tets)
     }
 
     /// As [`Sheets::fill`] without an ear; of the tetrahedra as few as possible shall meet the way from `a` to `b`.
@@ -59,12 +70,71 @@ impl Sheets {
         [a, b]: [u32; 2],
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
+        if !(3..=MOST_IN_RING).contains(&link.len()) || !self.find_apexes(points, [p, q], link, false)? {
+            return Ok(false);
+        }
         let on_way = |[x, y, z]: [u32; 3]| {
-            let worth = worth(points, [p, q], [x, y, z]);
             let meets = |v: u32| u32::from(meets(points, [a, b], [x, y, z, v]));
-            (worth, if worth > 0.0 { meets(q) + meets(p) } else { 0 })
+            meets(q) + meets(p)
         };
-        self.plan(link, false, 0.0, on_way, [p, q], tets)
+        self.plan_valid(points, link, false, on_way, [p, q], tets)
+    }
+
+    /// Plans with the triangles found by [`Sheets::find_apexes`].
+    fn plan_valid(
+        &mut self,
+        points: &Points,
+        link: &[u32],
+        ear: bool,
+        on_way: impl Fn([u32; 3]) -> u32,
+        ends: [u32; 2],
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
+        let n = link.len();
+        let apexes = std::mem::take(&mut self.apexes);
+        let worth = |[i, k, j]: [usize; 3]| {
+            if apexes[i * n + j] >> k & 1 == 1 {
+                let triangle = [i, k, j].map(|at| link[at]);
+                (worth(points, ends, triangle), on_way(triangle))
+            } else {
+                (-1.0, 0)
+            }
+        };
+        let found = self.plan(link, ear, 0.0, worth, ends, tets);
+        self.apexes = apexes;
+        found
+    }
+
+    /// Finds all triangles that triangulations may have, by signs alone: mostly there are none, and no quality is asked for.
+    fn find_apexes(
+        &mut self,
+        points: &Points,
+        ends: [u32; 2],
+        link: &[u32],
+        ear: bool,
+    ) -> Result<bool, Error> {
+        let n = link.len();
+        if ear && !is_positive(points, ends, [link[0], link[n - 2], link[n - 1]]) {
+            return Ok(false);
+        }
+        let apexes = &mut self.apexes;
+        apexes.clear();
+        apexes.try_reserve(n * n)?;
+        // Sides of the polygon need no apex.
+        apexes.resize(n * n, u64::MAX);
+        for (i, j) in chords(n, ear) {
+            let mut set = 0;
+            for k in first_apex(n, ear, (i, j))..j {
+                if apexes[i * n + k] != 0
+                    && apexes[k * n + j] != 0
+                    && ((ear && j == n - 1) || is_positive(points, ends, [link[i], link[k], link[j]]))
+                {
+                    set |= 1 << k;
+                }
+            }
+            apexes[i * n + j] = set;
+        }
+        Ok(apexes[n - 1] != 0)
     }
 
     /// As [`Sheets::fill`], but the tetrahedra must reach a goal.
@@ -76,7 +146,8 @@ impl Sheets {
         goal: &Goal,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        let worth = |[a, b, c]: [u32; 3]| {
+        let worth = |at: [usize; 3]| {
+            let [a, b, c] = at.map(|i| link[i]);
             let above = goal.worth(Shape::of(points, [a, b, c, q]));
             let worse = if above > goal.above {
                 above.min(goal.worth(Shape::of(points, [b, a, c, p])))
@@ -97,7 +168,7 @@ impl Sheets {
         link: &[u32],
         ear: bool,
         above: f64,
-        worth: impl Fn([u32; 3]) -> (f64, u32),
+        worth: impl Fn([usize; 3]) -> (f64, u32),
         [p, q]: [u32; 2],
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
@@ -108,25 +179,21 @@ impl Sheets {
         self.best.clear();
         self.best.try_reserve(n * n)?;
         self.best.resize(n * n, Best { worst: f64::INFINITY, met: 0, apex: 0 });
-        for width in 2..n {
-            for i in 0..n - width {
-                let j = i + width;
-                let mut best = Best { worst: above, met: u32::MAX, apex: 0 };
-                let from = if ear && width == n - 1 { j - 1 } else { i + 1 };
-                for k in from..j {
-                    let (left, right) = (self.best[i * n + k], self.best[k * n + j]);
-                    let (rest, met) = (left.worst.min(right.worst), left.met.saturating_add(right.met));
-                    if rest <= above || met > best.met || (met == best.met && rest <= best.worst) {
-                        continue;
-                    }
-                    let (worth, on_way) = worth([link[i], link[k], link[j]]);
-                    let (worst, met) = (rest.min(worth), met + on_way);
-                    if worst > above && (met < best.met || (met == best.met && worst > best.worst)) {
-                        best = Best { worst, met, apex: k as u8 };
-                    }
+        for (i, j) in chords(n, ear) {
+            let mut best = Best { worst: above, met: u32::MAX, apex: 0 };
+            for k in first_apex(n, ear, (i, j))..j {
+                let (left, right) = (self.best[i * n + k], self.best[k * n + j]);
+                let (rest, met) = (left.worst.min(right.worst), left.met.saturating_add(right.met));
+                if rest <= above || met > best.met || (met == best.met && rest <= best.worst) {
+                    continue;
                 }
-                self.best[i * n + j] = best;
+                let (worth, on_way) = worth([i, k, j]);
+                let (worst, met) = (rest.min(worth), met + on_way);
+                if worst > above && (met < best.met || (met == best.met && worst > best.worst)) {
+                    best = Best { worst, met, apex: k as u8 };
+                }
             }
+            self.best[i * n + j] = best;
         }
         if self.best[n - 1].worst <= above {
             return Ok(false);
@@ -148,16 +215,30 @@ impl Sheets {
     }
 }
 
+/// The parts `i..=j` of a polygon whose triangulations are to be known, those within others first. With an ear at the last vertex
+/// none but the whole has this vertex.
+fn chords(n: usize, ear: bool) -> impl Iterator<Item = (usize, usize)> {
+    let last = n - usize::from(ear);
+    let parts = (2..last).flat_map(move |width| (0..last - width).map(move |i| (i, i + width)));
+    parts.chain(ear.then_some((0, n - 1)))
+}
+
+/// The first apex that the chord of a part may have.
+fn first_apex(n: usize, ear: bool, (i, j): (usize, usize)) -> usize {
+    if ear && (i, j) == (0, n - 1) {
+        j - 1
+    } else {
+        i + 1
+    }
+}
+
 /// Both tetrahedra at a triangle of a sheet are positive.
 fn is_positive(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
     points.orient3d(a, b, c, q) == Sign::Positive && points.orient3d(b, a, c, p) == Sign::Positive
 }
 
-/// The worse quality of the two tetrahedra at a triangle of a sheet, or −1 if one is not positive.
+/// The worse quality of the two tetrahedra at a triangle of a sheet, both positive.
 fn worth(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> f64 {
-    if !is_positive(points, [p, q], [a, b, c]) {
-        return -1.0;
-    }
     let at = |v: u32| points.xyz(v);
     let worse = quality([at(a), at(b), at(c), at(q)]).min(quality([at(b), at(a), at(c), at(p)]));
     // However flat in plain arithmetic, it is a sheet.

@@ -1,4 +1,5 @@
 //! Fillings of known and random polyhedra.
+use super::quality::quality;
 use super::shape::{Goal, Measure, Shape};
 use super::sheet::Sheets;
 use super::{Polyhedron, Reconnect};
@@ -238,6 +239,68 @@ fn sheets_fill_rings_as_far_as_they_are_convex() {
     let mut tets = Vec::new();
     assert!(!Sheets::default().fill(&points, [0, 1], &[2, 3, 4], false, &mut tets).unwrap());
     assert!(tets.is_empty());
+}
+
+/// All triangulations of the part of a polygon from `i` to `j`.
+fn triangulations(i: usize, j: usize) -> Vec<Vec<[usize; 3]>> {
+    if j - i < 2 {
+        return vec![Vec::new()];
+    }
+    let mut all = Vec::new();
+    for k in i + 1..j {
+        for left in triangulations(i, k) {
+            for right in triangulations(k, j) {
+                all.push([&[[i, k, j]][..], &left, &right].concat());
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn sheets_are_the_best_of_all_triangulations() {
+    let mut state = 7u64;
+    let mut random = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let (mut filled, mut none) = ([0, 0], [0, 0]);
+    for round in 0..600 {
+        let n = 3 + round % 5;
+        let mut xyz = vec![[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]];
+        xyz.extend((0..n).map(|k| {
+            let angle = (k as f64 + 0.7 * random()) * std::f64::consts::TAU / n as f64;
+            let r = 0.2 + 1.1 * random();
+            [r * angle.cos(), r * angle.sin(), 3.0 * random() - 1.5]
+        }));
+        let points = Points::new(xyz);
+        let link: Vec<u32> = (2..n as u32 + 2).collect();
+        for ear in [false, true] {
+            let tets_of = |triangles: &[[usize; 3]]| -> Vec<[u32; 4]> {
+                triangles
+                    .iter()
+                    .map(|t| t.map(|i| link[i]))
+                    .flat_map(|[a, b, c]| [[a, b, c, 1], [b, a, c, 0]])
+                    .collect()
+            };
+            let worst = |tets: &[[u32; 4]]| {
+                let at = |t: &[u32; 4]| quality(t.map(|v| points.xyz(v)));
+                tets.iter().map(at).fold(f64::INFINITY, f64::min)
+            };
+            let best = triangulations(0, n - 1)
+                .iter()
+                .filter(|all| !ear || all.contains(&[0, n - 2, n - 1]))
+                .map(|all| tets_of(all))
+                .filter(|tets| tets.iter().all(|&[a, b, c, d]| points.orient3d(a, b, c, d) == Sign::Positive))
+                .map(|tets| worst(&tets))
+                .max_by(f64::total_cmp);
+            let mut tets = Vec::new();
+            let found = Sheets::default().fill(&points, [0, 1], &link, ear, &mut tets).unwrap();
+            assert_eq!(found.then(|| worst(&tets)), best);
+            *if found { &mut filled } else { &mut none }.get_mut(usize::from(ear)).unwrap() += 1;
+        }
+    }
+    assert!(filled.iter().chain(&none).all(|&count| count > 50), "{filled:?} {none:?}");
 }
 
 /// Of the sheets of a ring the one is taken of which fewest tetrahedra meet a way across it.
