@@ -73,8 +73,9 @@ pub fn improve(
     let mut improve = Improve { worst: Shape::BEST, ..Improve::default() };
     for t in 0..solid.mesh.slot_count() as u32 {
         if solid.region[t as usize] != NONE && solid.mesh.is_live(t) {
-            improve.worst = improve.worst.worse(shape(solid, points, t));
-            improve.push(solid, points, t)?;
+            let shape = shape(solid, points, t);
+            improve.worst = improve.worst.worse(shape);
+            improve.push_shape(solid, t, shape)?;
         }
     }
     // A needle on the surface forces the ratio of its tetrahedra.
@@ -98,7 +99,11 @@ impl Improve {
 
     /// Takes note of a tetrahedron if it is bad.
     fn push(&mut self, solid: &Solid, points: &Points, t: u32) -> Result<(), Error> {
-        let shape = shape(solid, points, t);
+        self.push_shape(solid, t, shape(solid, points, t))
+    }
+
+    /// As [`Improve::push`], for a tetrahedron whose shape is known.
+    fn push_shape(&mut self, solid: &Solid, t: u32, shape: Shape) -> Result<(), Error> {
         for measure in [Measure::Angle, Measure::Ratio] {
             if shape.by(measure) < BAD.by(measure) {
                 let queue = &mut self.bad(measure).queue;

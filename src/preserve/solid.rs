@@ -106,9 +106,15 @@ impl Solid {
 
     /// Puts ghosts on all faces between what stays and what goes, and links them.
     fn close(&mut self, slots: usize) -> Result<(), Error> {
-        let mut ghost_of: FxHashMap<u32, u32> = FxHashMap::default();
+        // Per slot where its first face is in the boundary, which is in ascending order.
+        let mut first: Vec<u32> = Vec::new();
+        first.try_reserve(slots)?;
         let mut boundary: Vec<u32> = Vec::new();
-        for t in (0..slots as u32).filter(|&t| self.region[t as usize] != NONE) {
+        for t in 0..slots as u32 {
+            first.push(boundary.len() as u32);
+            if self.region[t as usize] == NONE {
+                continue;
+            }
             for code in 4 * t..4 * t + 4 {
                 if self.region[(self.mesh.across(code) >> 2) as usize] == NONE {
                     boundary.try_reserve(1)?;
@@ -116,33 +122,44 @@ impl Solid {
                 }
             }
         }
-        ghost_of.try_reserve(boundary.len()).map_err(out_of_memory)?;
         self.mesh.reserve(boundary.len())?;
+        let mut ghosts: Vec<u32> = Vec::new();
+        ghosts.try_reserve(boundary.len())?;
         for &code in &boundary {
             let [x, y, z] = self.mesh.face(code);
             let g = self.mesh.allocate([x, y, z, GHOST]);
-            ghost_of.insert(code, g);
+            // No slot has a tetrahedron beyond its faces yet.
+            self.mesh.adj[g as usize] = [NONE; 4];
+            ghosts.push(g);
         }
         self.region.try_reserve(self.mesh.slot_count() - slots)?;
         self.region.resize(self.mesh.slot_count(), NONE);
-        for &code in &boundary {
-            let g = ghost_of[&code];
+        let ghost_of = |code: u32| {
+            let from = *first.get((code >> 2) as usize)? as usize;
+            let at = boundary[from..].iter().take(4).position(|&c| c == code)?;
+            Some(ghosts[from + at])
+        };
+        for (&code, &g) in boundary.iter().zip(&ghosts) {
             let corners = self.mesh.verts[g as usize];
             for k in 0..3 {
+                // The way from the other side was the same.
+                if self.mesh.adj[g as usize][k] != NONE {
+                    continue;
+                }
                 let edge = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
                 let beyond = self.turn_through_void(code, edge, slots);
-                let Some(&other) = ghost_of.get(&beyond) else {
+                let Some(other) = ghost_of(beyond) else {
                     return Err(Error::internal("a boundary edge has an odd number of faces"));
                 };
                 let slot = (0..3).find(|&i| !edge.contains(&self.mesh.verts[other as usize][i]));
                 let Some(slot) = slot else {
                     return Err(Error::internal("a boundary face lacks its edge"));
                 };
-                self.mesh.adj[g as usize][k] = 4 * other + slot as u32;
+                self.mesh.link(4 * g + k as u32, 4 * other + slot as u32);
             }
         }
-        for &code in &boundary {
-            self.mesh.link(code, 4 * ghost_of[&code] + 3);
+        for (&code, &g) in boundary.iter().zip(&ghosts) {
+            self.mesh.link(code, 4 * g + 3);
         }
         Ok(())
     }
@@ -164,7 +181,7 @@ impl Solid {
     }
 
     /// Takes note of the subfaces that are faces of the domain, and flags them on both sides. Tetrahedra have the flags of the
-    /// constrained mesh, ghosts none: only what may be a subface is looked up.
+    /// constrained mesh, ghosts none: only what may be a subface is looked up, and that from one side.
     fn take_subfaces(&mut self, subfaces: &Subfaces) -> Result<(), Error> {
         let mut patch_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
         patch_of.try_reserve(subfaces.verts.len()).map_err(out_of_memory)?;
@@ -180,7 +197,10 @@ impl Solid {
             }
             let flagged = if self.mesh.is_ghost(t) { flag::FACE << 3 } else { before };
             for f in (0..4).filter(|f| flagged & (flag::FACE << f) != 0) {
-                if patch_of.contains_key(&face_key(self.mesh.face(4 * t + f))) {
+                let n = self.mesh.across(4 * t + f);
+                let known = n < 4 * t;
+                let other = self.mesh.flags[(n >> 2) as usize] & (flag::FACE << (n & 3)) != 0;
+                if (known && other) || !known && patch_of.contains_key(&face_key(self.mesh.face(4 * t + f))) {
                     self.mesh.flags[t as usize] |= flag::FACE << f;
                     sides += 1;
                 }

@@ -46,19 +46,23 @@ impl Shape {
 
     /// That of a tetrahedron which is positive; zero if plain arithmetic does not see that.
     pub fn at([o, p, q, r]: [&[f64; 3]; 4]) -> Shape {
-        let [u, v, w] = [p, q, r].map(|x| sub(x, o));
+        // Written out where closures over arrays of arrays would become calls: every tetrahedron of a mesh gets here.
+        let [u, v, w] = [sub(p, o), sub(q, o), sub(r, o)];
         let size = [u, v, w].iter().flatten().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
         // All numbers near one: nothing over- or underflows that matters.
-        let [u, v, w] = [u, v, w].map(|x| x.map(|y| y / size));
+        let scaled = |x: [f64; 3]| [x[0] / size, x[1] / size, x[2] / size];
+        let [u, v, w] = [scaled(u), scaled(v), scaled(w)];
         let [vu, wu, wv] = [sub(&v, &u), sub(&w, &u), sub(&w, &v)];
         let normals = [cross(&wu, &vu), cross(&v, &w), cross(&w, &u), cross(&u, &v)];
         let det = dot(&u, &normals[1]);
         if det <= 0.0 {
             return Shape { angle: 0.0, ratio: 0.0 };
         }
-        let squares = normals.map(|n| dot(&n, &n));
-        let edges = [u, v, w, vu, wu, wv].map(|e| dot(&e, &e));
-        let [uu, vv, ww, ..] = edges;
+        let square = |e: &[f64; 3]| dot(e, e);
+        let [n0, n1, n2, n3] = &normals;
+        let squares = [square(n0), square(n1), square(n2), square(n3)];
+        let [uu, vv, ww] = [square(&u), square(&v), square(&w)];
+        let edges = [uu, vv, ww, square(&vu), square(&wu), square(&wv)];
         // Faces i and j (opposite corners i and j) meet at the edge of the two others.
         const MEET: [(usize, usize, usize); 6] =
             [(0, 1, 5), (0, 2, 4), (0, 3, 3), (1, 2, 2), (1, 3, 1), (2, 3, 0)];
@@ -68,8 +72,8 @@ impl Shape {
                 sine = sine.min(edges[e] / (squares[i] * squares[j]));
             }
         }
-        let [n1, n2, n3] = [normals[1], normals[2], normals[3]];
-        let center = [0, 1, 2].map(|k| uu * n1[k] + vv * n2[k] + ww * n3[k]);
+        let center_along = |k: usize| uu * n1[k] + vv * n2[k] + ww * n3[k];
+        let center = [center_along(0), center_along(1), center_along(2)];
         let shortest = edges.into_iter().fold(f64::INFINITY, f64::min);
         Shape {
             angle: if sine.is_finite() { det * sine.sqrt() } else { 0.0 },
