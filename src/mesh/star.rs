@@ -38,29 +38,31 @@ impl StarSearch {
     /// A tetrahedron with the edge `v w`, if that is an edge of the mesh; `start` has vertex `v`. Searches the star of `v`
     /// breadth-first and stops at the first hit.
     pub fn find_edge(&mut self, mesh: &mut Tetrahedra, v: u32, w: u32, start: u32) -> Option<u32> {
+        if mesh.verts[start as usize].contains(&w) {
+            return Some(start);
+        }
         self.tets.clear();
         self.tets.push(start);
         mesh.flags[start as usize] |= flag::MARK;
         let mut next = 0;
         let mut found = None;
-        while next < self.tets.len() {
+        'search: while next < self.tets.len() {
             let t = self.tets[next];
             next += 1;
             let verts = mesh.verts[t as usize];
-            if verts.contains(&w) {
-                found = Some(t);
-                break;
-            }
             let adj = mesh.adj[t as usize];
-            for (&w, code) in verts.iter().zip(adj) {
-                if w == v {
+            for (&opposite, code) in verts.iter().zip(adj) {
+                let n = code >> 2;
+                if opposite == v || mesh.flags[n as usize] & flag::MARK != 0 {
                     continue;
                 }
-                let n = code >> 2;
-                if mesh.flags[n as usize] & flag::MARK == 0 {
-                    mesh.flags[n as usize] |= flag::MARK;
-                    self.tets.push(n);
+                // The tetrahedron left lacks `w`: only the apex can be it.
+                if mesh.apex(code) == w {
+                    found = Some(n);
+                    break 'search;
                 }
+                mesh.flags[n as usize] |= flag::MARK;
+                self.tets.push(n);
             }
         }
         for &t in &self.tets {

@@ -83,7 +83,9 @@ pub fn remove_all(
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<Removal, Error> {
     let mut along = Along::new(segments)?;
-    let wanted = edges_of(target.triangles.iter())?;
+    // Looked up only where a point goes.
+    let count = if along.ends.is_empty() { 0 } else { target.triangles.len() };
+    let wanted = edges_of(target.triangles[..count].iter())?;
     let mut removal = Removal { isolated: isolated_pieces(solid, segments)?, ..Removal::default() };
     let mut left: Vec<u32> = Vec::new();
     left.try_reserve(along.ends.len())?;

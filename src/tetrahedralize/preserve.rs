@@ -202,18 +202,23 @@ fn relax(surface: &Surface, edges: &[[u32; 2]], missing: &[u32]) -> Result<Relax
     let mut keep = Vec::new();
     keep.try_reserve(edges.len())?;
     keep.resize(edges.len(), true);
+    let mut dropped: Vec<[u32; 2]> = Vec::new();
     for &edge in missing {
-        keep[edge as usize] = surface.segments.binary_search(&edges[edge as usize]).is_ok();
+        let ends = edges[edge as usize];
+        if surface.segments.binary_search(&ends).is_err() {
+            keep[edge as usize] = false;
+            dropped.try_reserve(1)?;
+            dropped.push(ends);
+        }
     }
+    dropped.sort_unstable();
     let mut patches = Patches::new(surface.triangles.len())?;
     let mut first: FxHashMap<[u32; 2], u32> = FxHashMap::default();
     for (t, &[a, b, c]) in surface.triangles.iter().enumerate() {
         for key in [edge_key(a, b), edge_key(b, c), edge_key(c, a)] {
-            if let Ok(edge) = edges.binary_search(&key) {
-                if !keep[edge] {
-                    let other = *first.entry(key).or_insert(t as u32);
-                    patches.join(other, t as u32);
-                }
+            if dropped.binary_search(&key).is_ok() {
+                let other = *first.entry(key).or_insert(t as u32);
+                patches.join(other, t as u32);
             }
         }
     }
