@@ -146,21 +146,25 @@ impl Signs {
     /// 1, 0 or −1 for `det(b − a, c − a, d − a)`; distinct local numbers.
     #[inline]
     pub fn of(&mut self, points: &Points, a: u8, b: u8, c: u8, d: u8) -> i8 {
-        let (index, v, odd) = combination([a, b, c, d]);
+        let (index, sorted, odd) = combination([a, b, c, d]);
         let mut sign = self.table[index];
         if sign == UNKNOWN {
-            let [p, q, r, s] = v.map(|i| self.vertices[i as usize]);
-            sign = match points.orient3d(p, q, r, s) {
-                Sign::Negative => -1,
-                Sign::Zero => 0,
-                Sign::Positive => 1,
-            };
-            self.table[index] = sign;
+            sign = self.compute(points, index, sorted);
         }
-        if odd {
-            -sign
-        } else {
-            sign
-        }
+        // Negated if all bits of the mask are set.
+        let mask = -i8::from(odd);
+        (sign ^ mask) - mask
+    }
+
+    #[inline(never)]
+    fn compute(&mut self, points: &Points, index: usize, sorted: [u8; 4]) -> i8 {
+        let [p, q, r, s] = sorted.map(|i| self.vertices[i as usize]);
+        let sign = match points.orient3d(p, q, r, s) {
+            Sign::Negative => -1,
+            Sign::Zero => 0,
+            Sign::Positive => 1,
+        };
+        self.table[index] = sign;
+        sign
     }
 }
