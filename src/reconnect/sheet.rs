@@ -3,9 +3,10 @@
 //! Every triangle of the link polygon's triangulation is joined to `p` and to `q`; both tetrahedra must be positive. The best
 //! triangulation is found by dynamic programming over the polygon (Klincsek 1980; for edges of tetrahedra Shewchuk 2002, "Two
 //! discrete optimization algorithms for the topological improvement of tetrahedral meshes"): best is the one with the best
-//! worst tetrahedron. The flips 3-2 and 4-4 are the cases of three and four tetrahedra.
+//! worst tetrahedron. The flips 3-2 and 4-4 are the cases of three and four tetrahedra. Where the way from one point to another shall become
+//! clear, that comes first: best are the triangulations of which fewest tetrahedra meet it.
 //!
-//! Signs are exact; quality is plain arithmetic and only chooses among valid sheets.
+//! Signs are exact; quality and what meets the way are plain arithmetic and only choose among valid sheets.
 use super::quality::quality;
 use super::shape::{Goal, Shape};
 use crate::error::Error;
