@@ -29,8 +29,8 @@ struct Stage {
     failures: [usize; 2],
 }
 
-const QUICK: Effort = Effort { cavities: &[(9, 30), (12, 100)], rings: false };
-const HARD: Effort = Effort { cavities: &[(12, 500), (18, 1500)], rings: true };
+const QUICK: Effort = Effort { cavities: &[(9, 30), (12, 100)], thorough: false };
+const HARD: Effort = Effort { cavities: &[(12, 500), (18, 1500)], thorough: true };
 const STAGES: [Stage; 4] = [
     Stage { measure: Measure::Angle, effort: QUICK, failures: [30, 800] },
     Stage { measure: Measure::Ratio, effort: QUICK, failures: [30, 800] },

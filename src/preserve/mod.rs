@@ -9,6 +9,7 @@
 //! Where only the outer boundary is kept, points on segments inside ([`internal`]) may stay, and patches inside keep what triangles they
 //! have where the surface's would take points. They get positions in doubles ([`mod@settle`]) when all else is done: until then they are
 //! exactly on their segments, and every step tests them there.
+pub mod approach;
 pub mod breakpoint;
 pub mod cavity;
 pub mod center;

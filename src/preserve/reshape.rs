@@ -1,16 +1,18 @@
-//! Steps that improve a mesh of tetrahedra: an edge removed with the best sheet in its ring, a cavity filled in the best way found.
+//! Steps that improve a mesh of tetrahedra: an edge removed with the best sheet in its ring, a cavity filled in the best way found,
+//! another apex for the walls of a tetrahedron ([`mod@approach`](super::approach)).
 //!
-//! Both replace tetrahedra by others of which the worst is better by one measure, and no worse by the other than allowed. Qualities
+//! All replace tetrahedra by others of which the worst is better by one measure, and no worse by the other than allowed. Qualities
 //! are plain arithmetic and only choose among fillings whose tetrahedra are positive by exact signs.
 //!
 //! Invariants: subfaces, edges on no facet, regions and vertices stay.
-use super::solid::{Sector, Solid};
-use crate::constrain::edge_key;
+use super::approach::Approach;
+use super::solid::{reversed, Sector, Solid};
+use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
 use crate::mesh::star::EdgeRing;
 use crate::mesh::tables::EDGE;
 use crate::mesh::{flag, NONE};
-use crate::predicates::Points;
+use crate::predicates::{Points, Sign};
 use crate::reconnect::shape::{Goal, Measure, Shape};
 use crate::reconnect::sheet::Sheets;
 use crate::reconnect::{Polyhedron, Reconnect};
@@ -20,13 +22,17 @@ use rustc_hash::FxHashSet;
 /// Most tetrahedra round an edge that is removed.
 const MOST_IN_RING: usize = 20;
 
+/// Most vertices of the cavity in which a wall gets another apex, and search steps for each.
+const MOST_AT_WALL: usize = 30;
+const BUDGET_AT_WALL: u32 = 200;
+
 /// How hard a tetrahedron is tried for.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
     /// Most vertices of the cavities, and search steps for each.
     pub cavities: &'static [(usize, u32)],
-    /// Cavities are grown from the rings of the tetrahedron's edges, too.
-    pub rings: bool,
+    /// Walls of the tetrahedron get other apexes, too; if it has none, cavities are grown from the rings of its edges.
+    pub thorough: bool,
 }
 
 /// What a step must reach.
@@ -60,6 +66,7 @@ pub fn shape(solid: &Solid, points: &Points, t: u32) -> Shape {
 #[derive(Default)]
 pub struct Reshape {
     sheets: Sheets,
+    approach: Approach,
     reconnect: Reconnect,
     ring: Vec<u32>,
     link: Vec<u32>,
@@ -69,6 +76,8 @@ pub struct Reshape {
     doors: Vec<u32>,
     faces: Vec<[u32; 3]>,
     inner: Vec<u32>,
+    /// Tetrahedra that a filling must have.
+    given: Vec<[u32; 4]>,
     new: Vec<[u32; 4]>,
 }
 
@@ -90,6 +99,10 @@ impl Reshape {
                 return Ok(true);
             }
         }
+        if effort.thorough && self.lift(solid, points, isolated, t, aim)? {
+            return Ok(true);
+        }
+        self.given.clear();
         for &(most, budget) in effort.cavities {
             self.ring.clear();
             self.ring.push(t);
@@ -97,7 +110,7 @@ impl Reshape {
             if self.refill(solid, points, aim, budget)? {
                 return Ok(true);
             }
-            if !effort.rings {
+            if !effort.thorough || !self.approach.walls.is_empty() {
                 continue;
             }
             for [i, j] in EDGE {
@@ -109,6 +122,31 @@ impl Reshape {
                 if self.refill(solid, points, aim, budget)? {
                     return Ok(true);
                 }
+            }
+        }
+        Ok(false)
+    }
+
+    /// Gives the walls of a tetrahedron another apex, if it has walls.
+    fn lift(
+        &mut self,
+        solid: &mut Solid,
+        points: &Points,
+        isolated: &FxHashSet<[u32; 2]>,
+        t: u32,
+        aim: &Aim,
+    ) -> Result<bool, Error> {
+        let goal = aim.goal(solid, points, &[t]);
+        self.approach.find(solid, points, isolated, t, &goal)?;
+        for i in 0..self.approach.apexes.len() {
+            let apex = self.approach.apexes[i];
+            self.approach.collect(solid, points, isolated, (t, apex), &mut self.ring)?;
+            self.grow(solid, points, isolated, t, 0)?;
+            self.given.clear();
+            self.given.extend(self.approach.walls.iter().map(|&[x, y, z]| [apex, x, y, z]));
+            let small = self.corners.len() <= MOST_AT_WALL;
+            if self.refill(solid, points, aim, if small { BUDGET_AT_WALL } else { 0 })? {
+                return Ok(true);
             }
         }
         Ok(false)
@@ -227,7 +265,32 @@ impl Reshape {
         Ok(())
     }
 
-    /// Fills the cavity as well as the search can; its tetrahedra are unmarked.
+    /// Takes the given tetrahedra out of the polyhedron; false if they are not good enough, or nothing is left.
+    fn cut_given(&mut self, points: &Points, goal: &Goal) -> Result<bool, Error> {
+        for &[p, x, y, z] in &self.given {
+            let good = goal.worth(Shape::of(points, [p, x, y, z])) > goal.above;
+            if !good || points.orient3d(p, x, y, z) != Sign::Positive {
+                return Ok(false);
+            }
+            for face in [[x, y, z], [p, z, y], [p, x, z], [p, y, x]] {
+                let key = face_key(face);
+                match self.faces.iter().position(|&f| face_key(f) == key) {
+                    Some(i) if same_way(self.faces[i], face) => {
+                        self.faces.swap_remove(i);
+                    }
+                    // The tetrahedron is on the other side of it.
+                    Some(_) => return Ok(false),
+                    None => {
+                        self.faces.try_reserve(1)?;
+                        self.faces.push(reversed(face));
+                    }
+                }
+            }
+        }
+        Ok(!self.faces.is_empty())
+    }
+
+    /// Fills the cavity as well as the search can, or in some better way with the given tetrahedra; its own are unmarked.
     fn refill(&mut self, solid: &mut Solid, points: &Points, aim: &Aim, budget: u32) -> Result<bool, Error> {
         self.faces.clear();
         self.inner.clear();
@@ -243,15 +306,26 @@ impl Reshape {
         for &t in &self.cavity {
             solid.mesh.flags[t as usize] &= !flag::MARK;
         }
-        self.inner.try_reserve(self.corners.len())?;
-        let faces = &self.faces;
-        self.inner.extend(self.corners.iter().filter(|&v| !faces.iter().any(|f| f.contains(v))));
         let goal = aim.goal(solid, points, &self.cavity);
-        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &[] };
-        self.new.clear();
-        if !self.reconnect.improve(points, &polyhedron, goal, budget, &mut self.new)? {
+        if budget == 0 || !self.cut_given(points, &goal)? {
             return Ok(false);
         }
+        self.inner.try_reserve(self.corners.len())?;
+        let (faces, given) = (&self.faces, &self.given);
+        let covered = |v: &u32| faces.iter().any(|f| f.contains(v)) || given.iter().any(|t| t.contains(v));
+        self.inner.extend(self.corners.iter().filter(|&v| !covered(v)));
+        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &[] };
+        self.new.clear();
+        let found = if given.is_empty() {
+            self.reconnect.improve(points, &polyhedron, goal, budget, &mut self.new)?
+        } else {
+            self.reconnect.reach(points, &polyhedron, goal, budget, &mut self.new)?
+        };
+        if !found {
+            return Ok(false);
+        }
+        self.new.try_reserve(self.given.len())?;
+        self.new.extend_from_slice(&self.given);
         let region = solid.region[self.cavity[0] as usize];
         let sector =
             Sector { old: std::mem::take(&mut self.cavity), new: std::mem::take(&mut self.new), region };
@@ -261,8 +335,13 @@ impl Reshape {
     }
 }
 
+/// Whether two faces with the same corners are turned the same way.
+fn same_way([a, b, c]: [u32; 3], face: [u32; 3]) -> bool {
+    face == [a, b, c] || face == [b, c, a] || face == [c, a, b]
+}
+
 /// Whether a tetrahedron may be added to the marked ones: no subface and no edge on no facet may come to lie inside.
-fn may_join(solid: &Solid, isolated: &FxHashSet<[u32; 2]>, t: u32) -> bool {
+pub(super) fn may_join(solid: &Solid, isolated: &FxHashSet<[u32; 2]>, t: u32) -> bool {
     let walled = (4 * t..4 * t + 4).any(|code| {
         let n = solid.mesh.across(code) >> 2;
         solid.mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0

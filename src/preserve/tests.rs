@@ -302,6 +302,66 @@ fn slivers_are_reconnected_away() {
     }
 }
 
+fn sorted(mut tet: [u32; 4]) -> [u32; 4] {
+    tet.sort_unstable();
+    tet
+}
+
+/// Where no edge can go, walls get another apex: all that comes is better than what goes, and the surface stays.
+#[test]
+fn walls_get_better_apexes() {
+    use crate::reconnect::shape::{Measure, Shape};
+    use reshape::{Aim, Effort, Reshape};
+    let mut model = cube(2, false);
+    let mut state = 5u64;
+    let mut next = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        0.125 + 1.75 * ((state >> 33) as f64 / (1u64 << 31) as f64)
+    };
+    model.points.extend((0..200).map(|_| [next(), next(), next()]));
+    for measure in [Measure::Angle, Measure::Ratio] {
+        let (mut solid, points, _) = model.carve();
+        let (before, patches) = (volume(&solid, &points), solid.patch_of.clone());
+        let any = Shape { angle: 0.0, ratio: 0.0 };
+        let aim = Aim { measure, enough: any, least: any };
+        let (mut reshape, mut lifted, none) = (Reshape::default(), 0, FxHashSet::default());
+        for t in 0..solid.mesh.slot_count() as u32 {
+            if !solid.mesh.is_live(t) || solid.mesh.is_ghost(t) {
+                continue;
+            }
+            let walled = (4 * t..4 * t + 4).any(|code| solid.is_wall(code));
+            let old: Vec<[u32; 4]> = solid.mesh.verts.clone();
+            let live: Vec<bool> = (0..old.len() as u32).map(|t| solid.mesh.is_live(t)).collect();
+            let mut try_with = |thorough: bool, solid: &mut Solid| {
+                let effort = Effort { cavities: &[], thorough };
+                reshape.improve(solid, &points, &none, t, &aim, effort).unwrap()
+            };
+            if try_with(false, &mut solid) || !try_with(true, &mut solid) {
+                continue;
+            }
+            assert!(walled);
+            lifted += 1;
+            // What went: tetrahedra of the mesh before that are no more there.
+            let now: FxHashSet<[u32; 4]> = (0..solid.mesh.slot_count())
+                .filter(|&t| solid.mesh.is_live(t as u32))
+                .map(|t| sorted(solid.mesh.verts[t]))
+                .collect();
+            let worst_of_cavity = (0..old.len())
+                .filter(|&t| {
+                    live[t] && !old[t].contains(&crate::mesh::GHOST) && !now.contains(&sorted(old[t]))
+                })
+                .map(|t| Shape::of(&points, old[t]).by(measure))
+                .fold(f64::INFINITY, f64::min);
+            let came = solid.fresh.iter().map(|&t| reshape::shape(&solid, &points, t).by(measure));
+            assert!(came.fold(f64::INFINITY, f64::min) > worst_of_cavity);
+            check_solid(&solid, &points).unwrap();
+        }
+        assert!(lifted > 0);
+        assert_eq!(solid.patch_of, patches);
+        assert!((volume(&solid, &points) - before).abs() <= 1e-12 * before);
+    }
+}
+
 #[test]
 fn edges_on_no_facet_stay_when_a_mesh_is_improved() {
     let (mut solid, points, _) = crystal(4).carve();

@@ -97,7 +97,22 @@ impl Reconnect {
         if !self.search.begin(points, polyhedron)? {
             return Ok(false);
         }
-        self.search.optimise(points, goal, budget, tets)
+        self.search.optimise(points, (goal, false), budget, tets)
+    }
+
+    /// As [`Reconnect::improve`], but the first filling found that reaches the goal is taken.
+    pub fn reach(
+        &mut self,
+        points: &Points,
+        polyhedron: &Polyhedron,
+        goal: Goal,
+        budget: u32,
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
+        if !self.search.begin(points, polyhedron)? {
+            return Ok(false);
+        }
+        self.search.optimise(points, (goal, true), budget, tets)
     }
 }
 

@@ -9,11 +9,11 @@ use crate::error::Error;
 use crate::predicates::Points;
 
 impl Search {
-    /// Searches; appends the best filling found that reaches the goal.
+    /// Searches; appends the best filling found that reaches the goal, or the first one.
     pub fn optimise(
         &mut self,
         points: &Points,
-        goal: Goal,
+        (goal, first): (Goal, bool),
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
@@ -42,6 +42,9 @@ impl Search {
             }
             if self.front.faces.is_empty() && self.complete() {
                 bound = self.keep(points, &goal)?;
+                if first {
+                    break;
+                }
                 self.undo(level);
                 while (0..self.tets.len()).any(|i| self.worth_of(points, &goal, i) <= bound) {
                     self.retreat();

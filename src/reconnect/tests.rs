@@ -392,6 +392,12 @@ fn the_best_filling_is_found() {
                 check(&points, &polyhedron, &tets);
                 assert_eq!(worst(&tets), values[2]);
             }
+            let mut some = Vec::new();
+            assert_eq!(reconnect.reach(&points, &polyhedron, goal, BUDGET, &mut some).unwrap(), found);
+            if found {
+                check(&points, &polyhedron, &some);
+                assert!(worst(&some) > above);
+            }
         }
         // What is not reached by the other measure is no filling.
         let goal = Goal { measure, above: 0.0, least: 10.0 };
