@@ -16,6 +16,9 @@ use crate::mesh::NONE;
 use crate::predicates::Sign;
 use crate::reconnect::Polyhedron;
 
+/// Most edges that are tried for one region in turn.
+const MOST_PIERCING: usize = 100;
+
 impl Recovery<'_> {
     /// Makes every subface a face. False if it was given up.
     pub fn faces(
@@ -240,6 +243,13 @@ impl Recovery<'_> {
     /// Fills both sides of the region in the bounded cavity; with points inside, if `help` allows them.
     fn fill_halves(&mut self, region: &[[u32; 3]], budget: u32, help: bool) -> Result<bool, Error> {
         self.tets.clear();
+        // Faces that cross the plane, or lie in it, beyond the region bound neither half.
+        for face in &self.cavity.faces {
+            let sides = face.map(|v| self.crossed.side(self.points, v));
+            if sides.contains(&Sign::Positive) == sides.contains(&Sign::Negative) {
+                return Ok(false);
+            }
+        }
         let known = self.inside.len();
         for above in [true, false] {
             let (points, crossed) = (&*self.points, &mut self.crossed);
@@ -256,21 +266,29 @@ impl Recovery<'_> {
             let mut inner: Vec<u32> = Vec::new();
             inner.try_reserve(self.cavity.inner.len())?;
             inner.extend(self.cavity.inner.iter().filter(|v| on_side(v)));
+            if !is_closed(&faces)? {
+                return self.forget_points(known);
+            }
             let polyhedron = Polyhedron { faces: &faces, inner: &inner, edges: &edges };
             if self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
                 continue;
             }
             if !help || !inner.is_empty() || !edges.is_empty() || !self.star_point(&faces)? {
-                for _ in known..self.inside.len() {
-                    self.inside.pop();
-                    self.delaunay.vertex_tet.pop();
-                    self.points.truncate(self.points.len() - 1);
-                }
-                return Ok(false);
+                return self.forget_points(known);
             }
         }
         self.cavity.replace(self.delaunay, &self.tets, region)?;
         Ok(true)
+    }
+
+    /// Takes the newest points inside away again: they are in no tetrahedron yet.
+    fn forget_points(&mut self, known: usize) -> Result<bool, Error> {
+        for _ in known..self.inside.len() {
+            self.inside.pop();
+            self.delaunay.vertex_tet.pop();
+            self.points.truncate(self.points.len() - 1);
+        }
+        Ok(false)
     }
 
     /// Removes one of the edges that pierce the region's plane in the cavity such that fewer tetrahedra cross the region.
@@ -290,10 +308,8 @@ impl Recovery<'_> {
         }
         piercing.sort_unstable();
         piercing.dedup();
-        for edge in piercing {
-            if self.edges.contains(&edge) {
-                continue;
-            }
+        piercing.retain(|edge| !self.edges.contains(edge));
+        for edge in piercing.into_iter().take(MOST_PIERCING) {
             let (flips, mut site) = self.site();
             if !flips.remove(&mut site, edge, None, PIERCING)? {
                 continue;
@@ -310,5 +326,33 @@ impl Recovery<'_> {
             flips.take_back(&mut site)?;
         }
         Ok(false)
+    }
+}
+
+/// Whether the faces bound something: every edge has as many faces one way as the other.
+fn is_closed(faces: &[[u32; 3]]) -> Result<bool, Error> {
+    let mut edges: Vec<([u32; 2], bool)> = Vec::new();
+    edges.try_reserve(3 * faces.len())?;
+    for &[x, y, z] in faces {
+        edges.extend([(x, y), (y, z), (z, x)].map(|(a, b)| (edge_key(a, b), a < b)));
+    }
+    edges.sort_unstable();
+    let balanced = |group: &[([u32; 2], bool)]| 2 * group.iter().filter(|edge| edge.1).count() == group.len();
+    Ok(edges.chunk_by(|a, b| a.0 == b.0).all(balanced))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_closed;
+
+    #[test]
+    fn faces_bound_something_or_are_open() {
+        let tetrahedron = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
+        assert!(is_closed(&tetrahedron).unwrap());
+        assert!(!is_closed(&tetrahedron[1..]).unwrap());
+        // A face the wrong way round.
+        assert!(!is_closed(&[[1, 3, 2], [0, 3, 2], [0, 1, 3], [0, 2, 1]]).unwrap());
+        // Both sides of one triangle, as of a dangling facet.
+        assert!(is_closed(&[[0, 1, 2], [0, 2, 1]]).unwrap());
     }
 }
