@@ -49,15 +49,15 @@ impl Run<'_> {
             first = first_points(&surface)?;
             self.lap(Phase::Validate);
             for rounds in ROUNDS {
-                if let Some(embedded) = self.reconnect(&surface, options, &first, rounds)? {
-                    match self.free_surface(plc, &surface, options, embedded) {
-                        // Another mesh may leave more room.
-                        Err(e) if e.status == Status::Rounding => {}
-                        done => return done,
-                    }
+                // What is given up once would only take longer with more levels.
+                let Some(embedded) = self.reconnect(&surface, options, &first, rounds)? else { break };
+                match self.free_surface(plc, &surface, options, embedded) {
+                    // Another mesh may leave more room.
+                    Err(e) if e.status == Status::Rounding => self.statistics.preserve = Default::default(),
+                    done => return done,
                 }
-                self.statistics.preserve = Default::default();
             }
+            self.statistics.preserve = Default::default();
         }
         let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
         self.delaunay_in(&mut engine, &mut order, options.threads)?;
