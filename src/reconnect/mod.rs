@@ -93,11 +93,7 @@ impl Reconnect {
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        self.forget();
-        if !self.search.begin(points, polyhedron)? {
-            return Ok(false);
-        }
-        self.search.optimise(points, (goal, false), budget, tets)
+        self.optimise(points, polyhedron, (goal, false), budget, tets)
     }
 
     /// As [`Reconnect::improve`], but the first filling found that reaches the goal is taken.
@@ -109,10 +105,23 @@ impl Reconnect {
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
+        self.optimise(points, polyhedron, (goal, true), budget, tets)
+    }
+
+    /// The best filling that reaches a goal, or the first.
+    fn optimise(
+        &mut self,
+        points: &Points,
+        polyhedron: &Polyhedron,
+        goal: (Goal, bool),
+        budget: u32,
+        tets: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
+        self.forget();
         if !self.search.begin(points, polyhedron)? {
             return Ok(false);
         }
-        self.search.optimise(points, (goal, true), budget, tets)
+        self.search.optimise(points, goal, budget, tets)
     }
 }
 
