@@ -34,7 +34,7 @@ fn through_c(points: &[[f64; 3]]) -> *mut mesh::DelotetMesh {
         );
         let options = options::delotet_options_new();
         assert_eq!(
-            options::delotet_options_set_mode(options, options::DELOTET_MODE_DELAUNAY),
+            options::delotet_options_set_mode(options, options::DELOTET_MODE_DELAUNAY, null_mut()),
             DelotetStatus::Ok
         );
         assert_eq!(run::delotet_tetrahedralize(plc, options, &mut mesh, null_mut()), DelotetStatus::Ok);

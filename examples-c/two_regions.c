@@ -68,13 +68,15 @@ int main(void)
     for (i = 0; i < materials.count; i++)
         volumes[materials.data[i] == 20] += volume(points, tets + 4 * i);
     DelotetSubfacesView faces = delotet_mesh_subfaces(mesh);
-    for (i = 0; i < faces.count; i++)
-        if (faces.data[i].marker == INTERFACE) {
+    for (i = 0; i < faces.count; i++) {
+        const DelotetSubface *face = DELOTET_AT(DelotetSubface, faces, i);
+        if (face->marker == INTERFACE) {
             /* An interface has a tetrahedron of either material behind it. */
-            if (materials.data[faces.data[i].tets[0]] == materials.data[faces.data[i].tets[1]])
+            if (materials.data[face->tets[0]] == materials.data[face->tets[1]])
                 return 1;
-            interface_area += area(points, faces.data[i].corners);
+            interface_area += area(points, face->corners);
         }
+    }
     printf("material 10: volume %g\nmaterial 20: volume %g\ninterface: area %g\n", volumes[0], volumes[1], interface_area);
     delotet_mesh_free(mesh);
     delotet_plc_free(plc);

@@ -1,20 +1,67 @@
-//! Sets the SONAME (or install name) of the shared library; cargo itself sets none. Nothing else happens here.
+//! Gives the shared library its SONAME (or install name), which cargo does not, and on Linux and its like symbol versions:
+//! `delotet_version@@libdelotet.so.0.2`. So the loader tells a program apart that was linked with another ABI, and two versions of the
+//! library can live in one process.
+//!
+//! rustc hands the linker a version script of its own with an anonymous version. GNU ld refuses a second, named one beside it, and lld
+//! keeps to the first; what is left is `--default-symver`, which names the version after the SONAME. Of the common linkers only
+//! GNU ld knows it. So it is tried out here, first with the linker that rustc takes, then with GNU ld; where neither works the library
+//! has no versions, which is allowed and said.
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
 fn main() {
-    println!("cargo::rerun-if-changed=src/build.rs");
-    println!("cargo::rerun-if-env-changed=CARGO_FEATURE_CAPI");
-    if std::env::var_os("CARGO_FEATURE_CAPI").is_some() {
-        return;
+    for name in ["CARGO_FEATURE_CAPI", "RUSTC_LINKER"] {
+        println!("cargo::rerun-if-env-changed={name}");
     }
-    let var = |name: &str| std::env::var(name).unwrap_or_default();
+    println!("cargo::rerun-if-changed=src/build.rs");
     let (major, minor) = (var("CARGO_PKG_VERSION_MAJOR"), var("CARGO_PKG_VERSION_MINOR"));
     let version = if major == "0" { format!("0.{minor}") } else { major };
+    // cargo-c sets SONAME and install name itself.
+    let own_name = std::env::var_os("CARGO_FEATURE_CAPI").is_none();
     match var("CARGO_CFG_TARGET_OS").as_str() {
         "linux" | "freebsd" | "netbsd" | "openbsd" | "dragonfly" | "android" => {
-            println!("cargo::rustc-cdylib-link-arg=-Wl,-soname,libdelotet.so.{version}");
+            if own_name {
+                link_arg(&format!("-Wl,-soname,libdelotet.so.{version}"));
+            }
+            let ways: [&[&str]; 2] = [&["-Wl,--default-symver"], &["-fuse-ld=bfd", "-Wl,--default-symver"]];
+            match ways.iter().find(|way| links(way)) {
+                Some(way) => way.iter().for_each(|arg| link_arg(arg)),
+                None => {
+                    println!("cargo::warning=no linker for symbol versions (GNU ld): libdelotet.so has none")
+                }
+            }
         }
-        "macos" => {
-            println!("cargo::rustc-cdylib-link-arg=-Wl,-install_name,@rpath/libdelotet.{version}.dylib");
+        "macos" if own_name => {
+            link_arg(&format!("-Wl,-install_name,@rpath/libdelotet.{version}.dylib"));
         }
         _ => {}
     }
+}
+
+fn var(name: &str) -> String {
+    std::env::var(name).unwrap_or_default()
+}
+
+fn link_arg(arg: &str) {
+    println!("cargo::rustc-cdylib-link-arg={arg}");
+}
+
+/// Whether a shared library of one function links with these arguments, by the compiler, linker and flags of this build.
+fn links(args: &[&str]) -> bool {
+    let folder = PathBuf::from(var("OUT_DIR"));
+    let source = folder.join("probe.rs");
+    if std::fs::write(&source, "#[no_mangle]\npub extern \"C\" fn probe() {}\n").is_err() {
+        return false;
+    }
+    let mut command = Command::new(var("RUSTC"));
+    command.args(["--crate-name", "probe", "--crate-type", "cdylib", "--target", &var("TARGET")]);
+    command.arg("-o").arg(folder.join("libprobe.so")).arg(Path::new(&source));
+    command.args(var("CARGO_ENCODED_RUSTFLAGS").split('\u{1f}').filter(|flag| !flag.is_empty()));
+    if let Ok(linker) = std::env::var("RUSTC_LINKER") {
+        command.arg(format!("-Clinker={linker}"));
+    }
+    for arg in args.iter().chain(&["-Wl,-soname,libprobe.so.0"]) {
+        command.arg(format!("-Clink-arg={arg}"));
+    }
+    command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
 }

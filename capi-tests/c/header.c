@@ -8,9 +8,9 @@ DelotetStatus header_is_usable(const DelotetPlc *plc, DelotetProgressFn progress
 {
     DelotetOptions *options = delotet_options_new();
     DelotetMesh *mesh = NULL;
-    DelotetStatus status = delotet_options_set_progress(options, progress, NULL);
+    DelotetStatus status = delotet_options_set_progress(options, progress, NULL, NULL);
     if (status == DELOTET_STATUS_OK)
-        status = delotet_options_set_log(options, log, NULL);
+        status = delotet_options_set_log(options, log, NULL, NULL);
     if (status == DELOTET_STATUS_OK)
         status = delotet_tetrahedralize(plc, options, &mesh, NULL);
     delotet_mesh_free(mesh);

@@ -18,8 +18,8 @@ static inline void test_preserved_check(PreservedCheck check, DelotetPreserve st
     FAILS(DELOTET_STATUS_CHECK_FAILED, check(plain, plc, 3, &error));
     FAILS(INVALID, check(NULL, plc, 3, &error));
     FAILS(INVALID, check(split, NULL, 3, &error));
-    CHECK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE) == DELOTET_STATUS_OK);
-    CHECK(delotet_options_set_preserve(options, strength) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE, &error));
+    OK(delotet_options_set_preserve(options, strength, &error));
     kept = mesh_with(plc, options);
     OK(check(kept, plc, 10, &error));
     OK(delotet_mesh_check(kept, plc, false, 10, &error));

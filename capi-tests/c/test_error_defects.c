@@ -10,9 +10,9 @@ int main(void)
     int seen = 0;
     CHECK(delotet_plc_check(plc, NULL, &error) == DELOTET_STATUS_SELF_INTERSECTION);
     defects = delotet_error_defects(error);
-    CHECK(defects.count > 0 && defects.data != NULL);
+    CHECK(defects.count > 0 && defects.first != NULL);
     for (i = 0; i < defects.count; i++) {
-        const DelotetDefect *defect = &defects.data[i];
+        const DelotetDefect *defect = DELOTET_AT(DelotetDefect, defects, i);
         int pair = (defect->first == 0 && defect->second == 4) || (defect->first == 4 && defect->second == 0);
         CHECK(defect->second != DELOTET_INVALID_INDEX || defect->second_element == DELOTET_ELEMENT_NONE);
         if (pair && defect->first_element == DELOTET_ELEMENT_FACET && defect->second_element == DELOTET_ELEMENT_FACET) {
@@ -25,6 +25,6 @@ int main(void)
     delotet_error_free(error);
     delotet_plc_free(plc);
     defects = delotet_error_defects(NULL);
-    CHECK(defects.data == NULL && defects.count == 0);
+    CHECK(defects.first == NULL && defects.count == 0);
     return 0;
 }

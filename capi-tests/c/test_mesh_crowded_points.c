@@ -24,7 +24,7 @@ int main(void)
     CHECK(delotet_mesh_crowded_points(mesh).count == 0);
     delotet_mesh_free(mesh);
     plc = coarse_prism();
-    OK(delotet_options_set_exact_form(options, true));
+    OK(delotet_options_set_exact_form(options, true, &error));
     mesh = mesh_with(plc, options);
     crowded = delotet_mesh_crowded_points(mesh);
     CHECK(crowded.count > 0);

@@ -11,17 +11,18 @@ int main(void)
     mesh = mesh_of(plc);
     OK(delotet_mesh_edges(mesh, &edges, &error));
     for (i = 0; i < edges.count; i++) {
-        const uint32_t *tet = delotet_mesh_tets(mesh).data + 4 * edges.data[i].tet;
+        const DelotetEdge *edge = DELOTET_AT(DelotetEdge, edges, i), *before = i ? DELOTET_AT(DelotetEdge, edges, i - 1) : NULL;
+        const uint32_t *tet = delotet_mesh_tets(mesh).data + 4 * edge->tet;
         int corner, ends = 0;
-        CHECK(edges.data[i].ends[0] < edges.data[i].ends[1]);
-        CHECK(i == 0 || edges.data[i - 1].ends[0] < edges.data[i].ends[0] ||
-              (edges.data[i - 1].ends[0] == edges.data[i].ends[0] && edges.data[i - 1].ends[1] < edges.data[i].ends[1]));
+        CHECK(edge->ends[0] < edge->ends[1]);
+        CHECK(!before || before->ends[0] < edge->ends[0] ||
+              (before->ends[0] == edge->ends[0] && before->ends[1] < edge->ends[1]));
         for (corner = 0; corner < 4; corner++)
-            ends += tet[corner] == edges.data[i].ends[0] || tet[corner] == edges.data[i].ends[1];
+            ends += tet[corner] == edge->ends[0] || tet[corner] == edge->ends[1];
         CHECK(ends == 2);
-        if (edges.data[i].marker == 3) {
-            CHECK(edges.data[i].ends[0] == 5 && edges.data[i].ends[1] == 7);
-            CHECK(delotet_mesh_subsegments(mesh).data[edges.data[i].subsegment].segment == 0);
+        if (edge->marker == 3) {
+            CHECK(edge->ends[0] == 5 && edge->ends[1] == 7);
+            CHECK(DELOTET_AT(DelotetSubsegment, delotet_mesh_subsegments(mesh), edge->subsegment)->segment == 0);
             marked++;
         }
     }

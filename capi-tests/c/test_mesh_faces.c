@@ -12,16 +12,17 @@ int main(void)
     OK(delotet_mesh_edges(mesh, &edges, &error));
     CHECK(delotet_mesh_points(mesh).count + faces.count == 1 + edges.count + delotet_mesh_tets(mesh).count);
     for (i = 0; i < faces.count; i++) {
-        boundary += faces.data[i].tets[1] == DELOTET_INVALID_INDEX;
-        if (faces.data[i].subface != DELOTET_INVALID_INDEX) {
-            CHECK(faces.data[i].marker == delotet_mesh_subfaces(mesh).data[faces.data[i].subface].marker);
+        const DelotetFace *face = DELOTET_AT(DelotetFace, faces, i);
+        boundary += face->tets[1] == DELOTET_INVALID_INDEX;
+        if (face->subface != DELOTET_INVALID_INDEX) {
+            CHECK(face->marker == DELOTET_AT(DelotetSubface, delotet_mesh_subfaces(mesh), face->subface)->marker);
             marked++;
         } else
-            CHECK(faces.data[i].marker == 0);
+            CHECK(face->marker == 0);
     }
     CHECK(boundary == 12 && marked == delotet_mesh_subfaces(mesh).count);
     OK(delotet_mesh_faces(mesh, &again, &error));
-    CHECK(again.data == faces.data);
+    CHECK(again.first == faces.first);
     FAILS(INVALID, delotet_mesh_faces(NULL, &faces, &error));
     FAILS(INVALID, delotet_mesh_faces(mesh, NULL, &error));
     delotet_mesh_free(mesh);

@@ -4,7 +4,7 @@
 int main(void)
 {
     DelotetMesh *mesh = mesh_of(cube());
-    CHECK(delotet_mesh_facet_flips(mesh).data == NULL && delotet_mesh_facet_flips(mesh).count == 0);
+    CHECK(delotet_mesh_facet_flips(mesh).first == NULL && delotet_mesh_facet_flips(mesh).count == 0);
     CHECK(delotet_mesh_facet_flips(NULL).count == 0);
     delotet_mesh_free(mesh);
     return 0;

@@ -22,7 +22,7 @@ int main(void)
     /* A point inside: in a tetrahedron of points around it. */
     plc = twisted_prism();
     OK(delotet_plc_set_point_attributes(plc, delotet_plc_points(plc).data, 3, &error));
-    CHECK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE, &error));
     mesh = mesh_with(plc, options);
     fields = delotet_mesh_point_attributes(mesh);
     points = delotet_mesh_points(mesh);

@@ -20,7 +20,7 @@ int main(void)
     CHECK(steiner.count > 0 && view.count == 6 + steiner.count);
     CHECK(memcmp(view.data, markers, sizeof markers) == 0);
     for (i = 0; i < steiner.count; i++)
-        CHECK(view.data[6 + i] == 77 && steiner.data[i].segment != DELOTET_INVALID_INDEX);
+        CHECK(view.data[6 + i] == 77 && DELOTET_AT(DelotetSteinerPoint, steiner, i)->segment != DELOTET_INVALID_INDEX);
     CHECK(delotet_mesh_point_markers(NULL).data == NULL);
     delotet_mesh_free(mesh);
     return 0;

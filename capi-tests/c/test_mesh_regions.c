@@ -7,16 +7,21 @@ int main(void)
     DelotetPlc *plc = nested_boxes();
     DelotetMesh *mesh;
     DelotetRegionsView regions;
-    int seeded;
+    const DelotetRegion *seeded, *other;
     OK(delotet_plc_add_region(plc, seed, 1, -1, &error));
     mesh = mesh_of(plc);
     regions = delotet_mesh_regions(mesh);
     CHECK(regions.count == 2);
-    seeded = regions.data[0].seed == 0 ? 0 : 1;
-    CHECK(regions.data[seeded].seed == 0 && regions.data[seeded].attribute == 1);
-    CHECK(regions.data[seeded].max_volume == 0);
-    CHECK(regions.data[1 - seeded].seed == DELOTET_INVALID_INDEX && regions.data[1 - seeded].attribute != 1);
-    CHECK(delotet_mesh_regions(NULL).data == NULL);
+    seeded = DELOTET_AT(DelotetRegion, regions, 0);
+    other = DELOTET_AT(DelotetRegion, regions, 1);
+    if (seeded->seed != 0) {
+        other = seeded;
+        seeded = DELOTET_AT(DelotetRegion, regions, 1);
+    }
+    CHECK(seeded->seed == 0 && seeded->attribute == 1);
+    CHECK(seeded->max_volume == 0);
+    CHECK(other->seed == DELOTET_INVALID_INDEX && other->attribute != 1);
+    CHECK(delotet_mesh_regions(NULL).first == NULL);
     delotet_mesh_free(mesh);
     return 0;
 }

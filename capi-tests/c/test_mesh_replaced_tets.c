@@ -64,7 +64,7 @@ int main(void)
         if (status == DELOTET_STATUS_OK) {
             replaced = delotet_mesh_replaced_tets(mesh);
             OK(delotet_mesh_check(mesh, plc, true, 10, &error));
-            CHECK(delotet_mesh_stats(mesh, &stats) == DELOTET_STATUS_OK);
+            OK(delotet_mesh_stats(mesh, &stats, &error));
             CHECK(stats.replaced == replaced.count);
             for (i = 0; i < replaced.count; i++) {
                 CHECK(replaced.data[i] < delotet_mesh_tets(mesh).count);

@@ -8,10 +8,10 @@ static void preserve(void)
     DelotetPlc *plc = twisted_prism();
     DelotetMesh *mesh;
     DelotetStats stats;
-    CHECK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE, &error));
     mesh = mesh_with(plc, options);
     stats.struct_size = sizeof stats;
-    CHECK(delotet_mesh_stats(mesh, &stats) == DELOTET_STATUS_OK);
+    OK(delotet_mesh_stats(mesh, &stats, &error));
     CHECK(stats.preserve_interior == delotet_mesh_steiner_points(mesh).count && stats.preserve_interior == 1);
     CHECK(stats.preserve_missing_edges >= 1 && stats.preserve_missing_edges <= 3); /* Of the three reflex ones. */
     CHECK(stats.seconds[DELOTET_PHASE_PRESERVE] > 0);
@@ -30,7 +30,7 @@ int main(void)
     DelotetStats old;
     memset(&room, 0xAB, sizeof room);
     room.stats.struct_size = sizeof room; /* A newer program: larger than what this library knows. */
-    CHECK(delotet_mesh_stats(mesh, &room.stats) == DELOTET_STATUS_OK);
+    OK(delotet_mesh_stats(mesh, &room.stats, &error));
     CHECK(room.stats.struct_size == sizeof(DelotetStats));
     CHECK(room.guard[0] == 0xAB && room.guard[63] == 0xAB);
     CHECK(room.stats.steiner == delotet_mesh_steiner_points(mesh).count);
@@ -39,13 +39,13 @@ int main(void)
     CHECK(room.stats.seconds[DELOTET_PHASE_PRESERVE] == 0);
     memset(&old, 0xAB, sizeof old);
     old.struct_size = offsetof(DelotetStats, steiner_exact); /* An older program. */
-    CHECK(delotet_mesh_stats(mesh, &old) == DELOTET_STATUS_OK);
+    OK(delotet_mesh_stats(mesh, &old, &error));
     CHECK(old.struct_size == offsetof(DelotetStats, steiner_exact) && old.steiner == room.stats.steiner);
     CHECK(old.steiner_exact == UINT64_C(0xABABABABABABABAB));
     old.struct_size = 0;
-    CHECK(delotet_mesh_stats(mesh, &old) == INVALID);
-    CHECK(delotet_mesh_stats(mesh, NULL) == INVALID);
-    CHECK(delotet_mesh_stats(NULL, &old) == INVALID);
+    FAILS(INVALID, delotet_mesh_stats(mesh, &old, &error));
+    FAILS(INVALID, delotet_mesh_stats(mesh, NULL, &error));
+    FAILS(INVALID, delotet_mesh_stats(NULL, &old, &error));
     delotet_mesh_free(mesh);
     preserve();
     return 0;

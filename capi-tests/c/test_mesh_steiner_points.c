@@ -10,7 +10,7 @@ int main(void)
     size_t axis;
     CHECK(steiner.count > 0);
     for (i = 0; i < steiner.count; i++) {
-        DelotetSteinerPoint point = steiner.data[i];
+        DelotetSteinerPoint point = *DELOTET_AT(DelotetSteinerPoint, steiner, i);
         CHECK(point.ends[0] < 6 && point.ends[1] < 6 && point.t > 0 && point.t < 1);
         CHECK(point.segment == DELOTET_INVALID_INDEX);
         for (axis = 0; axis < 3; axis++) {
@@ -18,7 +18,7 @@ int main(void)
             CHECK(fabs(a + point.t * (b - a) - xyz[3 * (6 + i) + axis]) < 1e-12);
         }
     }
-    CHECK(delotet_mesh_steiner_points(NULL).data == NULL);
+    CHECK(delotet_mesh_steiner_points(NULL).first == NULL);
     delotet_mesh_free(mesh);
     return 0;
 }

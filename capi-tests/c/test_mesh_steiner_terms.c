@@ -12,21 +12,22 @@ int main(void)
     DelotetSteinerTermsView terms;
     size_t i;
     CHECK(delotet_mesh_steiner_points(mesh).count > 0);
-    CHECK(delotet_mesh_steiner_terms(mesh).data == NULL && delotet_mesh_steiner_terms(mesh).count == 0);
+    CHECK(delotet_mesh_steiner_terms(mesh).first == NULL && delotet_mesh_steiner_terms(mesh).count == 0);
     CHECK(delotet_mesh_steiner_terms(NULL).count == 0);
     delotet_mesh_free(mesh);
 
     OK(delotet_plc_new(xyz, 12, &plc, &error));
     OK(delotet_plc_add_segments(plc, ends, NULL, 3, &error));
     options = delotet_options_new();
-    OK(delotet_options_set_keep_hull(options, true));
+    OK(delotet_options_set_keep_hull(options, true, &error));
     mesh = mesh_with(plc, options);
     terms = delotet_mesh_steiner_terms(mesh);
     CHECK(terms.count > 0);
     for (i = 0; i < terms.count; i++) {
-        CHECK(terms.data[i].steiner < delotet_mesh_steiner_points(mesh).count);
-        CHECK(terms.data[i].value != 0 && fabs(terms.data[i].value) < 1e-16);
-        CHECK(i == 0 || terms.data[i - 1].steiner <= terms.data[i].steiner);
+        const DelotetSteinerTerm *term = DELOTET_AT(DelotetSteinerTerm, terms, i);
+        CHECK(term->steiner < delotet_mesh_steiner_points(mesh).count);
+        CHECK(term->value != 0 && fabs(term->value) < 1e-16);
+        CHECK(i == 0 || DELOTET_AT(DelotetSteinerTerm, terms, i - 1)->steiner <= term->steiner);
     }
     OK(delotet_mesh_check(mesh, plc, true, 0, &error));
     delotet_mesh_free(mesh);

@@ -9,7 +9,7 @@ int main(void)
     const double *xyz = delotet_mesh_points(mesh).data;
     size_t i, k, outer = 0, inner = 0;
     for (i = 0; i < subfaces.count; i++) {
-        DelotetSubface face = subfaces.data[i];
+        DelotetSubface face = *DELOTET_AT(DelotetSubface, subfaces, i);
         CHECK(face.facet < 24 && face.marker == (face.facet < 12 ? 7 : 8));
         outer += face.facet < 12;
         inner += face.facet >= 12;
@@ -31,7 +31,7 @@ int main(void)
             }
     }
     CHECK(outer >= 12 && inner >= 12);
-    CHECK(delotet_mesh_subfaces(NULL).data == NULL);
+    CHECK(delotet_mesh_subfaces(NULL).first == NULL);
     delotet_mesh_free(mesh);
     return 0;
 }

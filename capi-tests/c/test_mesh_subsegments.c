@@ -11,15 +11,17 @@ int main(void)
     mesh = mesh_of(plc);
     pieces = delotet_mesh_subsegments(mesh);
     CHECK(pieces.count >= 12);
-    for (i = 0; i < pieces.count; i++)
-        if (pieces.data[i].segment == 0) {
-            CHECK(pieces.data[i].marker == 9);
-            CHECK(pieces.data[i].ends[0] + pieces.data[i].ends[1] == 1);
+    for (i = 0; i < pieces.count; i++) {
+        const DelotetSubsegment *piece = DELOTET_AT(DelotetSubsegment, pieces, i);
+        if (piece->segment == 0) {
+            CHECK(piece->marker == 9);
+            CHECK(piece->ends[0] + piece->ends[1] == 1);
             marked++;
         } else
-            CHECK(pieces.data[i].segment == DELOTET_INVALID_INDEX && pieces.data[i].marker == 0);
+            CHECK(piece->segment == DELOTET_INVALID_INDEX && piece->marker == 0);
+    }
     CHECK(marked == 1);
-    CHECK(delotet_mesh_subsegments(NULL).data == NULL);
+    CHECK(delotet_mesh_subsegments(NULL).first == NULL);
     delotet_mesh_free(mesh);
     return 0;
 }

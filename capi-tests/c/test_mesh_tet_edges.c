@@ -15,7 +15,7 @@ int main(void)
         for (k = 0; k < 6; k++) {
             uint32_t a = delotet_mesh_tets(mesh).data[4 * tet + (size_t)ends[k][0]];
             uint32_t b = delotet_mesh_tets(mesh).data[4 * tet + (size_t)ends[k][1]];
-            DelotetEdge edge = edges.data[of.data[6 * tet + k]];
+            DelotetEdge edge = *DELOTET_AT(DelotetEdge, edges, of.data[6 * tet + k]);
             CHECK((edge.ends[0] == a && edge.ends[1] == b) || (edge.ends[0] == b && edge.ends[1] == a));
         }
     FAILS(INVALID, delotet_mesh_tet_edges(NULL, &of, &error));

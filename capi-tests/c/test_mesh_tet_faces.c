@@ -12,7 +12,7 @@ int main(void)
     CHECK(of.count == delotet_mesh_tets(mesh).count);
     for (tet = 0; tet < of.count; tet++)
         for (side = 0; side < 4; side++) {
-            DelotetFace face = faces.data[of.data[4 * tet + side]];
+            DelotetFace face = *DELOTET_AT(DelotetFace, faces, of.data[4 * tet + side]);
             CHECK(face.tets[0] == tet || face.tets[1] == tet);
             for (k = 0; k < 3; k++)
                 CHECK(face.corners[k] != delotet_mesh_tets(mesh).data[4 * tet + side]);

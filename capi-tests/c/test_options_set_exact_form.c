@@ -23,11 +23,11 @@ int main(void)
     CHECK(delotet_tetrahedralize(plc, options, &mesh, &why) == DELOTET_STATUS_ROUNDING);
     CHECK(mesh == NULL && delotet_error_defects(why).count > 0);
     delotet_error_free(why);
-    CHECK(delotet_options_set_exact_form(options, true) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_exact_form(options, true, &error));
     mesh = mesh_with(plc, options);
     CHECK(delotet_mesh_crowded_points(mesh).count > 0);
     delotet_mesh_free(mesh);
-    CHECK(delotet_options_set_exact_form(NULL, true) == INVALID);
+    FAILS(INVALID, delotet_options_set_exact_form(NULL, true, &error));
     delotet_plc_free(plc);
     delotet_options_free(options);
     return 0;

@@ -13,11 +13,11 @@ int main(void)
     mesh = mesh_with(plc, options);
     CHECK(delotet_mesh_tets(mesh).count == 1);
     delotet_mesh_free(mesh);
-    CHECK(delotet_options_set_keep_hull(options, true) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_keep_hull(options, true, &error));
     mesh = mesh_with(plc, options);
     CHECK(delotet_mesh_tets(mesh).count == 2);
     delotet_mesh_free(mesh);
-    CHECK(delotet_options_set_keep_hull(NULL, true) == INVALID);
+    FAILS(INVALID, delotet_options_set_keep_hull(NULL, true, &error));
     delotet_plc_free(plc);
     delotet_options_free(options);
     return 0;

@@ -12,12 +12,12 @@ int main(void)
     DelotetOptions *options = delotet_options_new();
     DelotetPlc *plc = twisted_prism();
     int wrong = 0;
-    CHECK(delotet_options_set_log(options, line, &wrong) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_log(options, line, &wrong, &error));
     delotet_mesh_free(mesh_with(plc, options));
     CHECK(!wrong);
-    CHECK(delotet_options_set_log(options, NULL, NULL) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_log(options, NULL, NULL, &error));
     delotet_mesh_free(mesh_with(plc, options));
-    CHECK(delotet_options_set_log(NULL, line, NULL) == INVALID);
+    FAILS(INVALID, delotet_options_set_log(NULL, line, NULL, &error));
     delotet_plc_free(plc);
     delotet_options_free(options);
     return 0;

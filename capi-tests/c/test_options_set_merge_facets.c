@@ -4,16 +4,16 @@
 int main(void)
 {
     DelotetOptions *options = delotet_options_new();
-    CHECK(delotet_options_set_merge_facets(options, 179.9) == DELOTET_STATUS_OK);
-    CHECK(delotet_options_set_merge_facets(options, 90) == DELOTET_STATUS_OK);
-    CHECK(delotet_options_set_merge_facets(options, 180) == DELOTET_STATUS_OK);
-    CHECK(delotet_options_set_merge_facets(options, 0) == DELOTET_STATUS_OK);
-    CHECK(delotet_options_set_merge_facets(options, 89.9) == INVALID);
-    CHECK(delotet_options_set_merge_facets(options, 180.5) == INVALID);
-    CHECK(delotet_options_set_merge_facets(options, -1) == INVALID);
-    CHECK(delotet_options_set_merge_facets(options, NAN) == INVALID);
-    CHECK(delotet_options_set_merge_facets(options, INFINITY) == INVALID);
-    CHECK(delotet_options_set_merge_facets(NULL, 0) == INVALID);
+    OK(delotet_options_set_merge_facets(options, 179.9, &error));
+    OK(delotet_options_set_merge_facets(options, 90, &error));
+    OK(delotet_options_set_merge_facets(options, 180, &error));
+    OK(delotet_options_set_merge_facets(options, 0, &error));
+    FAILS(INVALID, delotet_options_set_merge_facets(options, 89.9, &error));
+    FAILS(INVALID, delotet_options_set_merge_facets(options, 180.5, &error));
+    FAILS(INVALID, delotet_options_set_merge_facets(options, -1, &error));
+    FAILS(INVALID, delotet_options_set_merge_facets(options, NAN, &error));
+    FAILS(INVALID, delotet_options_set_merge_facets(options, INFINITY, &error));
+    FAILS(INVALID, delotet_options_set_merge_facets(NULL, 0, &error));
     delotet_options_free(options);
     return 0;
 }

@@ -6,11 +6,11 @@ int main(void)
     DelotetOptions *options = delotet_options_new();
     DelotetPlc *plc = cube();
     DelotetMesh *mesh;
-    CHECK(delotet_options_set_points_sorted(options, true) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_points_sorted(options, true, &error));
     mesh = mesh_with(plc, options);
     CHECK(near(volume(mesh), 1));
     delotet_mesh_free(mesh);
-    CHECK(delotet_options_set_points_sorted(NULL, true) == INVALID);
+    FAILS(INVALID, delotet_options_set_points_sorted(NULL, true, &error));
     delotet_plc_free(plc);
     delotet_options_free(options);
     return 0;

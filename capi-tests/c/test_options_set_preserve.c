@@ -6,13 +6,13 @@ int main(void)
     DelotetOptions *options = delotet_options_new();
     DelotetPlc *prism = twisted_prism(), *boxes = nested_boxes();
     uint32_t strength;
-    CHECK(delotet_options_set_preserve(options, 2) == INVALID);
-    CHECK(delotet_options_set_preserve(options, UINT32_MAX) == INVALID);
-    CHECK(delotet_options_set_preserve(NULL, DELOTET_PRESERVE_ALL) == INVALID);
-    CHECK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE) == DELOTET_STATUS_OK);
+    FAILS(INVALID, delotet_options_set_preserve(options, 2, &error));
+    FAILS(INVALID, delotet_options_set_preserve(options, UINT32_MAX, &error));
+    FAILS(INVALID, delotet_options_set_preserve(NULL, DELOTET_PRESERVE_ALL, &error));
+    OK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE, &error));
     for (strength = DELOTET_PRESERVE_ALL; strength <= DELOTET_PRESERVE_OUTER; strength++) {
         DelotetMesh *first, *second;
-        CHECK(delotet_options_set_preserve(options, strength) == DELOTET_STATUS_OK);
+        OK(delotet_options_set_preserve(options, strength, &error));
         first = mesh_with(prism, options);
         second = mesh_with(boxes, options);
         OK(delotet_mesh_check_preserved(first, prism, 10, &error));

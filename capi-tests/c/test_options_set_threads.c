@@ -7,9 +7,9 @@ int main(void)
     DelotetPlc *plc = nested_boxes();
     DelotetMesh *a = mesh_with(plc, options), *b;
     DelotetTetsView s, t;
-    CHECK(delotet_options_set_threads(options, 0) == INVALID);
-    CHECK(delotet_options_set_threads(NULL, 2) == INVALID);
-    CHECK(delotet_options_set_threads(options, 3) == DELOTET_STATUS_OK);
+    FAILS(INVALID, delotet_options_set_threads(options, 0, &error));
+    FAILS(INVALID, delotet_options_set_threads(NULL, 2, &error));
+    OK(delotet_options_set_threads(options, 3, &error));
     b = mesh_with(plc, options);
     s = delotet_mesh_tets(a);
     t = delotet_mesh_tets(b);

@@ -22,7 +22,7 @@ int main(void)
     FAILS(INVALID, delotet_plc_add_polygons(plc, corners, NULL, NULL, 1, &error));
     FAILS(INVALID, delotet_plc_add_polygons(NULL, corners, ends, NULL, 1, &error));
     CHECK(delotet_plc_add_polygons(plc, wrong, ends, NULL, 2, &error) == DELOTET_STATUS_INDEX_OUT_OF_RANGE);
-    CHECK(delotet_error_defects(error).data[0].first == 1);
+    CHECK(DELOTET_AT(DelotetDefect, delotet_error_defects(error), 0)->first == 1);
     delotet_error_free(error);
     CHECK(delotet_plc_facet_count(plc) == 0);
     OK(delotet_plc_add_polygons(plc, corners, ends, markers, 6, &error));
@@ -30,8 +30,10 @@ int main(void)
     CHECK(near(volume(mesh), 1));
     pieces = delotet_mesh_subfaces(mesh);
     CHECK(pieces.count == 12);
-    for (i = 0; i < pieces.count; i++)
-        CHECK(pieces.data[i].marker == (int32_t)pieces.data[i].facet + 1);
+    for (i = 0; i < pieces.count; i++) {
+        const DelotetSubface *piece = DELOTET_AT(DelotetSubface, pieces, i);
+        CHECK(piece->marker == (int32_t)piece->facet + 1);
+    }
     delotet_mesh_free(mesh);
     return 0;
 }

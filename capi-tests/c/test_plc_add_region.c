@@ -23,7 +23,7 @@ int main(void)
     tets = delotet_mesh_tets(mesh);
     CHECK(regions.count == 2 && of.count == tets.count);
     for (i = 0; i < tets.count; i++) {
-        DelotetRegion region = regions.data[of.data[i]];
+        DelotetRegion region = *DELOTET_AT(DelotetRegion, regions, of.data[i]);
         CHECK(region.seed < 2);
         CHECK(region.attribute == (region.seed ? -3 : 10.5) && region.max_volume == (region.seed ? 0.25 : 0));
         sums[region.seed] += volume_of(delotet_mesh_points(mesh).data, tets.data + 4 * i);

@@ -21,8 +21,8 @@ int main(void)
     mesh = mesh_of(plc);
     pieces = delotet_mesh_subsegments(mesh);
     for (i = 0; i < pieces.count; i++)
-        if (pieces.data[i].segment == 0) {
-            CHECK(pieces.data[i].marker == -5);
+        if (DELOTET_AT(DelotetSubsegment, pieces, i)->segment == 0) {
+            CHECK(DELOTET_AT(DelotetSubsegment, pieces, i)->marker == -5);
             found++;
         }
     CHECK(found >= 1);

@@ -20,8 +20,8 @@ int main(void)
     CHECK(delotet_plc_facet_marker(plc, 6) == 0 && delotet_plc_facet_marker(plc, 7) == 50);
     CHECK(delotet_plc_facet_marker(plc, 8) == 4 && delotet_plc_facet_marker(plc, 12) == 6);
     CHECK(delotet_plc_add_triangles(plc, wrong, NULL, 2, &error) == DELOTET_STATUS_INDEX_OUT_OF_RANGE);
-    CHECK(delotet_error_defects(error).data[0].first_element == DELOTET_ELEMENT_FACET);
-    CHECK(delotet_error_defects(error).data[0].first == 14);
+    CHECK(DELOTET_AT(DelotetDefect, delotet_error_defects(error), 0)->first_element == DELOTET_ELEMENT_FACET);
+    CHECK(DELOTET_AT(DelotetDefect, delotet_error_defects(error), 0)->first == 14);
     delotet_error_free(error);
     FAILS(INVALID, delotet_plc_add_triangles(plc, NULL, NULL, 1, &error));
     FAILS(INVALID, delotet_plc_add_triangles(plc, BOX, NULL, SIZE_MAX / 2, &error));

@@ -16,7 +16,7 @@ int main(void)
     FAILS(DELOTET_STATUS_SELF_INTERSECTION, delotet_plc_check(bad, NULL, &error));
     CHECK(delotet_plc_check(bad, NULL, NULL) == DELOTET_STATUS_SELF_INTERSECTION);
     FAILS(INVALID, delotet_plc_check(NULL, NULL, &error));
-    CHECK(delotet_options_set_progress(options, stop, NULL) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_progress(options, stop, NULL, &error));
     FAILS(DELOTET_STATUS_CANCELLED, delotet_plc_check(good, options, &error));
     delotet_options_free(options);
     delotet_plc_free(good);

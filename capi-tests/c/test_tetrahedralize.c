@@ -9,16 +9,16 @@ static void preserve(void)
     DelotetPlc *plc = nested_boxes(), *bad = pierced();
     DelotetMesh *mesh, *none = NULL;
     size_t i;
-    CHECK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE, &error));
     OK(delotet_plc_add_hole(plc, hole, &error));
     OK(delotet_plc_add_region(plc, room, 10, 0.5, &error));
     mesh = mesh_with(plc, options);
     OK(delotet_mesh_check_preserved(mesh, plc, 10, &error));
     CHECK(near(volume(mesh), 26) && delotet_mesh_regions(mesh).count == 1);
-    CHECK(near(delotet_mesh_regions(mesh).data[0].attribute, 10) && delotet_mesh_regions(mesh).data[0].seed == 0);
+    CHECK(near(DELOTET_AT(DelotetRegion, delotet_mesh_regions(mesh), 0)->attribute, 10) && DELOTET_AT(DelotetRegion, delotet_mesh_regions(mesh), 0)->seed == 0);
     CHECK(delotet_mesh_subfaces(mesh).count == 24);
     for (i = 0; i < 24; i++) {
-        DelotetSubface face = delotet_mesh_subfaces(mesh).data[i];
+        DelotetSubface face = *DELOTET_AT(DelotetSubface, delotet_mesh_subfaces(mesh), i);
         CHECK(face.facet < 24 && face.marker == delotet_plc_facet_marker(plc, face.facet));
         CHECK(face.tets[0] != DELOTET_INVALID_INDEX && face.tets[1] == DELOTET_INVALID_INDEX);
     }
@@ -29,10 +29,10 @@ static void preserve(void)
     delotet_plc_free(bad);
     /* The twisted prism in its convex hull. */
     plc = twisted_prism();
-    CHECK(delotet_options_set_keep_hull(options, true) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_keep_hull(options, true, &error));
     mesh = mesh_with(plc, options);
     OK(delotet_mesh_check_preserved(mesh, plc, 10, &error));
-    CHECK(delotet_options_set_mode(options, DELOTET_MODE_DELAUNAY) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_mode(options, DELOTET_MODE_DELAUNAY, &error));
     none = mesh_with(plc, options);
     CHECK(near(volume(mesh), volume(none)));
     delotet_mesh_free(mesh);

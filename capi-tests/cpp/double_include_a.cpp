@@ -5,6 +5,7 @@ std::size_t tets_in_b();
 
 int main()
 {
-    CHECK(delotet::tetrahedralize(cube()).tets().size() == tets_in_b());
+    const delotet::Mesh mesh = delotet::tetrahedralize(cube());
+    CHECK(mesh.tets().size() == tets_in_b());
     return 0;
 }

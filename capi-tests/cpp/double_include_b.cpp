@@ -5,5 +5,6 @@ std::size_t tets_in_b();
 
 std::size_t tets_in_b()
 {
-    return delotet::tetrahedralize(cube()).tets().size();
+    const delotet::Mesh mesh = delotet::tetrahedralize(cube());
+    return mesh.tets().size();
 }

@@ -13,7 +13,8 @@ int main()
     for (int i = 0; i < calls; i++) {
         delotet::Plc plc(points);
         plc.add_triangles(corners);
-        tets += delotet::tetrahedralize(plc).tets().size();
+        const delotet::Mesh mesh = delotet::tetrahedralize(plc);
+        tets += mesh.tets().size();
     }
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
     std::printf("%.1f microseconds per cube, %.1f tetrahedra each\n", time.count() / calls,

@@ -12,7 +12,7 @@ int main()
                         defect.first + defect.second == 4 && defect.has_point && defect.point[2] * defect.point[2] < 1e-20);
     CHECK(seen);
     const delotet::Exception copy = crossing;
-    CHECK(copy.defects().data() == crossing.defects().data() && copy.what() == crossing.what());
+    CHECK(&copy.defects()[0] == &crossing.defects()[0] && copy.what() == crossing.what());
     CHECK(caught<std::exception>([] { pierced().check(); }).what() != nullptr);
 
     // Misuse that only the wrapper can see: sizes that do not fit together.
@@ -34,13 +34,19 @@ int main()
         std::vector<Index> tets(2);
         delotet::tetrahedralize(cube()).locate(std::vector<Point>(1), tets);
     }));
-    // A value that a setter refused stops the run; empty handles are refused by the library.
-    CHECK(invalid([] {
-        delotet::Options options;
-        delotet::tetrahedralize(cube(), std::move(options.threads(0)));
-    }));
+    // A setter that refuses a value says which, and keeps the one before; empty handles are refused.
+    delotet::Options options;
+    options.max_defects(4);
+    const delotet::Exception refused = caught<delotet::Exception>([&] { options.max_defects(3).merge_facets(17).threads(2); });
+    CHECK(refused.status() == DELOTET_STATUS_INVALID_ARGUMENT && std::strstr(refused.what(), "merge_facets: 17"));
+    CHECK(options.max_defects() == 3 && options.merge_facets() == 0 && options.threads() == 1);
+    CHECK(invalid([&] { options.mode(static_cast<delotet::Mode>(9)); }));
+    const delotet::Options moved = std::move(options);
+    CHECK(caught<delotet::Exception>([&] { delotet::tetrahedralize(cube(), options); }).status() ==
+          DELOTET_STATUS_OUT_OF_MEMORY);
     CHECK(invalid([] { delotet::tetrahedralize(delotet::Plc()); }));
-    CHECK(invalid([] { delotet::Mesh().faces(); }));
+    const delotet::Mesh none;
+    CHECK(invalid([&] { none.faces(); }));
     CHECK(caught<delotet::Exception>([] { cube().add_segment(0, 8); }).status() == DELOTET_STATUS_INDEX_OUT_OF_RANGE);
     CHECK(caught<delotet::Exception>([] { delotet::Plc::read("no/such.off"); }).status() == DELOTET_STATUS_FILE);
     return 0;

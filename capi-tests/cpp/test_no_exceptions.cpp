@@ -17,10 +17,12 @@ int main()
     int calls = 0;
     delotet::Options options;
     options.on_progress([&](delotet::Phase, double) { return ++calls > 0; });
+    CHECK(options.threads(0, error) == DELOTET_STATUS_INVALID_ARGUMENT && std::strstr(error.message(), "threads"));
+    CHECK(options.threads(2, error) == DELOTET_STATUS_OK && !error && options.threads() == 2);
     delotet::Mesh mesh;
     CHECK(delotet::tetrahedralize(plc, options, mesh, error) == DELOTET_STATUS_OK && calls > 0);
     CHECK(std::abs(volume(mesh) - 1) < 1e-15);
-    delotet::Span<const delotet::Edge> edges;
+    delotet::Records<delotet::Edge> edges;
     CHECK(mesh.edges(edges, error) == DELOTET_STATUS_OK && edges.size() >= 18);
 
     CHECK(plc.add_segment(0, 99, 0, error) == DELOTET_STATUS_INDEX_OUT_OF_RANGE);

@@ -14,7 +14,7 @@ static int run(const std::vector<Point> &points, rlim_t megabytes)
     delotet::Error error;
     delotet::Plc plc;
     delotet::Mesh mesh;
-    delotet::Span<const delotet::Edge> edges;
+    delotet::Records<delotet::Edge> edges;
     delotet::SecondOrder second;
     std::vector<Index> corners = box_corners();
     if (delotet::Plc::create(points, plc, error) != DELOTET_STATUS_OK ||

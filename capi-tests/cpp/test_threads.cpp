@@ -27,7 +27,7 @@ int main()
                 CHECK(caught<delotet::Exception>([] { pierced().check(); }).status() ==
                       DELOTET_STATUS_SELF_INTERSECTION);
                 // Derived arrays are made once, whoever asks first.
-                CHECK(big.faces().data() == big.faces().data() && big.edges().data() == big.edges().data());
+                CHECK(big.faces().begin() == big.faces().begin() && big.edges().begin() == big.edges().begin());
                 std::vector<Index> tets(cloud.points().size());
                 big.locate(cloud.points(), tets);
                 for (Index tet : tets)

@@ -1,6 +1,7 @@
 // The wrapper: every method once, against a PLC whose answers are known.
 #include "test.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 static void inputs()
@@ -20,7 +21,8 @@ static void inputs()
     CHECK(plc.get() == nullptr && plc.points().empty() && moved.points().size() == 8);
     plc = std::move(moved);
     CHECK(plc.points().size() == 8);
-    CHECK(delotet::Plc(std::vector<Point>{}).points().empty());
+    const delotet::Plc none(std::vector<Point>{});
+    CHECK(none.points().empty());
 }
 
 static void facets()
@@ -98,12 +100,45 @@ static void options()
 {
     delotet::Options options;
     options.mode(delotet::Mode::delaunay).threads(2).max_defects(5).validate(true).points_sorted(false);
-    options.keep_hull(false).merge_facets(0).steiner_limit(UINT64_MAX);
-    CHECK(options.error() == DELOTET_STATUS_OK);
+    options.keep_hull(true).merge_facets(0).steiner_limit(17).exact_form(true).preserve(delotet::Preserve::outer);
+    CHECK(options.mode() == delotet::Mode::delaunay && options.threads() == 2 && options.max_defects() == 5);
+    CHECK(options.validate() && !options.points_sorted() && options.keep_hull() && options.merge_facets() == 0);
+    CHECK(options.steiner_limit() == 17 && options.exact_form() && options.preserve() == delotet::Preserve::outer);
+    options.steiner_limit(UINT64_MAX).exact_form(false);
     const delotet::Mesh mesh = delotet::tetrahedralize(delotet::Plc(random_points(500)), options);
     CHECK(mesh.points().size() == 500 && mesh.subfaces().empty());
     delotet::Options moved = std::move(options);
-    CHECK(delotet::tetrahedralize(delotet::Plc(random_points(500)), moved).tets().size() == mesh.tets().size());
+    const delotet::Mesh again = delotet::tetrahedralize(delotet::Plc(random_points(500)), moved);
+    CHECK(again.tets().size() == mesh.tets().size());
+}
+
+/// Records that are larger than this header knows, as those of a later library: the stride counts, not the size.
+static void records()
+{
+    struct Larger {
+        delotet::Subsegment known;
+        double more;
+    };
+    Larger list[5] = {};
+    for (Index i = 0; i < 5; i++) {
+        list[i].known.segment = i;
+        list[i].more = -1;
+    }
+    const delotet::Records<delotet::Subsegment> view(&list[0].known, 5, sizeof(Larger));
+    CHECK(view.size() == 5 && !view.empty() && view.stride() == sizeof(Larger) && view[3].segment == 3);
+    Index next = 0;
+    for (const delotet::Subsegment &piece : view)
+        CHECK(piece.segment == next++);
+    CHECK(next == 5 && view.end() - view.begin() == 5 && view.begin()[4].segment == 4);
+    const auto found = std::lower_bound(view.begin(), view.end(), 2, [](const delotet::Subsegment &piece, int segment) {
+        return piece.segment < static_cast<Index>(segment);
+    });
+    CHECK(found - view.begin() == 2 && found->segment == 2 && (found + 1)->segment == 3 && found < view.end());
+    CHECK(std::distance(std::make_reverse_iterator(view.end()), std::make_reverse_iterator(view.begin())) == 5);
+    const delotet::Records<delotet::Subsegment> none;
+    CHECK(none.empty() && none.begin() == none.end() && none.end() - none.begin() == 0);
+    const DelotetSubsegmentsView c = {&list[0].known, 5, sizeof(Larger)};
+    CHECK(reinterpret_cast<const char *>(c.first) + 2 * c.stride == reinterpret_cast<const char *>(&list[2]));
 }
 
 static void preserve()
@@ -137,6 +172,7 @@ int main()
     outputs();
     files();
     options();
+    records();
     preserve();
     return 0;
 }

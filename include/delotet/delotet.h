@@ -11,7 +11,15 @@
  *
  * Arrays: input arrays are read during the call and copied; (NULL, 0) is the empty array. Output arrays are views: a pointer into
  * the object and a count, valid until the object is freed, never copied. Rows are contiguous; "#points by 3" means 3 numbers per
- * point. Indices are 0-based uint32_t; DELOTET_INVALID_INDEX means none.
+ * point. Indices are 0-based uint32_t; DELOTET_INVALID_INDEX means none. Views of records (DelotetSubfacesView, for instance) have a
+ * stride, too: later versions may append fields to a record, so step from one to the next by `stride`, not by its size when you
+ * compiled. DELOTET_AT does that:
+ *
+ *     DelotetSubfacesView faces = delotet_mesh_subfaces(mesh);
+ *     for (size_t i = 0; i < faces.count; i++) {
+ *         const DelotetSubface *face = DELOTET_AT(DelotetSubface, faces, i);
+ *         ...
+ *     }
  *
  * Threads: functions may be called from any thread. Functions that take const handles may run concurrently on the same handle;
  * functions that take non-const handles need exclusive use of it. Distinct handles share nothing. There is no global state that a
@@ -29,11 +37,11 @@
 #include <stdint.h>
 /** Version of this header. */
 #define DELOTET_VERSION_MAJOR 0
-#define DELOTET_VERSION_MINOR 1
+#define DELOTET_VERSION_MINOR 2
 #define DELOTET_VERSION_PATCH 0
 /** 1,000,000 * major + 1,000 * minor + patch: compare with delotet_version(). */
-#define DELOTET_VERSION 1000
-#define DELOTET_VERSION_STRING "0.1.0"
+#define DELOTET_VERSION 2000
+#define DELOTET_VERSION_STRING "0.2.0"
 
 /* Define DELOTET_SHARED when linking the shared library on Windows; the CMake package does. */
 #if defined(_WIN32) && defined(DELOTET_SHARED)
@@ -52,6 +60,13 @@
 
 /** The index that means "none": no neighbour, no parent, not found. Valid indices are smaller. */
 #define DELOTET_INVALID_INDEX UINT32_C(4294967295)
+
+/**
+ * Record number `i` of a view of records: a `const Type *`. The compiler complains if `Type` is not what the view has. The view is
+ * evaluated more than once.
+ */
+#define DELOTET_AT(Type, view, i)                                                                            \
+    (1 ? (const Type *)(const void *)((const char *)(view).first + (size_t)(i) * (view).stride) : (view).first)
 
 /**
  * Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 stopped or not possible within the
@@ -151,6 +166,86 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_INTERNAL = 90,
 } DelotetStatus;
+
+/**
+ * Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
+ */
+typedef enum DelotetPhase {
+    /**
+     * Reading a file.
+     */
+    DELOTET_PHASE_READ = 0,
+    /**
+     * Checking the input.
+     */
+    DELOTET_PHASE_VALIDATE = 1,
+    /**
+     * Delaunay tetrahedralization of the points.
+     */
+    DELOTET_PHASE_DELAUNAY = 2,
+    /**
+     * Segment recovery.
+     */
+    DELOTET_PHASE_SEGMENTS = 3,
+    /**
+     * Facet recovery.
+     */
+    DELOTET_PHASE_FACETS = 4,
+    /**
+     * Carving, holes and regions.
+     */
+    DELOTET_PHASE_REGIONS = 5,
+    /**
+     * Rounding Steiner points to doubles.
+     */
+    DELOTET_PHASE_ROUND = 6,
+    /**
+     * The exact audit of the result.
+     */
+    DELOTET_PHASE_AUDIT = 7,
+    /**
+     * Writing files.
+     */
+    DELOTET_PHASE_WRITE = 8,
+    /**
+     * Keeping the surface as it is (DELOTET_MODE_PRESERVE).
+     */
+    DELOTET_PHASE_PRESERVE = 9,
+} DelotetPhase;
+
+/**
+ * What kind of element an index refers to.
+ */
+typedef enum DelotetElement {
+    /**
+     * No element.
+     */
+    DELOTET_ELEMENT_NONE = 0,
+    /**
+     * An input point (in a check of a mesh: a point of the mesh).
+     */
+    DELOTET_ELEMENT_POINT = 1,
+    /**
+     * An input segment, in the order of addition.
+     */
+    DELOTET_ELEMENT_SEGMENT = 2,
+    /**
+     * An input facet, in the order of addition.
+     */
+    DELOTET_ELEMENT_FACET = 3,
+    /**
+     * A hole seed.
+     */
+    DELOTET_ELEMENT_HOLE = 4,
+    /**
+     * A region seed.
+     */
+    DELOTET_ELEMENT_REGION = 5,
+    /**
+     * A tetrahedron of the mesh.
+     */
+    DELOTET_ELEMENT_TET = 6,
+} DelotetElement;
 
 /**
  * What kind of defect was found.
@@ -255,86 +350,6 @@ typedef enum DelotetDefectKind {
 } DelotetDefectKind;
 
 /**
- * What kind of element an index refers to.
- */
-typedef enum DelotetElement {
-    /**
-     * No element.
-     */
-    DELOTET_ELEMENT_NONE = 0,
-    /**
-     * An input point (in a check of a mesh: a point of the mesh).
-     */
-    DELOTET_ELEMENT_POINT = 1,
-    /**
-     * An input segment, in the order of addition.
-     */
-    DELOTET_ELEMENT_SEGMENT = 2,
-    /**
-     * An input facet, in the order of addition.
-     */
-    DELOTET_ELEMENT_FACET = 3,
-    /**
-     * A hole seed.
-     */
-    DELOTET_ELEMENT_HOLE = 4,
-    /**
-     * A region seed.
-     */
-    DELOTET_ELEMENT_REGION = 5,
-    /**
-     * A tetrahedron of the mesh.
-     */
-    DELOTET_ELEMENT_TET = 6,
-} DelotetElement;
-
-/**
- * Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
- */
-typedef enum DelotetPhase {
-    /**
-     * Reading a file.
-     */
-    DELOTET_PHASE_READ = 0,
-    /**
-     * Checking the input.
-     */
-    DELOTET_PHASE_VALIDATE = 1,
-    /**
-     * Delaunay tetrahedralization of the points.
-     */
-    DELOTET_PHASE_DELAUNAY = 2,
-    /**
-     * Segment recovery.
-     */
-    DELOTET_PHASE_SEGMENTS = 3,
-    /**
-     * Facet recovery.
-     */
-    DELOTET_PHASE_FACETS = 4,
-    /**
-     * Carving, holes and regions.
-     */
-    DELOTET_PHASE_REGIONS = 5,
-    /**
-     * Rounding Steiner points to doubles.
-     */
-    DELOTET_PHASE_ROUND = 6,
-    /**
-     * The exact audit of the result.
-     */
-    DELOTET_PHASE_AUDIT = 7,
-    /**
-     * Writing files.
-     */
-    DELOTET_PHASE_WRITE = 8,
-    /**
-     * Keeping the surface as it is (DELOTET_MODE_PRESERVE).
-     */
-    DELOTET_PHASE_PRESERVE = 9,
-} DelotetPhase;
-
-/**
  * A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
  */
 typedef struct DelotetError DelotetError;
@@ -361,21 +376,21 @@ typedef struct DelotetPlc DelotetPlc;
  */
 typedef struct DelotetDefect {
     /**
-     * The kind.
+     * The kind: a DelotetDefectKind, in 32 bits with any compiler.
      */
-    enum DelotetDefectKind kind;
+    uint32_t kind;
     /**
-     * What `first` counts.
+     * What `first` counts: a DelotetElement.
      */
-    enum DelotetElement first_element;
+    uint32_t first_element;
     /**
      * Index of the element at fault.
      */
     uint32_t first;
     /**
-     * What `second` counts; DELOTET_ELEMENT_NONE if only one element is involved.
+     * What `second` counts: a DelotetElement, DELOTET_ELEMENT_NONE if only one element is involved.
      */
-    enum DelotetElement second_element;
+    uint32_t second_element;
     /**
      * Index of the other element of a pair, or DELOTET_INVALID_INDEX.
      */
@@ -395,13 +410,17 @@ typedef struct DelotetDefect {
  */
 typedef struct DelotetDefectsView {
     /**
-     * `count` defects.
+     * The first of `count` defects; DELOTET_AT(DelotetDefect, view, i) is the i-th.
      */
-    const struct DelotetDefect *data;
+    const struct DelotetDefect *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetDefectsView;
 
 /**
@@ -517,10 +536,6 @@ typedef struct DelotetRegion {
      * Index of the region seed, or DELOTET_INVALID_INDEX.
      */
     uint32_t seed;
-    /**
-     * Unused: 0.
-     */
-    uint32_t reserved;
 } DelotetRegion;
 
 /**
@@ -528,13 +543,17 @@ typedef struct DelotetRegion {
  */
 typedef struct DelotetRegionsView {
     /**
-     * `count` regions.
+     * The first of `count` regions; DELOTET_AT(DelotetRegion, view, i) is the i-th.
      */
-    const struct DelotetRegion *data;
+    const struct DelotetRegion *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetRegionsView;
 
 /**
@@ -565,13 +584,17 @@ typedef struct DelotetSubface {
  */
 typedef struct DelotetSubfacesView {
     /**
-     * `count` subfaces.
+     * The first of `count` subfaces; DELOTET_AT(DelotetSubface, view, i) is the i-th.
      */
-    const struct DelotetSubface *data;
+    const struct DelotetSubface *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetSubfacesView;
 
 /**
@@ -597,13 +620,17 @@ typedef struct DelotetSubsegment {
  */
 typedef struct DelotetSubsegmentsView {
     /**
-     * `count` subsegments.
+     * The first of `count` subsegments; DELOTET_AT(DelotetSubsegment, view, i) is the i-th.
      */
-    const struct DelotetSubsegment *data;
+    const struct DelotetSubsegment *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetSubsegmentsView;
 
 /**
@@ -635,13 +662,17 @@ typedef struct DelotetSteinerPoint {
  */
 typedef struct DelotetSteinerView {
     /**
-     * `count` Steiner points.
+     * The first of `count` Steiner points; DELOTET_AT(DelotetSteinerPoint, view, i) is the i-th.
      */
-    const struct DelotetSteinerPoint *data;
+    const struct DelotetSteinerPoint *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetSteinerView;
 
 /**
@@ -663,13 +694,17 @@ typedef struct DelotetSteinerTerm {
  */
 typedef struct DelotetSteinerTermsView {
     /**
-     * `count` terms.
+     * The first of `count` terms; DELOTET_AT(DelotetSteinerTerm, view, i) is the i-th.
      */
-    const struct DelotetSteinerTerm *data;
+    const struct DelotetSteinerTerm *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetSteinerTermsView;
 
 /**
@@ -695,13 +730,17 @@ typedef struct DelotetFacetFlip {
  */
 typedef struct DelotetFacetFlipsView {
     /**
-     * `count` flips.
+     * The first of `count` flips; DELOTET_AT(DelotetFacetFlip, view, i) is the i-th.
      */
-    const struct DelotetFacetFlip *data;
+    const struct DelotetFacetFlip *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetFacetFlipsView;
 
 /**
@@ -813,13 +852,17 @@ typedef struct DelotetFace {
  */
 typedef struct DelotetFacesView {
     /**
-     * `count` faces.
+     * The first of `count` faces; DELOTET_AT(DelotetFace, view, i) is the i-th.
      */
-    const struct DelotetFace *data;
+    const struct DelotetFace *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetFacesView;
 
 /**
@@ -849,13 +892,17 @@ typedef struct DelotetEdge {
  */
 typedef struct DelotetEdgesView {
     /**
-     * `count` edges.
+     * The first of `count` edges; DELOTET_AT(DelotetEdge, view, i) is the i-th.
      */
-    const struct DelotetEdge *data;
+    const struct DelotetEdge *first;
     /**
      * How many.
      */
     size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
 } DelotetEdgesView;
 
 /**
@@ -1026,54 +1073,68 @@ struct DelotetOptions *delotet_options_new(void);
  * What is made: a DELOTET_MODE_ constant. Default: DELOTET_MODE_CONSTRAINED. Errors: INVALID_ARGUMENT (other values).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_mode(struct DelotetOptions *options,
-                                            DelotetMode mode);
+                                            DelotetMode mode,
+                                            struct DelotetError **out_error);
 
 /**
  * What DELOTET_MODE_PRESERVE keeps: a DELOTET_PRESERVE_ constant; other modes do not ask. Default: DELOTET_PRESERVE_ALL.
  * Errors: INVALID_ARGUMENT (other values).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_preserve(struct DelotetOptions *options,
-                                                DelotetPreserve preserve);
+                                                DelotetPreserve preserve,
+                                                struct DelotetError **out_error);
 
 /**
  * Keep every tetrahedron of the convex hull, holes and outside included (holes given by seeds are still carved).
  * Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_keep_hull(struct DelotetOptions *options,
-                                                 bool keep_hull);
+                                                 bool keep_hull,
+                                                 struct DelotetError **out_error);
 
 /**
  * Take facets with equal markers that meet above `angle` degrees (90 to 180) as one smooth patch, and flip its triangles to be
  * Delaunay on the surface first; delotet_mesh_facet_flips reports the flips. 0: off, the default. Errors: INVALID_ARGUMENT.
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_merge_facets(struct DelotetOptions *options,
-                                                    double angle);
+                                                    double angle,
+                                                    struct DelotetError **out_error);
 
 /**
  * Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may end in
  * DELOTET_STATUS_INTERNAL. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_validate(struct DelotetOptions *options,
-                                                bool validate);
+                                                bool validate,
+                                                struct DelotetError **out_error);
 
 /**
  * How many defects an error lists at most. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_max_defects(struct DelotetOptions *options,
-                                                   size_t max_defects);
+                                                   size_t max_defects,
+                                                   struct DelotetError **out_error);
 
 /**
  * Worker threads, at least 1. The mesh does not depend on it, bit for bit. Default: 1. Errors: INVALID_ARGUMENT (0).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_threads(struct DelotetOptions *options,
-                                               size_t threads);
+                                               size_t threads,
+                                               struct DelotetError **out_error);
 
 /**
  * Give up with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX: the default, 100,000 and 100 more
@@ -1081,8 +1142,10 @@ enum DelotetStatus delotet_options_set_threads(struct DelotetOptions *options,
  * Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_steiner_limit(struct DelotetOptions *options,
-                                                     uint64_t limit);
+                                                     uint64_t limit,
+                                                     struct DelotetError **out_error);
 
 /**
  * Return the mesh also if some Steiner points have no valid position in doubles, instead of DELOTET_STATUS_ROUNDING:
@@ -1090,33 +1153,106 @@ enum DelotetStatus delotet_options_set_steiner_limit(struct DelotetOptions *opti
  * given by delotet_mesh_steiner_points(). Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_exact_form(struct DelotetOptions *options,
-                                                  bool exact_form);
+                                                  bool exact_form,
+                                                  struct DelotetError **out_error);
 
 /**
  * The points are already in a spatially coherent order: skip sorting. Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_points_sorted(struct DelotetOptions *options,
-                                                     bool points_sorted);
+                                                     bool points_sorted,
+                                                     struct DelotetError **out_error);
 
 /**
  * Progress goes to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default.
  * Errors: INVALID_ARGUMENT (options is NULL).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_progress(struct DelotetOptions *options,
                                                 DelotetProgressFn callback,
-                                                void *user_data);
+                                                void *user_data,
+                                                struct DelotetError **out_error);
 
 /**
  * Log lines go to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default; the library
  * itself never prints. Errors: INVALID_ARGUMENT (options is NULL).
  */
 DELOTET_API
+DELOTET_MUST_USE
 enum DelotetStatus delotet_options_set_log(struct DelotetOptions *options,
                                            DelotetLogFn callback,
-                                           void *user_data);
+                                           void *user_data,
+                                           struct DelotetError **out_error);
+
+/**
+ * The mode, as delotet_options_set_mode() sets it. For NULL, here and in all getters of options: the default.
+ */
+DELOTET_API DelotetMode delotet_options_mode(const struct DelotetOptions *options);
+
+/**
+ * What DELOTET_MODE_PRESERVE keeps, as delotet_options_set_preserve() sets it.
+ */
+DELOTET_API DelotetPreserve delotet_options_preserve(const struct DelotetOptions *options);
+
+/**
+ * Whether the convex hull is kept, as delotet_options_set_keep_hull() sets it.
+ */
+DELOTET_API bool delotet_options_keep_hull(const struct DelotetOptions *options);
+
+/**
+ * The angle of facet merging in degrees, 0 if it is off, as delotet_options_set_merge_facets() sets it.
+ */
+DELOTET_API double delotet_options_merge_facets(const struct DelotetOptions *options);
+
+/**
+ * Whether the input is validated, as delotet_options_set_validate() sets it.
+ */
+DELOTET_API bool delotet_options_validate(const struct DelotetOptions *options);
+
+/**
+ * How many defects an error lists at most, as delotet_options_set_max_defects() sets it.
+ */
+DELOTET_API size_t delotet_options_max_defects(const struct DelotetOptions *options);
+
+/**
+ * The number of worker threads, as delotet_options_set_threads() sets it.
+ */
+DELOTET_API size_t delotet_options_threads(const struct DelotetOptions *options);
+
+/**
+ * The limit on Steiner points, UINT64_MAX for the default one, as delotet_options_set_steiner_limit() sets it.
+ */
+DELOTET_API
+uint64_t delotet_options_steiner_limit(const struct DelotetOptions *options);
+
+/**
+ * Whether a mesh is returned that has no valid doubles, as delotet_options_set_exact_form() sets it.
+ */
+DELOTET_API bool delotet_options_exact_form(const struct DelotetOptions *options);
+
+/**
+ * Whether sorting is skipped, as delotet_options_set_points_sorted() sets it.
+ */
+DELOTET_API bool delotet_options_points_sorted(const struct DelotetOptions *options);
+
+/**
+ * The progress callback, NULL if there is none, as delotet_options_set_progress() sets it.
+ * `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
+ */
+DELOTET_API
+DelotetProgressFn delotet_options_progress(const struct DelotetOptions *options,
+                                           void **out_user_data);
+
+/**
+ * The log callback, NULL if there is none, as delotet_options_set_log() sets it.
+ * `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
+ */
+DELOTET_API DelotetLogFn delotet_options_log(const struct DelotetOptions *options, void **out_user_data);
 
 /**
  * Frees options. NULL is ignored. Not while a run uses them.
@@ -1432,7 +1568,8 @@ struct DelotetFacetFlipsView delotet_mesh_facet_flips(const struct DelotetMesh *
 DELOTET_API
 DELOTET_MUST_USE
 enum DelotetStatus delotet_mesh_stats(const struct DelotetMesh *mesh,
-                                      struct DelotetStats *stats);
+                                      struct DelotetStats *stats,
+                                      struct DelotetError **out_error);
 
 /**
  * Checks a mesh against its PLC, exactly: all tetrahedra positive and conforming, points unmoved, segments and facets covered;

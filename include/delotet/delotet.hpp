@@ -1,17 +1,26 @@
 /* delotet for C++17: owning handles, spans, exceptions that carry all defects, callbacks that may throw. MIT OR Apache-2.0.
  *
- * A thin layer over delotet.h, which documents shapes, ownership and threads; the names are the same.
+ * A thin layer over delotet.h, which documents shapes, ownership and threads; the names are the same. Options have setters and
+ * getters of one name: options.threads(4), options.threads().
  *
  * Two forms of every call that can fail:
  *   - the plain form throws delotet::Exception;
  *   - the form with an `Error &` as last argument returns the status, throws nothing of its own, and is all there is with
  *     -fno-exceptions. Its results are written on success only.
  * Callbacks are std::functions and may throw: the run is then cancelled, and the exception comes out of the call.
- * Views (Span) point into the object they come from and die with it. Nothing is allocated beside what the library allocates,
- * except for a std::function that is too large for its own buffer and for the exception object of a failure.
+ * Views (Span, Records) point into the object they come from and die with it; a view of a temporary does not compile. Nothing is
+ * allocated beside what the library allocates, except for a std::function that is too large for its own buffer, for the exception
+ * object of a failure, and for indices of another type than uint32_t.
+ *
+ * Indices may come as any integers, flat or in rows: std::vector<int>, std::vector<std::array<delotet::Index, 3>>, int[12][3]. What is
+ * negative or too large is refused like any index that no point has. Paths are C strings, std::string or std::filesystem::path.
  */
 #ifndef DELOTET_DELOTET_HPP
 #define DELOTET_DELOTET_HPP
+
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 201703L
+#error "delotet.hpp needs C++17 (-std=c++17, /std:c++17 or CMAKE_CXX_STANDARD 17); delotet.h works with any C and C++"
+#else
 
 #include <delotet/delotet.h>
 
@@ -20,7 +29,11 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <memory>
+#include <new>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -103,19 +116,222 @@ template <class T> class Span {
     std::size_t size_ = 0;
 };
 
+/// Records in a row that belong to somebody else. From one to the next it is stride() bytes, which is more than sizeof(T) if the
+/// loaded library knows fields that this header does not.
+template <class T> class Records {
+  public:
+    class iterator {
+      public:
+        using iterator_category = std::random_access_iterator_tag;
+        using value_type = std::remove_cv_t<T>;
+        using difference_type = std::ptrdiff_t;
+        using pointer = const T *;
+        using reference = const T &;
+
+        iterator() noexcept = default;
+        iterator(const unsigned char *at, std::size_t stride) noexcept
+            : at_(at), stride_(static_cast<std::ptrdiff_t>(stride))
+        {
+        }
+        reference operator*() const noexcept { return *operator->(); }
+        pointer operator->() const noexcept { return reinterpret_cast<const T *>(at_); }
+        reference operator[](difference_type i) const noexcept { return *(*this + i); }
+        iterator &operator+=(difference_type n) noexcept
+        {
+            at_ += n * stride_;
+            return *this;
+        }
+        iterator &operator-=(difference_type n) noexcept { return *this += -n; }
+        iterator &operator++() noexcept { return *this += 1; }
+        iterator &operator--() noexcept { return *this -= 1; }
+        iterator operator++(int) noexcept
+        {
+            const iterator before = *this;
+            ++*this;
+            return before;
+        }
+        iterator operator--(int) noexcept
+        {
+            const iterator before = *this;
+            --*this;
+            return before;
+        }
+        friend iterator operator+(iterator a, difference_type n) noexcept { return a += n; }
+        friend iterator operator+(difference_type n, iterator a) noexcept { return a += n; }
+        friend iterator operator-(iterator a, difference_type n) noexcept { return a -= n; }
+        friend difference_type operator-(iterator a, iterator b) noexcept
+        {
+            return a.stride_ == 0 ? 0 : (a.at_ - b.at_) / a.stride_;
+        }
+        friend bool operator==(iterator a, iterator b) noexcept { return a.at_ == b.at_; }
+        friend bool operator!=(iterator a, iterator b) noexcept { return a.at_ != b.at_; }
+        friend bool operator<(iterator a, iterator b) noexcept { return a.at_ < b.at_; }
+        friend bool operator>(iterator a, iterator b) noexcept { return a.at_ > b.at_; }
+        friend bool operator<=(iterator a, iterator b) noexcept { return a.at_ <= b.at_; }
+        friend bool operator>=(iterator a, iterator b) noexcept { return a.at_ >= b.at_; }
+
+      private:
+        const unsigned char *at_ = nullptr;
+        std::ptrdiff_t stride_ = 0;
+    };
+    using const_iterator = iterator;
+    using value_type = std::remove_cv_t<T>;
+
+    Records() noexcept = default;
+    Records(const T *first, std::size_t size, std::size_t stride) noexcept
+        : first_(reinterpret_cast<const unsigned char *>(first)), size_(size), stride_(stride)
+    {
+    }
+
+    std::size_t size() const noexcept { return size_; }
+    bool empty() const noexcept { return size_ == 0; }
+    /// Bytes from one record to the next.
+    std::size_t stride() const noexcept { return stride_; }
+    const T &operator[](std::size_t i) const noexcept { return *reinterpret_cast<const T *>(first_ + i * stride_); }
+    iterator begin() const noexcept { return {first_, stride_}; }
+    iterator end() const noexcept { return {size_ == 0 ? first_ : first_ + size_ * stride_, stride_}; }
+
+  private:
+    const unsigned char *first_ = nullptr;
+    std::size_t size_ = 0, stride_ = sizeof(T);
+};
+
+/// The name of a file, as an argument: made of a C string, std::string or std::filesystem::path. Borrows the text.
+class Path {
+  public:
+    Path(const char *text) noexcept : text_(text) {}
+    template <class Text,
+              std::enable_if_t<std::is_same_v<decltype(std::declval<const Text &>().c_str()), const char *>, int> = 0>
+    Path(const Text &text) noexcept : text_(text.c_str())
+    {
+    }
+    /// std::filesystem::path on Windows, where its own characters are wide: the library takes UTF-8.
+    template <class Text,
+              std::enable_if_t<std::is_same_v<decltype(std::declval<const Text &>().c_str()), const wchar_t *>, int> = 0,
+              class Narrow = decltype(std::declval<const Text &>().u8string())>
+    Path(const Text &text)
+    {
+        const Narrow narrow = text.u8string();
+        owned_.assign(narrow.begin(), narrow.end());
+        text_ = owned_.c_str();
+    }
+    Path(const Path &) = delete;
+    Path &operator=(const Path &) = delete;
+    const char *c_str() const noexcept { return text_; }
+
+  private:
+    const char *text_ = nullptr;
+    std::string owned_;
+};
+
+namespace detail {
+
+/// A row of integers: how many, and of which type. Integers themselves are rows of one.
+template <class T> struct Row {
+    static constexpr bool fits = std::is_integral_v<T> && !std::is_same_v<T, bool>;
+    static constexpr std::size_t width = 1;
+    using Integer = T;
+};
+template <class T, std::size_t N> struct Row<std::array<T, N>> {
+    static constexpr bool fits = Row<T>::fits && sizeof(std::array<T, N>) == N * sizeof(T);
+    static constexpr std::size_t width = N;
+    using Integer = T;
+};
+template <class T, std::size_t N> struct Row<T[N]> {
+    static constexpr bool fits = Row<T>::fits;
+    static constexpr std::size_t width = N;
+    using Integer = T;
+};
+
+} // namespace detail
+
+/// Integers from the caller as the library takes them, as an argument: made of arrays and containers with data() and size() of any
+/// integers, flat or (for `Width` > 1) in rows of `Width`. Those of another type are converted; what `To` cannot hold becomes its
+/// largest value, which is no index. Borrows what needs no conversion.
+template <class To, std::size_t Width> class Integers {
+    template <class T>
+    static constexpr bool accepts =
+        detail::Row<std::remove_cv_t<T>>::fits &&
+        (detail::Row<std::remove_cv_t<T>>::width == 1 || detail::Row<std::remove_cv_t<T>>::width == Width);
+
+  public:
+    Integers() noexcept = default;
+    template <class T, std::size_t N, std::enable_if_t<accepts<T>, int> = 0>
+    Integers(const T (&array)[N]) noexcept
+    {
+        take(&array[0], N);
+    }
+    template <class C, class T = std::remove_pointer_t<decltype(std::declval<const C &>().data())>,
+              std::enable_if_t<accepts<T>, int> = 0, class = decltype(std::declval<const C &>().size())>
+    Integers(const C &container) noexcept
+    {
+        take(container.data(), container.size());
+    }
+    Integers(const Integers &) = delete;
+    Integers &operator=(const Integers &) = delete;
+
+    const To *data() const noexcept { return data_; }
+    std::size_t size() const noexcept { return size_; }
+    /// There was no memory for the conversion.
+    bool failed() const noexcept { return failed_; }
+
+  private:
+    template <class T> void take(const T *rows, std::size_t count) noexcept
+    {
+        using From = typename detail::Row<std::remove_cv_t<T>>::Integer;
+        size_ = count * detail::Row<std::remove_cv_t<T>>::width;
+        const From *from = reinterpret_cast<const From *>(rows);
+        if constexpr (sizeof(From) == sizeof(To)) {
+            // The same type but for the sign: as it is, unless something is negative.
+            bool as_it_is = true;
+            if constexpr (std::is_signed_v<From>)
+                for (std::size_t i = 0; i < size_; i++)
+                    as_it_is = as_it_is && from[i] >= 0;
+            if (as_it_is) {
+                data_ = reinterpret_cast<const To *>(from);
+                return;
+            }
+        }
+        converted_.reset(new (std::nothrow) To[size_ + 1]);
+        data_ = converted_.get();
+        failed_ = data_ == nullptr;
+        for (std::size_t i = 0; i < size_ && !failed_; i++)
+            converted_[i] = in_range(from[i]) ? static_cast<To>(from[i]) : std::numeric_limits<To>::max();
+    }
+    template <class From> static bool in_range(From value) noexcept
+    {
+        if constexpr (std::is_signed_v<From>)
+            if (value < 0)
+                return false;
+        return static_cast<std::make_unsigned_t<From>>(value) <= std::numeric_limits<To>::max();
+    }
+
+    const To *data_ = nullptr;
+    std::size_t size_ = 0;
+    bool failed_ = false;
+    std::unique_ptr<To[]> converted_;
+};
+
+/// Point indices in rows of `Width` (triangles: 3, segments: 2), or flat.
+template <std::size_t Width = 1> using Indices = Integers<Index, Width>;
+/// Where polygons end in a list of corners.
+using Ends = Integers<std::size_t, 1>;
+
 /// A failure with all its defects; empty on success.
 class Error {
   public:
     Error() noexcept = default;
 
     Status status() const noexcept { return handle_ ? delotet_error_status(handle_.get()) : status_; }
-    const char *message() const noexcept { return handle_ ? delotet_error_message(handle_.get()) : text_; }
+    const char *message() const & noexcept { return handle_ ? delotet_error_message(handle_.get()) : text_; }
+    void message() const && = delete;
     /// The elements at fault, at most as many as Options::max_defects allows; defect_count() counts all.
-    Span<const Defect> defects() const noexcept
+    Records<Defect> defects() const & noexcept
     {
         const DelotetDefectsView view = delotet_error_defects(handle_.get());
-        return {view.data, view.count};
+        return {view.first, view.count, view.stride};
     }
+    void defects() const && = delete;
     std::size_t defect_count() const noexcept { return delotet_error_defect_count(handle_.get()); }
     explicit operator bool() const noexcept { return status() != DELOTET_STATUS_OK; }
 
@@ -149,11 +365,12 @@ class Exception : public std::exception {
     Status status() const noexcept { return status_; }
     const char *what() const noexcept override { return text_; }
     /// The elements at fault.
-    Span<const Defect> defects() const noexcept
+    Records<Defect> defects() const & noexcept
     {
         const DelotetDefectsView view = delotet_error_defects(handle_.get());
-        return {view.data, view.count};
+        return {view.first, view.count, view.stride};
     }
+    void defects() const && = delete;
     std::size_t defect_count() const noexcept { return delotet_error_defect_count(handle_.get()); }
 
   private:
@@ -185,6 +402,11 @@ template <class Call> Status run(Error &error, Call &&call)
 inline Status mismatch(Error &error) noexcept
 {
     return error.set(DELOTET_STATUS_INVALID_ARGUMENT, nullptr, "the sizes of the arrays do not fit together");
+}
+
+inline Status out_of_memory(Error &error) noexcept
+{
+    return error.set(DELOTET_STATUS_OUT_OF_MEMORY, nullptr, "no memory for options or converted indices");
 }
 
 /// The markers of `count` elements: none, or one each.
@@ -286,74 +508,164 @@ class Running {
 
 } // namespace detail
 
-/// Settings of a run. Setters return *this; a value that is refused shows in error() and makes the run fail.
+/// Settings of a run. The throwing setters return *this, so that they can be chained; a value that is refused leaves the setting as it was.
 class Options {
   public:
     Options() noexcept : handle_(delotet_options_new())
     {
-        keep(delotet_options_set_progress(get(), &detail::Running::progress, nullptr));
-        keep(delotet_options_set_log(get(), &detail::Running::log, nullptr));
-        if (!handle_)
-            status_ = DELOTET_STATUS_OUT_OF_MEMORY;
+        Error error; // Cannot fail but for a handle that could not be made, which every use of it reports.
+        change(error, [&](auto e) { return delotet_options_set_progress(get(), &detail::Running::progress, nullptr, e); });
+        change(error, [&](auto e) { return delotet_options_set_log(get(), &detail::Running::log, nullptr, e); });
     }
 
-    Options &mode(Mode mode) noexcept
+    Status mode(Mode mode, Error &error) noexcept
     {
-        return keep(delotet_options_set_mode(get(), static_cast<DelotetMode>(mode)));
+        return change(error, [&](DelotetError **e) { return delotet_options_set_mode(get(), static_cast<DelotetMode>(mode), e); });
     }
-    Options &preserve(Preserve preserve) noexcept
+    Mode mode() const noexcept { return static_cast<Mode>(delotet_options_mode(get())); }
+    Status preserve(Preserve preserve, Error &error) noexcept
     {
-        return keep(delotet_options_set_preserve(get(), static_cast<DelotetPreserve>(preserve)));
+        return change(error, [&](DelotetError **e) { return delotet_options_set_preserve(get(), static_cast<DelotetPreserve>(preserve), e); });
     }
-    Options &keep_hull(bool on) noexcept { return keep(delotet_options_set_keep_hull(get(), on)); }
-    Options &merge_facets(double angle) noexcept { return keep(delotet_options_set_merge_facets(get(), angle)); }
-    Options &validate(bool on) noexcept { return keep(delotet_options_set_validate(get(), on)); }
-    Options &max_defects(std::size_t count) noexcept { return keep(delotet_options_set_max_defects(get(), count)); }
-    Options &threads(std::size_t count) noexcept { return keep(delotet_options_set_threads(get(), count)); }
-    Options &steiner_limit(std::uint64_t limit) noexcept
+    Preserve preserve() const noexcept { return static_cast<Preserve>(delotet_options_preserve(get())); }
+    Status keep_hull(bool on, Error &error) noexcept
     {
-        return keep(delotet_options_set_steiner_limit(get(), limit));
+        return change(error, [&](DelotetError **e) { return delotet_options_set_keep_hull(get(), on, e); });
     }
-    Options &exact_form(bool on) noexcept { return keep(delotet_options_set_exact_form(get(), on)); }
-    Options &points_sorted(bool on) noexcept { return keep(delotet_options_set_points_sorted(get(), on)); }
+    bool keep_hull() const noexcept { return delotet_options_keep_hull(get()); }
+    Status merge_facets(double angle, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_merge_facets(get(), angle, e); });
+    }
+    double merge_facets() const noexcept { return delotet_options_merge_facets(get()); }
+    Status validate(bool on, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_validate(get(), on, e); });
+    }
+    bool validate() const noexcept { return delotet_options_validate(get()); }
+    Status max_defects(std::size_t count, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_max_defects(get(), count, e); });
+    }
+    std::size_t max_defects() const noexcept { return delotet_options_max_defects(get()); }
+    Status threads(std::size_t count, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_threads(get(), count, e); });
+    }
+    std::size_t threads() const noexcept { return delotet_options_threads(get()); }
+    Status steiner_limit(std::uint64_t limit, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_steiner_limit(get(), limit, e); });
+    }
+    std::uint64_t steiner_limit() const noexcept { return delotet_options_steiner_limit(get()); }
+    Status exact_form(bool on, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_exact_form(get(), on, e); });
+    }
+    bool exact_form() const noexcept { return delotet_options_exact_form(get()); }
+    Status points_sorted(bool on, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_points_sorted(get(), on, e); });
+    }
+    bool points_sorted() const noexcept { return delotet_options_points_sorted(get()); }
+
+#if DELOTET_EXCEPTIONS
+    Options &mode(Mode value) &
+    {
+        return chain([&](Error &e) { return mode(value, e); });
+    }
+    Options &&mode(Mode value) && { return std::move(mode(value)); }
+    Options &preserve(Preserve what) &
+    {
+        return chain([&](Error &e) { return preserve(what, e); });
+    }
+    Options &&preserve(Preserve what) && { return std::move(preserve(what)); }
+    Options &keep_hull(bool on) &
+    {
+        return chain([&](Error &e) { return keep_hull(on, e); });
+    }
+    Options &&keep_hull(bool on) && { return std::move(keep_hull(on)); }
+    Options &merge_facets(double angle) &
+    {
+        return chain([&](Error &e) { return merge_facets(angle, e); });
+    }
+    Options &&merge_facets(double angle) && { return std::move(merge_facets(angle)); }
+    Options &validate(bool on) &
+    {
+        return chain([&](Error &e) { return validate(on, e); });
+    }
+    Options &&validate(bool on) && { return std::move(validate(on)); }
+    Options &max_defects(std::size_t count) &
+    {
+        return chain([&](Error &e) { return max_defects(count, e); });
+    }
+    Options &&max_defects(std::size_t count) && { return std::move(max_defects(count)); }
+    Options &threads(std::size_t count) &
+    {
+        return chain([&](Error &e) { return threads(count, e); });
+    }
+    Options &&threads(std::size_t count) && { return std::move(threads(count)); }
+    Options &steiner_limit(std::uint64_t limit) &
+    {
+        return chain([&](Error &e) { return steiner_limit(limit, e); });
+    }
+    Options &&steiner_limit(std::uint64_t limit) && { return std::move(steiner_limit(limit)); }
+    Options &exact_form(bool on) &
+    {
+        return chain([&](Error &e) { return exact_form(on, e); });
+    }
+    Options &&exact_form(bool on) && { return std::move(exact_form(on)); }
+    Options &points_sorted(bool on) &
+    {
+        return chain([&](Error &e) { return points_sorted(on, e); });
+    }
+    Options &&points_sorted(bool on) && { return std::move(points_sorted(on)); }
+#endif
     /// `progress` may throw: the run is cancelled, and the exception comes out of it.
-    Options &on_progress(ProgressFunction progress) noexcept
+    Options &on_progress(ProgressFunction progress) & noexcept
     {
         progress_ = std::move(progress);
         return *this;
     }
+    Options &&on_progress(ProgressFunction progress) && noexcept { return std::move(on_progress(std::move(progress))); }
     /// `log` may throw, as `progress` may.
-    Options &on_log(LogFunction log) noexcept
+    Options &on_log(LogFunction log) & noexcept
     {
         log_ = std::move(log);
         return *this;
     }
+    Options &&on_log(LogFunction log) && noexcept { return std::move(on_log(std::move(log))); }
 
-    /// The status of the first setter that refused its value; DELOTET_STATUS_OK if none did.
-    Status error() const noexcept { return status_; }
-    const ProgressFunction &progress() const noexcept { return progress_; }
-    const LogFunction &log() const noexcept { return log_; }
+    const ProgressFunction &progress() const & noexcept { return progress_; }
+    void progress() const && = delete;
+    const LogFunction &log() const & noexcept { return log_; }
+    void log() const && = delete;
+    /// NULL if memory ran out when the options were made, and after a move.
     DelotetOptions *get() const noexcept { return handle_.get(); }
 
   private:
-    Options &keep(Status status) noexcept
+    template <class Call> Status change(Error &error, Call &&call) noexcept
     {
-        if (status_ == DELOTET_STATUS_OK)
-            status_ = status;
+        return handle_ ? detail::run(error, call) : detail::out_of_memory(error);
+    }
+#if DELOTET_EXCEPTIONS
+    template <class Call> Options &chain(Call &&call)
+    {
+        detail::require(call);
         return *this;
     }
+#endif
     std::unique_ptr<DelotetOptions, detail::Free<DelotetOptions, delotet_options_free>> handle_;
     ProgressFunction progress_;
     LogFunction log_;
-    Status status_ = DELOTET_STATUS_OK;
 };
 
 namespace detail {
 /// Runs a call that takes options, with their callbacks in place.
 template <class Call> Status run(const Options &options, Error &error, Call &&call)
 {
-    if (options.error() != DELOTET_STATUS_OK)
-        return error.set(options.error(), nullptr, "an option has a value out of its range");
+    if (!options.get())
+        return detail::out_of_memory(error);
     Running running(options.progress(), options.log());
     const Status status = run(error, call);
     running.rethrow();
@@ -361,7 +673,7 @@ template <class Call> Status run(const Options &options, Error &error, Call &&ca
 }
 } // namespace detail
 
-/// The input. Move-only; empty (get() is NULL) by default.
+/// The input. Move-only; empty (get() is NULL) by default. What throws returns *this: Plc plc = Plc(points).add_triangles(corners).
 class Plc {
   public:
     Plc() noexcept = default;
@@ -383,11 +695,11 @@ class Plc {
             return detail::mismatch(error);
         return create(detail::rows<Point>(xyz.data(), xyz.size() / 3), plc, error);
     }
-    static Status read(const char *path, Plc &plc, Error &error) noexcept
+    static Status read(const Path &path, Plc &plc, Error &error) noexcept
     {
         DelotetPlc *handle = nullptr;
         const Status status =
-            detail::run(error, [&](DelotetError **e) { return delotet_plc_read(path, &handle, e); });
+            detail::run(error, [&](DelotetError **e) { return delotet_plc_read(path.c_str(), &handle, e); });
         plc.handle_.reset(handle);
         return status;
     }
@@ -413,9 +725,11 @@ class Plc {
         return detail::run(error, [&](DelotetError **e) { return delotet_plc_add_segment(get(), a, b, marker, e); });
     }
     /// `ends`: two per segment. `markers`: none, or one per segment.
-    Status add_segments(Span<const Index> ends, Span<const Marker> markers, Error &error) noexcept
+    Status add_segments(const Indices<2> &ends, Span<const Marker> markers, Error &error) noexcept
     {
         const std::size_t count = ends.size() / 2;
+        if (ends.failed())
+            return detail::out_of_memory(error);
         if (ends.size() % 2 != 0 || !detail::fits(markers, count))
             return detail::mismatch(error);
         return detail::run(error, [&](DelotetError **e) {
@@ -423,9 +737,11 @@ class Plc {
         });
     }
     /// `corners`: three per triangle. `markers`: none, or one per triangle.
-    Status add_triangles(Span<const Index> corners, Span<const Marker> markers, Error &error) noexcept
+    Status add_triangles(const Indices<3> &corners, Span<const Marker> markers, Error &error) noexcept
     {
         const std::size_t count = corners.size() / 3;
+        if (corners.failed())
+            return detail::out_of_memory(error);
         if (corners.size() % 3 != 0 || !detail::fits(markers, count))
             return detail::mismatch(error);
         return detail::run(error, [&](DelotetError **e) {
@@ -433,9 +749,11 @@ class Plc {
         });
     }
     /// One facet per polygon; `ends` as for delotet_plc_add_polygons. `markers`: none, or one per polygon.
-    Status add_polygons(Span<const Index> corners, Span<const std::size_t> ends, Span<const Marker> markers,
+    Status add_polygons(const Indices<> &corners, const Ends &ends, Span<const Marker> markers,
                         Error &error) noexcept
     {
+        if (corners.failed() || ends.failed())
+            return detail::out_of_memory(error);
         if (!fits(corners, ends) || !detail::fits(markers, ends.size()))
             return detail::mismatch(error);
         return detail::run(error, [&](DelotetError **e) {
@@ -443,8 +761,10 @@ class Plc {
         });
     }
     /// One facet: an outer ring, and rings that are holes in it.
-    Status add_facet(Span<const Index> corners, Span<const std::size_t> ring_ends, Marker marker, Error &error) noexcept
+    Status add_facet(const Indices<> &corners, const Ends &ring_ends, Marker marker, Error &error) noexcept
     {
+        if (corners.failed() || ring_ends.failed())
+            return detail::out_of_memory(error);
         if (!fits(corners, ring_ends))
             return detail::mismatch(error);
         return detail::run(error, [&](DelotetError **e) {
@@ -452,9 +772,11 @@ class Plc {
         });
     }
     /// One facet by TetGen's rule, with a seed in each hole.
-    Status add_facet_with_hole_seeds(Span<const Index> corners, Span<const std::size_t> polygon_ends,
+    Status add_facet_with_hole_seeds(const Indices<> &corners, const Ends &polygon_ends,
                                      Span<const Point> seeds, Marker marker, Error &error) noexcept
     {
+        if (corners.failed() || polygon_ends.failed())
+            return detail::out_of_memory(error);
         if (!fits(corners, polygon_ends))
             return detail::mismatch(error);
         const double *xyz = seeds.empty() ? nullptr : seeds.data()->data();
@@ -489,73 +811,85 @@ class Plc {
     {
         detail::require([&](Error &e) { return create(xyz, *this, e); });
     }
-    static Plc read(const char *path)
+    static Plc read(const Path &path)
     {
         Plc plc;
         detail::require([&](Error &e) { return read(path, plc, e); });
         return plc;
     }
-    Plc &set_point_attributes(Span<const double> attributes)
+    Plc &set_point_attributes(Span<const double> attributes) &
     {
         return chain([&](Error &e) { return set_point_attributes(attributes, e); });
     }
-    Plc &set_point_markers(Span<const Marker> markers)
+    Plc &&set_point_attributes(Span<const double> attributes) && { return std::move(set_point_attributes(attributes)); }
+    Plc &set_point_markers(Span<const Marker> markers) &
     {
         return chain([&](Error &e) { return set_point_markers(markers, e); });
     }
-    Plc &add_segment(Index a, Index b, Marker marker = 0)
+    Plc &&set_point_markers(Span<const Marker> markers) && { return std::move(set_point_markers(markers)); }
+    Plc &add_segment(Index a, Index b, Marker marker = 0) &
     {
         return chain([&](Error &e) { return add_segment(a, b, marker, e); });
     }
-    Plc &add_segments(Span<const Index> ends, Span<const Marker> markers = {})
+    Plc &&add_segment(Index a, Index b, Marker marker = 0) && { return std::move(add_segment(a, b, marker)); }
+    Plc &add_segments(const Indices<2> &ends, Span<const Marker> markers = {}) &
     {
         return chain([&](Error &e) { return add_segments(ends, markers, e); });
     }
-    Plc &add_triangles(Span<const Index> corners, Span<const Marker> markers = {})
+    Plc &&add_segments(const Indices<2> &ends, Span<const Marker> markers = {}) && { return std::move(add_segments(ends, markers)); }
+    Plc &add_triangles(const Indices<3> &corners, Span<const Marker> markers = {}) &
     {
         return chain([&](Error &e) { return add_triangles(corners, markers, e); });
     }
-    Plc &add_polygons(Span<const Index> corners, Span<const std::size_t> ends, Span<const Marker> markers = {})
+    Plc &&add_triangles(const Indices<3> &corners, Span<const Marker> markers = {}) && { return std::move(add_triangles(corners, markers)); }
+    Plc &add_polygons(const Indices<> &corners, const Ends &ends, Span<const Marker> markers = {}) &
     {
         return chain([&](Error &e) { return add_polygons(corners, ends, markers, e); });
     }
-    Plc &add_facet(Span<const Index> corners, Span<const std::size_t> ring_ends, Marker marker = 0)
+    Plc &&add_polygons(const Indices<> &corners, const Ends &ends, Span<const Marker> markers = {}) && { return std::move(add_polygons(corners, ends, markers)); }
+    Plc &add_facet(const Indices<> &corners, const Ends &ring_ends, Marker marker = 0) &
     {
         return chain([&](Error &e) { return add_facet(corners, ring_ends, marker, e); });
     }
-    Plc &add_facet_with_hole_seeds(Span<const Index> corners, Span<const std::size_t> polygon_ends,
-                                   Span<const Point> seeds, Marker marker = 0)
+    Plc &&add_facet(const Indices<> &corners, const Ends &ring_ends, Marker marker = 0) && { return std::move(add_facet(corners, ring_ends, marker)); }
+    Plc &add_facet_with_hole_seeds(const Indices<> &corners, const Ends &polygon_ends,
+                                   Span<const Point> seeds, Marker marker = 0) &
     {
         return chain([&](Error &e) { return add_facet_with_hole_seeds(corners, polygon_ends, seeds, marker, e); });
     }
-    Plc &add_hole(const Point &seed)
+    Plc &&add_facet_with_hole_seeds(const Indices<> &corners, const Ends &polygon_ends,
+                                   Span<const Point> seeds, Marker marker = 0) && { return std::move(add_facet_with_hole_seeds(corners, polygon_ends, seeds, marker)); }
+    Plc &add_hole(const Point &seed) &
     {
         return chain([&](Error &e) { return add_hole(seed, e); });
     }
-    Plc &add_region(const Point &seed, double attribute, double max_volume = 0)
+    Plc &&add_hole(const Point &seed) && { return std::move(add_hole(seed)); }
+    Plc &add_region(const Point &seed, double attribute, double max_volume = 0) &
     {
         return chain([&](Error &e) { return add_region(seed, attribute, max_volume, e); });
     }
+    Plc &&add_region(const Point &seed, double attribute, double max_volume = 0) && { return std::move(add_region(seed, attribute, max_volume)); }
     void check(const Options &options = {}) const
     {
         detail::require([&](Error &e) { return check(options, e); });
     }
 #endif
 
-    Span<const Point> points() const noexcept
+    Span<const Point> points() const & noexcept
     {
         const DelotetPointsView view = delotet_plc_points(get());
         return detail::rows<Point>(view.data, view.count);
     }
+    void points() const && = delete;
     std::size_t segment_count() const noexcept { return delotet_plc_segment_count(get()); }
     std::size_t facet_count() const noexcept { return delotet_plc_facet_count(get()); }
     Marker facet_marker(Index facet) const noexcept { return delotet_plc_facet_marker(get(), facet); }
     DelotetPlc *get() const noexcept { return handle_.get(); }
 
   private:
-    static bool fits(Span<const Index> corners, Span<const std::size_t> ends) noexcept
+    static bool fits(const Indices<> &corners, const Ends &ends) noexcept
     {
-        return (ends.empty() ? 0 : ends[ends.size() - 1]) == corners.size();
+        return (ends.size() == 0 ? 0 : ends.data()[ends.size() - 1]) == corners.size();
     }
 #if DELOTET_EXCEPTIONS
     template <class Call> Plc &chain(Call &&call)
@@ -579,33 +913,48 @@ class Mesh {
     Mesh() noexcept = default;
     explicit Mesh(DelotetMesh *owned) noexcept : handle_(owned) {}
 
-    Span<const Point> points() const noexcept { return points_of(delotet_mesh_points(get())); }
+    Span<const Point> points() const & noexcept { return points_of(delotet_mesh_points(get())); }
+    void points() const && = delete;
     std::size_t input_point_count() const noexcept { return delotet_mesh_input_point_count(get()); }
-    Span<const Index> crowded_points() const noexcept { return span(delotet_mesh_crowded_points(get())); }
-    Span<const Index> replaced_tets() const noexcept { return span(delotet_mesh_replaced_tets(get())); }
-    Span<const Index> point_aliases() const noexcept { return span(delotet_mesh_point_aliases(get())); }
+    Span<const Index> crowded_points() const & noexcept { return span(delotet_mesh_crowded_points(get())); }
+    void crowded_points() const && = delete;
+    Span<const Index> replaced_tets() const & noexcept { return span(delotet_mesh_replaced_tets(get())); }
+    void replaced_tets() const && = delete;
+    Span<const Index> point_aliases() const & noexcept { return span(delotet_mesh_point_aliases(get())); }
+    void point_aliases() const && = delete;
     /// #points by `width` doubles.
-    DelotetDoublesView point_attributes() const noexcept { return delotet_mesh_point_attributes(get()); }
-    Span<const Marker> point_markers() const noexcept { return span(delotet_mesh_point_markers(get())); }
-    Span<const Tet> tets() const noexcept { return tets_of(delotet_mesh_tets(get())); }
-    Span<const Tet> neighbors() const noexcept { return tets_of(delotet_mesh_neighbors(get())); }
-    Span<const Index> tet_regions() const noexcept { return span(delotet_mesh_tet_regions(get())); }
-    Span<const Region> regions() const noexcept { return span(delotet_mesh_regions(get())); }
-    Span<const Subface> subfaces() const noexcept { return span(delotet_mesh_subfaces(get())); }
-    Span<const Subsegment> subsegments() const noexcept { return span(delotet_mesh_subsegments(get())); }
-    Span<const SteinerPoint> steiner_points() const noexcept { return span(delotet_mesh_steiner_points(get())); }
-    Span<const SteinerTerm> steiner_terms() const noexcept { return span(delotet_mesh_steiner_terms(get())); }
-    Span<const FacetFlip> facet_flips() const noexcept { return span(delotet_mesh_facet_flips(get())); }
+    DelotetDoublesView point_attributes() const & noexcept { return delotet_mesh_point_attributes(get()); }
+    void point_attributes() const && = delete;
+    Span<const Marker> point_markers() const & noexcept { return span(delotet_mesh_point_markers(get())); }
+    void point_markers() const && = delete;
+    Span<const Tet> tets() const & noexcept { return tets_of(delotet_mesh_tets(get())); }
+    void tets() const && = delete;
+    Span<const Tet> neighbors() const & noexcept { return tets_of(delotet_mesh_neighbors(get())); }
+    void neighbors() const && = delete;
+    Span<const Index> tet_regions() const & noexcept { return span(delotet_mesh_tet_regions(get())); }
+    void tet_regions() const && = delete;
+    Records<Region> regions() const & noexcept { return records(delotet_mesh_regions(get())); }
+    void regions() const && = delete;
+    Records<Subface> subfaces() const & noexcept { return records(delotet_mesh_subfaces(get())); }
+    void subfaces() const && = delete;
+    Records<Subsegment> subsegments() const & noexcept { return records(delotet_mesh_subsegments(get())); }
+    void subsegments() const && = delete;
+    Records<SteinerPoint> steiner_points() const & noexcept { return records(delotet_mesh_steiner_points(get())); }
+    void steiner_points() const && = delete;
+    Records<SteinerTerm> steiner_terms() const & noexcept { return records(delotet_mesh_steiner_terms(get())); }
+    void steiner_terms() const && = delete;
+    Records<FacetFlip> facet_flips() const & noexcept { return records(delotet_mesh_facet_flips(get())); }
+    void facet_flips() const && = delete;
     Stats stats() const noexcept
     {
         Stats stats = {};
         stats.struct_size = sizeof stats;
-        if (delotet_mesh_stats(get(), &stats) != DELOTET_STATUS_OK)
+        if (delotet_mesh_stats(get(), &stats, nullptr) != DELOTET_STATUS_OK)
             stats = {};
         return stats;
     }
 
-    Status tet_attributes(Span<const double> &out, Error &error) const noexcept
+    Status tet_attributes(Span<const double> &out, Error &error) const & noexcept
     {
         DelotetDoublesView view = {};
         const Status status = detail::run(
@@ -613,31 +962,38 @@ class Mesh {
         out = {view.data, view.count};
         return status;
     }
-    Status point_tets(Span<const Index> &out, Error &error) const noexcept
+    void tet_attributes(Span<const double> &, Error &) const && = delete;
+    Status point_tets(Span<const Index> &out, Error &error) const & noexcept
     {
         return derive<DelotetIndicesView>(delotet_mesh_point_tets, out, error);
     }
-    Status faces(Span<const Face> &out, Error &error) const noexcept
+    void point_tets(Span<const Index> &, Error &) const && = delete;
+    Status faces(Records<Face> &out, Error &error) const & noexcept
     {
-        return derive<DelotetFacesView>(delotet_mesh_faces, out, error);
+        return derive_records(delotet_mesh_faces, out, error);
     }
-    Status edges(Span<const Edge> &out, Error &error) const noexcept
+    void faces(Records<Face> &, Error &) const && = delete;
+    Status edges(Records<Edge> &out, Error &error) const & noexcept
     {
-        return derive<DelotetEdgesView>(delotet_mesh_edges, out, error);
+        return derive_records(delotet_mesh_edges, out, error);
     }
-    Status tet_faces(Span<const Tet> &out, Error &error) const noexcept
+    void edges(Records<Edge> &, Error &) const && = delete;
+    Status tet_faces(Span<const Tet> &out, Error &error) const & noexcept
     {
         return derive<DelotetTetsView>(delotet_mesh_tet_faces, out, error);
     }
-    Status tet_edges(Span<const std::array<Index, 6>> &out, Error &error) const noexcept
+    void tet_faces(Span<const Tet> &, Error &) const && = delete;
+    Status tet_edges(Span<const std::array<Index, 6>> &out, Error &error) const & noexcept
     {
         return derive<DelotetIndexRowsView>(delotet_mesh_tet_edges, out, error);
     }
-    Status subface_edges(Span<const std::array<Index, 3>> &out, Error &error) const noexcept
+    void tet_edges(Span<const std::array<Index, 6>> &, Error &) const && = delete;
+    Status subface_edges(Span<const std::array<Index, 3>> &out, Error &error) const & noexcept
     {
         return derive<DelotetIndexRowsView>(delotet_mesh_subface_edges, out, error);
     }
-    Status second_order(NodeOrder order, SecondOrder &out, Error &error) const noexcept
+    void subface_edges(Span<const std::array<Index, 3>> &, Error &) const && = delete;
+    Status second_order(NodeOrder order, SecondOrder &out, Error &error) const & noexcept
     {
         DelotetSecondOrderView view = {};
         const Status status = detail::run(error, [&](DelotetError **e) {
@@ -646,6 +1002,7 @@ class Mesh {
         out = {detail::rows<Point>(view.nodes, view.node_count), detail::rows<Tet10>(view.tets, view.tet_count)};
         return status;
     }
+    void second_order(NodeOrder, SecondOrder &, Error &) const && = delete;
     /// `tets`: one per point. `barycentric`: none, or one row per point.
     Status locate(Span<const Point> points, Span<Index> tets, Span<std::array<double, 4>> barycentric,
                   Error &error) const noexcept
@@ -676,45 +1033,53 @@ class Mesh {
             return delotet_mesh_check_preserved_outer(get(), plc.get(), max_defects, e);
         });
     }
-    Status write(const Plc &plc, const char *path, Error &error) const noexcept
+    Status write(const Plc &plc, const Path &path, Error &error) const noexcept
     {
         return detail::run(error,
-                           [&](DelotetError **e) { return delotet_mesh_write(get(), plc.get(), path, e); });
+                           [&](DelotetError **e) { return delotet_mesh_write(get(), plc.get(), path.c_str(), e); });
     }
 
 #if DELOTET_EXCEPTIONS
-    Span<const double> tet_attributes() const
+    Span<const double> tet_attributes() const &
     {
         return made<Span<const double>>([&](auto &out, Error &e) { return tet_attributes(out, e); });
     }
-    Span<const Index> point_tets() const
+    void tet_attributes() const && = delete;
+    Span<const Index> point_tets() const &
     {
         return made<Span<const Index>>([&](auto &out, Error &e) { return point_tets(out, e); });
     }
-    Span<const Face> faces() const
+    void point_tets() const && = delete;
+    Records<Face> faces() const &
     {
-        return made<Span<const Face>>([&](auto &out, Error &e) { return faces(out, e); });
+        return made<Records<Face>>([&](auto &out, Error &e) { return faces(out, e); });
     }
-    Span<const Edge> edges() const
+    void faces() const && = delete;
+    Records<Edge> edges() const &
     {
-        return made<Span<const Edge>>([&](auto &out, Error &e) { return edges(out, e); });
+        return made<Records<Edge>>([&](auto &out, Error &e) { return edges(out, e); });
     }
-    Span<const Tet> tet_faces() const
+    void edges() const && = delete;
+    Span<const Tet> tet_faces() const &
     {
         return made<Span<const Tet>>([&](auto &out, Error &e) { return tet_faces(out, e); });
     }
-    Span<const std::array<Index, 6>> tet_edges() const
+    void tet_faces() const && = delete;
+    Span<const std::array<Index, 6>> tet_edges() const &
     {
         return made<Span<const std::array<Index, 6>>>([&](auto &out, Error &e) { return tet_edges(out, e); });
     }
-    Span<const std::array<Index, 3>> subface_edges() const
+    void tet_edges() const && = delete;
+    Span<const std::array<Index, 3>> subface_edges() const &
     {
         return made<Span<const std::array<Index, 3>>>([&](auto &out, Error &e) { return subface_edges(out, e); });
     }
-    SecondOrder second_order(NodeOrder order) const
+    void subface_edges() const && = delete;
+    SecondOrder second_order(NodeOrder order) const &
     {
         return made<SecondOrder>([&](auto &out, Error &e) { return second_order(order, out, e); });
     }
+    void second_order(NodeOrder) const && = delete;
     void locate(Span<const Point> points, Span<Index> tets, Span<std::array<double, 4>> barycentric = {}) const
     {
         detail::require([&](Error &e) { return locate(points, tets, barycentric, e); });
@@ -731,7 +1096,7 @@ class Mesh {
     {
         detail::require([&](Error &e) { return check_preserved_outer(plc, max_defects, e); });
     }
-    void write(const Plc &plc, const char *path) const
+    void write(const Plc &plc, const Path &path) const
     {
         detail::require([&](Error &e) { return write(plc, path, e); });
     }
@@ -743,6 +1108,11 @@ class Mesh {
     template <class View> static Span<std::remove_pointer_t<decltype(View::data)>> span(View view) noexcept
     {
         return {view.data, view.count};
+    }
+    template <class View>
+    static Records<std::remove_cv_t<std::remove_pointer_t<decltype(View::first)>>> records(View view) noexcept
+    {
+        return {view.first, view.count, view.stride};
     }
     static Span<const Point> points_of(DelotetPointsView view) noexcept
     {
@@ -756,6 +1126,15 @@ class Mesh {
         View view = {};
         const Status status = detail::run(error, [&](DelotetError **e) { return call(get(), &view, e); });
         out = detail::rows<T>(view.data, view.count);
+        return status;
+    }
+    template <class View, class T>
+    Status derive_records(DelotetStatus (*call)(const DelotetMesh *, View *, DelotetError **), Records<T> &out,
+                          Error &error) const noexcept
+    {
+        View view = {};
+        const Status status = detail::run(error, [&](DelotetError **e) { return call(get(), &view, e); });
+        out = {view.first, view.count, view.stride};
         return status;
     }
 #if DELOTET_EXCEPTIONS
@@ -794,4 +1173,5 @@ inline Mesh tetrahedralize(const Plc &plc, const Options &options = {})
 #endif
 
 } // namespace delotet
+#endif // C++17
 #endif

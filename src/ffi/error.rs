@@ -1,6 +1,7 @@
 //! Owned errors with all defects.
 use super::guard::{free, read};
 use super::status::{DelotetDefectKind, DelotetElement, DelotetStatus};
+use super::view::records;
 use crate::error::{Defect, Error};
 use std::ffi::{c_char, CString};
 
@@ -16,14 +17,14 @@ pub struct DelotetError {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DelotetDefect {
-    /// The kind.
-    pub kind: DelotetDefectKind,
-    /// What `first` counts.
-    pub first_element: DelotetElement,
+    /// The kind: a DelotetDefectKind, in 32 bits with any compiler.
+    pub kind: u32,
+    /// What `first` counts: a DelotetElement.
+    pub first_element: u32,
     /// Index of the element at fault.
     pub first: u32,
-    /// What `second` counts; DELOTET_ELEMENT_NONE if only one element is involved.
-    pub second_element: DelotetElement,
+    /// What `second` counts: a DelotetElement, DELOTET_ELEMENT_NONE if only one element is involved.
+    pub second_element: u32,
     /// Index of the other element of a pair, or DELOTET_INVALID_INDEX.
     pub second: u32,
     /// 1 if `point` is set, else 0.
@@ -36,21 +37,24 @@ pub struct DelotetDefect {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetDefectsView {
-    /// `count` defects.
-    pub data: *const DelotetDefect,
+    /// The first of `count` defects; DELOTET_AT(DelotetDefect, view, i) is the i-th.
+    pub first: *const DelotetDefect,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
+records!(DelotetDefectsView, DelotetDefect, DelotetDefect);
 
 impl From<&Defect> for DelotetDefect {
     fn from(defect: &Defect) -> Self {
         let (first_element, first) = DelotetElement::split(Some(defect.first));
         let (second_element, second) = DelotetElement::split(defect.second);
         DelotetDefect {
-            kind: defect.kind.into(),
-            first_element,
+            kind: DelotetDefectKind::from(defect.kind) as u32,
+            first_element: first_element as u32,
             first,
-            second_element,
+            second_element: second_element as u32,
             second,
             has_point: defect.point.is_some().into(),
             point: defect.point.unwrap_or_default(),
@@ -90,14 +94,8 @@ pub unsafe extern "C" fn delotet_error_message(error: *const DelotetError) -> *c
 /// it is freed. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_error_defects(error: *const DelotetError) -> DelotetDefectsView {
-    let none = DelotetDefectsView { data: std::ptr::null(), count: 0 };
     // SAFETY: the caller passes NULL or an error that is alive.
-    unsafe {
-        read(error, none, |error| match error.defects.as_slice() {
-            [] => none,
-            list => DelotetDefectsView { data: list.as_ptr(), count: list.len() },
-        })
-    }
+    unsafe { read(error, DelotetDefectsView::new(&[]), |error| DelotetDefectsView::new(&error.defects)) }
 }
 
 /// How many defects were found in all; the report may list fewer. 0 for NULL.

@@ -71,12 +71,6 @@ pub(super) unsafe fn guard(
     status
 }
 
-/// Runs the body of a function without error object.
-pub(super) fn guard_status(body: impl FnOnce() -> Result<(), Error>) -> DelotetStatus {
-    // SAFETY: null is allowed.
-    unsafe { guard(std::ptr::null_mut(), body) }
-}
-
 /// Reads something of a handle: `otherwise` if the handle is null.
 ///
 /// # Safety

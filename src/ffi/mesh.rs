@@ -1,6 +1,6 @@
 //! The result: views of the arrays as the engine made them. What has to be derived first is in `query`.
 use super::error::DelotetError;
-use super::guard::{free, get, guard, guard_status, invalid, null, read};
+use super::guard::{free, get, guard, invalid, null, read};
 use super::plc::DelotetPlc;
 use super::status::DelotetStatus;
 use super::view::*;
@@ -49,7 +49,6 @@ impl DelotetMesh {
             attribute: region.attribute,
             max_volume: region.max_volume.unwrap_or(0.0),
             seed: region.seed,
-            reserved: 0,
         }));
         Ok(DelotetMesh { mesh, data, regions, derived: Derived::default() })
     }
@@ -230,12 +229,12 @@ pub struct DelotetStats {
 const _: () = assert!(Phase::COUNT <= 16);
 
 impl DelotetStats {
-    fn new(mesh: &TetMesh, struct_size: usize) -> DelotetStats {
+    fn new(mesh: &TetMesh) -> DelotetStats {
         let statistics = &mesh.statistics;
         let mut seconds = [0.0; 16];
         seconds[..Phase::COUNT].copy_from_slice(&statistics.seconds);
         DelotetStats {
-            struct_size,
+            struct_size: size_of::<DelotetStats>(),
             steiner: statistics.steiner,
             steiner_exact: statistics.steiner_exact,
             steiner_moved: statistics.steiner_moved,
@@ -256,6 +255,25 @@ impl DelotetStats {
             replaced: statistics.replaced,
         }
     }
+
+    /// Writes as many bytes as the caller's struct has.
+    ///
+    /// # Safety
+    /// `stats` is null or has a readable `struct_size` and as many writable bytes as that says.
+    unsafe fn write(mut self, stats: *mut DelotetStats) -> Result<(), Error> {
+        if stats.is_null() {
+            return Err(null("stats"));
+        }
+        // SAFETY: not null, and the caller promises the rest.
+        let size = unsafe { (&raw const (*stats).struct_size).read() }.min(self.struct_size);
+        if size < size_of::<usize>() {
+            return Err(invalid("stats->struct_size is not set"));
+        }
+        self.struct_size = size;
+        // SAFETY: `size` bytes of both structs are valid, and they do not overlap.
+        unsafe { std::ptr::copy_nonoverlapping((&raw const self).cast::<u8>(), stats.cast::<u8>(), size) };
+        Ok(())
+    }
 }
 
 /// Counts and costs of the run. Set `stats->struct_size = sizeof *stats` before the call.
@@ -265,21 +283,11 @@ impl DelotetStats {
 pub unsafe extern "C" fn delotet_mesh_stats(
     mesh: *const DelotetMesh,
     stats: *mut DelotetStats,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes a mesh that is alive and a struct of which `struct_size` bytes may be written.
-    guard_status(|| unsafe {
-        let mesh = get(mesh, "mesh")?;
-        if stats.is_null() {
-            return Err(null("stats"));
-        }
-        let size = (&raw const (*stats).struct_size).read().min(size_of::<DelotetStats>());
-        if size < size_of::<usize>() {
-            return Err(invalid("stats->struct_size is not set"));
-        }
-        let full = DelotetStats::new(&mesh.mesh, size);
-        std::ptr::copy_nonoverlapping((&raw const full).cast::<u8>(), stats.cast::<u8>(), size);
-        Ok(())
-    })
+    // SAFETY: the caller passes a mesh that is alive, a struct of which `struct_size` bytes may be written, and NULL or a valid
+    // out-parameter.
+    unsafe { guard(out_error, || DelotetStats::new(&get(mesh, "mesh")?.mesh).write(stats)) }
 }
 
 /// What the checks compare.

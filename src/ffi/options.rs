@@ -1,5 +1,6 @@
 //! Settings by setters that check at once, and the callbacks.
-use super::guard::{free, get_mut, guard_status, invalid, make};
+use super::error::DelotetError;
+use super::guard::{free, get_mut, guard, invalid, make};
 use super::status::{DelotetPhase, DelotetStatus};
 use crate::error::Error;
 use crate::options::{Mode, Options, Preserve};
@@ -109,29 +110,32 @@ pub extern "C" fn delotet_options_new() -> *mut DelotetOptions {
 /// Runs the body of a setter.
 ///
 /// # Safety
-/// `options` is null or valid, and nothing else uses it.
+/// `options` is null or valid, and nothing else uses it; `out_error` is null or valid for one write.
 unsafe fn change(
     options: *mut DelotetOptions,
+    out_error: *mut *mut DelotetError,
     body: impl FnOnce(&mut DelotetOptions) -> Result<(), Error>,
 ) -> DelotetStatus {
-    // SAFETY: the caller promises that a handle that is not null is valid and not shared.
-    guard_status(|| body(unsafe { get_mut(options, "options") }?))
+    // SAFETY: the caller promises that a handle that is not null is valid and not shared, and so for `out_error`.
+    unsafe { guard(out_error, || body(get_mut(options, "options")?)) }
 }
 
 /// What is made: a DELOTET_MODE_ constant. Default: DELOTET_MODE_CONSTRAINED. Errors: INVALID_ARGUMENT (other values).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_mode(
     options: *mut DelotetOptions,
     mode: DelotetMode,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.mode = match mode {
                 DELOTET_MODE_DELAUNAY => Mode::Delaunay,
                 DELOTET_MODE_CONSTRAINED => Mode::Constrained,
                 DELOTET_MODE_PRESERVE => Mode::Preserve,
-                _ => return Err(invalid("unknown mode")),
+                _ => return Err(invalid(format!("mode {mode} is not a DELOTET_MODE_ constant"))),
             };
             Ok(())
         })
@@ -141,17 +145,19 @@ pub unsafe extern "C" fn delotet_options_set_mode(
 /// What DELOTET_MODE_PRESERVE keeps: a DELOTET_PRESERVE_ constant; other modes do not ask. Default: DELOTET_PRESERVE_ALL.
 /// Errors: INVALID_ARGUMENT (other values).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_preserve(
     options: *mut DelotetOptions,
     preserve: DelotetPreserve,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.preserve = match preserve {
                 DELOTET_PRESERVE_ALL => Preserve::All,
                 DELOTET_PRESERVE_OUTER => Preserve::Outer,
-                _ => return Err(invalid("unknown strength of preserving")),
+                _ => return Err(invalid(format!("preserve {preserve} is not a DELOTET_PRESERVE_ constant"))),
             };
             Ok(())
         })
@@ -161,13 +167,15 @@ pub unsafe extern "C" fn delotet_options_set_preserve(
 /// Keep every tetrahedron of the convex hull, holes and outside included (holes given by seeds are still carved).
 /// Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_keep_hull(
     options: *mut DelotetOptions,
     keep_hull: bool,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.keep_hull = keep_hull;
             Ok(())
         })
@@ -177,17 +185,22 @@ pub unsafe extern "C" fn delotet_options_set_keep_hull(
 /// Take facets with equal markers that meet above `angle` degrees (90 to 180) as one smooth patch, and flip its triangles to be
 /// Delaunay on the surface first; delotet_mesh_facet_flips reports the flips. 0: off, the default. Errors: INVALID_ARGUMENT.
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_merge_facets(
     options: *mut DelotetOptions,
     angle: f64,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.merge_facets = match angle {
                 0.0 => None,
                 90.0..=180.0 => Some(angle),
-                _ => return Err(invalid("the angle is neither 0 nor between 90 and 180 degrees")),
+                _ => {
+                    let message = format!("merge_facets: {angle} is neither 0 nor from 90 to 180 degrees");
+                    return Err(invalid(message));
+                }
             };
             Ok(())
         })
@@ -197,13 +210,15 @@ pub unsafe extern "C" fn delotet_options_set_merge_facets(
 /// Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may end in
 /// DELOTET_STATUS_INTERNAL. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_validate(
     options: *mut DelotetOptions,
     validate: bool,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.validate = validate;
             Ok(())
         })
@@ -212,13 +227,15 @@ pub unsafe extern "C" fn delotet_options_set_validate(
 
 /// How many defects an error lists at most. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_max_defects(
     options: *mut DelotetOptions,
     max_defects: usize,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.max_defects = max_defects;
             Ok(())
         })
@@ -227,15 +244,17 @@ pub unsafe extern "C" fn delotet_options_set_max_defects(
 
 /// Worker threads, at least 1. The mesh does not depend on it, bit for bit. Default: 1. Errors: INVALID_ARGUMENT (0).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_threads(
     options: *mut DelotetOptions,
     threads: usize,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             if threads == 0 {
-                return Err(invalid("at least one thread is needed"));
+                return Err(invalid("threads: at least one is needed"));
             }
             options.options.threads = threads;
             Ok(())
@@ -247,13 +266,15 @@ pub unsafe extern "C" fn delotet_options_set_threads(
 /// per segment.
 /// Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_steiner_limit(
     options: *mut DelotetOptions,
     limit: u64,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.steiner_limit = (limit != u64::MAX).then_some(limit);
             Ok(())
         })
@@ -264,13 +285,15 @@ pub unsafe extern "C" fn delotet_options_set_steiner_limit(
 /// delotet_mesh_crowded_points() lists them, tetrahedra at them may be flat or inverted in doubles, and the exact mesh is
 /// given by delotet_mesh_steiner_points(). Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_exact_form(
     options: *mut DelotetOptions,
     exact_form: bool,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.exact_form = exact_form;
             Ok(())
         })
@@ -279,13 +302,15 @@ pub unsafe extern "C" fn delotet_options_set_exact_form(
 
 /// The points are already in a spatially coherent order: skip sorting. Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_points_sorted(
     options: *mut DelotetOptions,
     points_sorted: bool,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.options.points_sorted = points_sorted;
             Ok(())
         })
@@ -295,14 +320,16 @@ pub unsafe extern "C" fn delotet_options_set_points_sorted(
 /// Progress goes to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default.
 /// Errors: INVALID_ARGUMENT (options is NULL).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_progress(
     options: *mut DelotetOptions,
     callback: DelotetProgressFn,
     user_data: *mut c_void,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.callbacks.progress = callback;
             options.callbacks.progress_data = user_data;
             Ok(())
@@ -313,18 +340,154 @@ pub unsafe extern "C" fn delotet_options_set_progress(
 /// Log lines go to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default; the library
 /// itself never prints. Errors: INVALID_ARGUMENT (options is NULL).
 #[no_mangle]
+#[must_use]
 pub unsafe extern "C" fn delotet_options_set_log(
     options: *mut DelotetOptions,
     callback: DelotetLogFn,
     user_data: *mut c_void,
+    out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
-    // SAFETY: the caller passes NULL or options that nothing else uses.
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
-        change(options, |options| {
+        change(options, out_error, |options| {
             options.callbacks.log = callback;
             options.callbacks.log_data = user_data;
             Ok(())
         })
+    }
+}
+
+/// The settings of a handle, the defaults for NULL.
+///
+/// # Safety
+/// `options` is null or valid.
+unsafe fn setting<R>(options: *const DelotetOptions, body: impl FnOnce(&Options) -> R) -> R {
+    // SAFETY: the caller promises that a handle that is not null is valid.
+    match unsafe { options.as_ref() } {
+        Some(options) => body(&options.options),
+        None => body(&Options::default()),
+    }
+}
+
+/// The mode, as delotet_options_set_mode() sets it. For NULL, here and in all getters of options: the default.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_mode(options: *const DelotetOptions) -> DelotetMode {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe {
+        setting(options, |options| match options.mode {
+            Mode::Delaunay => DELOTET_MODE_DELAUNAY,
+            Mode::Constrained => DELOTET_MODE_CONSTRAINED,
+            Mode::Preserve => DELOTET_MODE_PRESERVE,
+        })
+    }
+}
+
+/// What DELOTET_MODE_PRESERVE keeps, as delotet_options_set_preserve() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_preserve(options: *const DelotetOptions) -> DelotetPreserve {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe {
+        setting(options, |options| match options.preserve {
+            Preserve::All => DELOTET_PRESERVE_ALL,
+            Preserve::Outer => DELOTET_PRESERVE_OUTER,
+        })
+    }
+}
+
+/// Whether the convex hull is kept, as delotet_options_set_keep_hull() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_keep_hull(options: *const DelotetOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.keep_hull) }
+}
+
+/// The angle of facet merging in degrees, 0 if it is off, as delotet_options_set_merge_facets() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_merge_facets(options: *const DelotetOptions) -> f64 {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.merge_facets.unwrap_or(0.0)) }
+}
+
+/// Whether the input is validated, as delotet_options_set_validate() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_validate(options: *const DelotetOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.validate) }
+}
+
+/// How many defects an error lists at most, as delotet_options_set_max_defects() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_max_defects(options: *const DelotetOptions) -> usize {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.max_defects) }
+}
+
+/// The number of worker threads, as delotet_options_set_threads() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_threads(options: *const DelotetOptions) -> usize {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.threads) }
+}
+
+/// The limit on Steiner points, UINT64_MAX for the default one, as delotet_options_set_steiner_limit() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_steiner_limit(options: *const DelotetOptions) -> u64 {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.steiner_limit.unwrap_or(u64::MAX)) }
+}
+
+/// Whether a mesh is returned that has no valid doubles, as delotet_options_set_exact_form() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_exact_form(options: *const DelotetOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.exact_form) }
+}
+
+/// Whether sorting is skipped, as delotet_options_set_points_sorted() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_points_sorted(options: *const DelotetOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.points_sorted) }
+}
+
+/// The progress callback, NULL if there is none, as delotet_options_set_progress() sets it.
+/// `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_progress(
+    options: *const DelotetOptions,
+    out_user_data: *mut *mut c_void,
+) -> DelotetProgressFn {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile, and NULL or a valid out-parameter.
+    unsafe {
+        let (_, callbacks) = settings(options);
+        put(out_user_data, callbacks.progress_data);
+        callbacks.progress
+    }
+}
+
+/// The log callback, NULL if there is none, as delotet_options_set_log() sets it.
+/// `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_log(
+    options: *const DelotetOptions,
+    out_user_data: *mut *mut c_void,
+) -> DelotetLogFn {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile, and NULL or a valid out-parameter.
+    unsafe {
+        let (_, callbacks) = settings(options);
+        put(out_user_data, callbacks.log_data);
+        callbacks.log
+    }
+}
+
+/// Writes a pointer where one is wanted.
+///
+/// # Safety
+/// `pointer` is null or valid for one write.
+unsafe fn put(pointer: *mut *mut c_void, value: *mut c_void) {
+    if !pointer.is_null() {
+        // SAFETY: not null, and the caller promises that it is valid for a write.
+        unsafe { pointer.write(value) };
     }
 }
 

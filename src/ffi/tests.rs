@@ -51,7 +51,8 @@ fn defects_cross_with_all_their_parts() {
         assert_eq!(delotet_error_defect_count(error), 12);
         assert_eq!(message(error), "two parts");
         let view = delotet_error_defects(error);
-        let defects = std::slice::from_raw_parts(view.data, view.count);
+        assert_eq!(view.stride, size_of::<DelotetDefect>());
+        let defects = std::slice::from_raw_parts(view.first, view.count);
         assert_eq!(defects.len(), 2);
         assert_eq!((defects[0].first, defects[0].second, defects[0].has_point), (3, 9, 1));
         assert_eq!(defects[0].point, [1.0, 2.0, 3.0]);
@@ -83,7 +84,7 @@ fn views_point_into_the_mesh() {
     unsafe {
         let tets = delotet_mesh_tets(&handle);
         assert_eq!((tets.data, tets.count), (at.cast(), 48));
-        assert!(delotet_mesh_subfaces(&handle).data.is_null());
+        assert!(delotet_mesh_subfaces(&handle).first.is_null());
         let points = delotet_mesh_points(null());
         assert_eq!((points.data, points.count), (null(), 0));
     }
@@ -93,10 +94,10 @@ fn views_point_into_the_mesh() {
 fn derived_arrays_are_made_once() {
     let handle = DelotetMesh::new(grid(2), PointData::default()).unwrap();
     let edges = || {
-        let mut view = super::view::DelotetEdgesView { data: null(), count: 0 };
+        let mut view = super::view::DelotetEdgesView { first: null(), count: 0, stride: 0 };
         // SAFETY: handle and view are alive.
         assert_eq!(unsafe { delotet_mesh_edges(&handle, &mut view, null_mut()) }, DelotetStatus::Ok);
-        view.data as usize
+        view.first as usize
     };
     let seen: Vec<usize> = std::thread::scope(|scope| {
         let threads: Vec<_> = (0..4).map(|_| scope.spawn(edges)).collect();

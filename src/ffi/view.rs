@@ -1,5 +1,6 @@
-//! What C sees of arrays: pointer and count. These structs are passed by value and therefore frozen; the element types have
-//! the layout of the Rust types behind them, which is asserted here.
+//! What C sees of arrays. Plain arrays: pointer and count. Records: pointer, count and stride, the bytes from one record to the
+//! next, so that records can grow by fields at their end without breaking programs that were compiled before. The views themselves
+//! are passed by value and therefore frozen. Records have the layout of the Rust types behind them, which is asserted here.
 use crate::mesh_query::{Edge, Face};
 use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, Subface, Subsegment};
 use std::mem::offset_of;
@@ -21,6 +22,19 @@ macro_rules! view {
         }
     };
 }
+
+macro_rules! records {
+    ($name:ident, $record:ty, $from:ty) => {
+        impl $name {
+            /// A view of records; null and 0 if there are none.
+            pub(super) fn new(list: &[$from]) -> Self {
+                let first = if list.is_empty() { std::ptr::null() } else { list.as_ptr().cast::<$record>() };
+                $name { first, count: list.len(), stride: size_of::<$record>() }
+            }
+        }
+    };
+}
+pub(super) use records;
 
 /// Borrowed points; NULL and 0 if there are none.
 #[repr(C)]
@@ -100,20 +114,20 @@ pub struct DelotetRegion {
     pub max_volume: f64,
     /// Index of the region seed, or DELOTET_INVALID_INDEX.
     pub seed: u32,
-    /// Unused: 0.
-    pub reserved: u32,
 }
 
 /// Borrowed regions; NULL and 0 if there are none.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetRegionsView {
-    /// `count` regions.
-    pub data: *const DelotetRegion,
+    /// The first of `count` regions; DELOTET_AT(DelotetRegion, view, i) is the i-th.
+    pub first: *const DelotetRegion,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
-view!(DelotetRegionsView, DelotetRegion, DelotetRegion);
+records!(DelotetRegionsView, DelotetRegion, DelotetRegion);
 
 /// A piece of a facet: a triangle that is a face of the mesh.
 #[repr(C)]
@@ -134,12 +148,14 @@ pub struct DelotetSubface {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSubfacesView {
-    /// `count` subfaces.
-    pub data: *const DelotetSubface,
+    /// The first of `count` subfaces; DELOTET_AT(DelotetSubface, view, i) is the i-th.
+    pub first: *const DelotetSubface,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
-view!(DelotetSubfacesView, DelotetSubface, Subface);
+records!(DelotetSubfacesView, DelotetSubface, Subface);
 
 /// A piece of a segment or of a facet's edge: an edge of the mesh.
 #[repr(C)]
@@ -157,12 +173,14 @@ pub struct DelotetSubsegment {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSubsegmentsView {
-    /// `count` subsegments.
-    pub data: *const DelotetSubsegment,
+    /// The first of `count` subsegments; DELOTET_AT(DelotetSubsegment, view, i) is the i-th.
+    pub first: *const DelotetSubsegment,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
-view!(DelotetSubsegmentsView, DelotetSubsegment, Subsegment);
+records!(DelotetSubsegmentsView, DelotetSubsegment, Subsegment);
 
 /// A Steiner point and where it lies: on an edge of the input, or inside (DELOTET_MODE_PRESERVE), exactly where its doubles are.
 #[repr(C)]
@@ -184,12 +202,14 @@ pub struct DelotetSteinerPoint {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSteinerView {
-    /// `count` Steiner points.
-    pub data: *const DelotetSteinerPoint,
+    /// The first of `count` Steiner points; DELOTET_AT(DelotetSteinerPoint, view, i) is the i-th.
+    pub first: *const DelotetSteinerPoint,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
-view!(DelotetSteinerView, DelotetSteinerPoint, SteinerPoint);
+records!(DelotetSteinerView, DelotetSteinerPoint, SteinerPoint);
 
 /// A term of a Steiner point's parameter beyond `t`: the exact parameter is the sum of `t` and its terms.
 #[repr(C)]
@@ -205,12 +225,14 @@ pub struct DelotetSteinerTerm {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSteinerTermsView {
-    /// `count` terms.
-    pub data: *const DelotetSteinerTerm,
+    /// The first of `count` terms; DELOTET_AT(DelotetSteinerTerm, view, i) is the i-th.
+    pub first: *const DelotetSteinerTerm,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
-view!(DelotetSteinerTermsView, DelotetSteinerTerm, SteinerTerm);
+records!(DelotetSteinerTermsView, DelotetSteinerTerm, SteinerTerm);
 
 /// A flip of two facets' triangles that facet merging made before meshing.
 #[repr(C)]
@@ -228,12 +250,14 @@ pub struct DelotetFacetFlip {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetFacetFlipsView {
-    /// `count` flips.
-    pub data: *const DelotetFacetFlip,
+    /// The first of `count` flips; DELOTET_AT(DelotetFacetFlip, view, i) is the i-th.
+    pub first: *const DelotetFacetFlip,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
-view!(DelotetFacetFlipsView, DelotetFacetFlip, FacetFlip);
+records!(DelotetFacetFlipsView, DelotetFacetFlip, FacetFlip);
 
 /// A face of the mesh.
 #[repr(C)]
@@ -253,12 +277,14 @@ pub struct DelotetFace {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetFacesView {
-    /// `count` faces.
-    pub data: *const DelotetFace,
+    /// The first of `count` faces; DELOTET_AT(DelotetFace, view, i) is the i-th.
+    pub first: *const DelotetFace,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
-view!(DelotetFacesView, DelotetFace, Face);
+records!(DelotetFacesView, DelotetFace, Face);
 
 /// An edge of the mesh.
 #[repr(C)]
@@ -278,12 +304,14 @@ pub struct DelotetEdge {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetEdgesView {
-    /// `count` edges.
-    pub data: *const DelotetEdge,
+    /// The first of `count` edges; DELOTET_AT(DelotetEdge, view, i) is the i-th.
+    pub first: *const DelotetEdge,
     /// How many.
     pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
 }
-view!(DelotetEdgesView, DelotetEdge, Edge);
+records!(DelotetEdgesView, DelotetEdge, Edge);
 
 /// Borrowed second-order nodes and tetrahedra.
 #[repr(C)]
