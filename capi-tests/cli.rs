@@ -33,7 +33,7 @@ fn usage_errors_exit_with_2() {
         &["mesh", "a.off", "-o", "a.xyz"],
         &["mesh", "a.off", "-o", "a.off"],
         &["mesh", "a.off", "-o", "nowhere/a.vtu"],
-        &["mesh", "a.off", "-o", "a.vtu", "--threads", "0"],
+        &["mesh", "a.off", "-o", "a.vtu", "--threads", "-1"],
         &["mesh", "a.off", "-o", "a.vtu", "--hole", "1,2"],
         &["mesh", "a.off", "-o", "a.vtu", "--region", "1,2,nan,4"],
         &["mesh", "a.off", "-o", "a.vtu", "--merge-facets=10"],

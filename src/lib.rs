@@ -54,7 +54,7 @@ pub use output::{
     FacetFlip, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment,
     TetMesh,
 };
-pub use plc::{Facet, Interior, Plc, RegionSeed, Segment};
+pub use plc::{Facet, Interior, MarkerName, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
 pub use tetrahedralize::tetrahedralize;
 

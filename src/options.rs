@@ -42,7 +42,7 @@ pub struct Options {
     pub validate: bool,
     /// How many defects a report lists at most. Default: 1000.
     pub max_defects: usize,
-    /// Worker threads, at least 1. The result does not depend on it. Default: 1.
+    /// Worker threads; 0: as many as there are processors for this process. The result does not depend on it. Default: 1.
     pub threads: usize,
     /// Give up with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None, that
     /// is 100,000 and 100 more per segment, many times what any model has needed.
@@ -54,6 +54,16 @@ pub struct Options {
     pub exact_form: bool,
     /// The points are already in a spatially coherent order: skip sorting. Default: false.
     pub points_sorted: bool,
+}
+
+impl Options {
+    /// How many worker threads a run starts: [`Options::threads`], or the number of processors if that is 0.
+    pub fn worker_threads(&self) -> usize {
+        match self.threads {
+            0 => std::thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get),
+            threads => threads,
+        }
+    }
 }
 
 impl Default for Options {

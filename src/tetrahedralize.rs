@@ -31,9 +31,6 @@ mod preserve;
 /// the returned doubles, and input points come back first, in order, bit for bit. See [`Status`] for what can fail; a
 /// valid PLC does not.
 pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<TetMesh, Error> {
-    if options.threads == 0 {
-        return Err(Error::new(Status::InvalidArgument, "the number of threads must be at least 1"));
-    }
     let mut run = Run { clock: Instant::now(), statistics: Statistics::default(), observer };
     let prepared = run.prepare(plc, options)?;
     let mut mesh = match options.mode {
@@ -42,12 +39,12 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
             // The surface's copy of the points would lie beside the mesh at its largest.
             let alias = prepared.surface().alias.clone();
             drop(prepared);
-            run.delaunay(&mut engine, options.threads)?;
+            run.delaunay(&mut engine, options.worker_threads())?;
             assemble::delaunay(engine, plc, alias)?
         }
         Mode::Constrained => {
             let mut engine = Engine::new(prepared.surface(), options)?;
-            run.delaunay(&mut engine, options.threads)?;
+            run.delaunay(&mut engine, options.worker_threads())?;
             let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
             let mesh = run.constrain(plc, &surface, options, segments, &mut engine)?;
             drop(engine);
@@ -341,7 +338,7 @@ impl Run<'_> {
                     careful[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize] += 1;
                 }
                 engine.points.truncate(segments.first_steiner as usize);
-                self.delaunay(engine, options.threads)?;
+                self.delaunay(engine, options.worker_threads())?;
                 engine.delaunay.index_vertices(engine.points.len())?;
                 segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
                 segments.careful = careful.clone();

@@ -1128,7 +1128,8 @@ enum DelotetStatus delotet_options_set_max_defects(struct DelotetOptions *option
                                                    struct DelotetError **out_error);
 
 /**
- * Worker threads, at least 1. The mesh does not depend on it, bit for bit. Default: 1. Errors: INVALID_ARGUMENT (0).
+ * Worker threads; 0: as many as there are processors for this process. The mesh does not depend on it, bit for bit. Default: 1.
+ * Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE

@@ -66,8 +66,8 @@ pub struct MeshArgs {
     /// A point in a region and the attribute of its tetrahedra (may be repeated)
     #[arg(long, value_name = "X,Y,Z,ATTRIBUTE", allow_hyphen_values = true, value_parser = numbers::<4, 5>)]
     pub region: Vec<Numbers>,
-    /// Worker threads; the mesh does not depend on it
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = threads)]
+    /// Worker threads, 0 for as many as there are processors; the mesh does not depend on it
+    #[arg(long, value_name = "N", default_value_t = 1)]
     pub threads: usize,
     /// With .vtu: compress the arrays
     #[arg(long)]
@@ -134,8 +134,4 @@ fn numbers<const MIN: usize, const MAX: usize>(text: &str) -> Result<Numbers, St
         }
         _ => Err(format!("{MIN} finite numbers separated by commas expected")),
     }
-}
-
-fn threads(text: &str) -> Result<usize, String> {
-    text.parse().ok().filter(|&n| n >= 1).ok_or_else(|| "a number of at least 1 expected".to_string())
 }

@@ -242,7 +242,8 @@ pub unsafe extern "C" fn delotet_options_set_max_defects(
     }
 }
 
-/// Worker threads, at least 1. The mesh does not depend on it, bit for bit. Default: 1. Errors: INVALID_ARGUMENT (0).
+/// Worker threads; 0: as many as there are processors for this process. The mesh does not depend on it, bit for bit. Default: 1.
+/// Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_threads(
@@ -253,9 +254,6 @@ pub unsafe extern "C" fn delotet_options_set_threads(
     // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
         change(options, out_error, |options| {
-            if threads == 0 {
-                return Err(invalid("threads: at least one is needed"));
-            }
             options.options.threads = threads;
             Ok(())
         })

@@ -12,6 +12,7 @@ use crate::plc::Plc;
 use crate::INVALID;
 use std::path::Path;
 
+mod groups;
 mod medit;
 mod msh;
 mod obj;
@@ -20,6 +21,7 @@ mod output_files;
 mod parents;
 mod ply;
 mod quality;
+mod sniff;
 mod stl;
 mod surface;
 mod tags;
@@ -63,6 +65,9 @@ pub enum Format {
     Medit,
 }
 
+/// The extensions, for messages.
+const KNOWN: &str = "surfaces: .off .stl .obj .ply .poly .smesh .node; meshes: .vtu .vtk .msh .mesh .ele";
+
 impl Format {
     /// The format of a path by its extension (upper or lower case).
     ///
@@ -83,11 +88,34 @@ impl Format {
             "vtk" => Format::Vtk,
             "msh" => Format::Msh,
             "mesh" => Format::Medit,
+            "" => {
+                let message =
+                    format!("{}: its format is not known, for it has no extension ({KNOWN})", path.display());
+                return Err(Error::new(Status::Unsupported, message));
+            }
             _ => {
-                let message = format!("{}: '.{extension}' is no known file format", path.display());
+                let message = format!("{}: '.{extension}' is no known file format ({KNOWN})", path.display());
                 return Err(Error::new(Status::Unsupported, message));
             }
         })
+    }
+
+    /// What a file of it is called in messages.
+    fn noun(self) -> &'static str {
+        match self {
+            Format::Off => "an OFF file",
+            Format::Stl => "an STL file",
+            Format::Obj => "an OBJ file",
+            Format::Ply => "a PLY file",
+            Format::Poly => "a .poly file",
+            Format::Smesh => "a .smesh file",
+            Format::Node => "a .node file",
+            Format::Ele => "an .ele file",
+            Format::Vtu => "a .vtu file",
+            Format::Vtk => "a .vtk file",
+            Format::Msh => "an .msh file",
+            Format::Medit => "a .mesh file",
+        }
     }
 
     /// [`read`] reads it.
@@ -127,7 +155,10 @@ fn read_with(
     format: Format,
     nodes: impl FnOnce() -> Result<Vec<u8>, Error>,
 ) -> Result<Plc, Error> {
-    match format {
+    if bytes.is_empty() {
+        return Err(Error::new(Status::Format, "the file is empty"));
+    }
+    let outcome = match format {
         Format::Off => off::read(bytes),
         Format::Stl => stl::read(bytes),
         Format::Obj => obj::read(bytes),
@@ -135,12 +166,49 @@ fn read_with(
         Format::Poly => tetgen::read_plc(bytes, false, nodes),
         Format::Smesh => tetgen::read_plc(bytes, true, nodes),
         Format::Node => tetgen::read_node(bytes),
-        _ => Err(Error::new(Status::Unsupported, "a mesh format, where a surface or points were expected")),
+        _ => {
+            let message = "a mesh format, where a surface or points were expected";
+            return Err(Error::new(Status::Unsupported, message));
+        }
+    };
+    match outcome {
+        Ok(mut plc) if !plc.points.is_empty() => {
+            if matches!(format, Format::Off | Format::Poly | Format::Smesh) {
+                groups::names_in_comments(bytes, &mut plc)?;
+            }
+            Ok(plc)
+        }
+        Ok(_) => Err(Error::new(Status::Format, "the file holds no points")),
+        Err(error) if error.status == Status::Format => Err(match sniff::other_kind(bytes, format) {
+            Some(kind) => Error { message: format!("not {}: it is {kind}", format.noun()), ..error },
+            None => error,
+        }),
+        Err(error) => Err(error),
     }
 }
 
 fn bytes_of(path: &Path) -> Result<Vec<u8>, Error> {
+    refuse_endless(path)?;
     std::fs::read(path).map_err(|e| output_files::file_error(path, "read", &e))
+}
+
+/// Folders cannot be read, and devices may never end.
+fn refuse_endless(path: &Path) -> Result<(), Error> {
+    let Ok(metadata) = std::fs::metadata(path) else { return Ok(()) };
+    let kind = metadata.file_type();
+    #[cfg(unix)]
+    let device = {
+        use std::os::unix::fs::FileTypeExt;
+        kind.is_char_device() || kind.is_block_device() || kind.is_socket()
+    };
+    #[cfg(not(unix))]
+    let device = false;
+    let what = match (kind.is_dir(), device) {
+        (true, _) => "a folder",
+        (_, true) => "a device",
+        _ => return Ok(()),
+    };
+    Err(Error::new(Status::File, format!("{}: cannot read: it is {what}, not a file", path.display())))
 }
 
 /// Puts the file's name before the message.
@@ -194,7 +262,8 @@ fn subfaces_path(path: &Path) -> std::path::PathBuf {
 /// Writes the points, facets and segments of a PLC in the surface format of the path's extension.
 ///
 /// `.poly` and `.smesh` carry everything that TetGen's formats can; `.off`, `.obj` and `.ply` points, simple polygons and
-/// segments (`.obj`, `.ply` with markers); `.stl` triangles in single precision.
+/// segments with markers; `.stl` triangles: in single precision without markers, as text in full precision with markers. All but
+/// `.node` keep the names of markers.
 ///
 /// # Errors
 /// [`Status::Unsupported`]: no surface format, or the PLC has what the format cannot express (the message says what).

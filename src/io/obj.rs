@@ -1,15 +1,22 @@
 //! Wavefront OBJ: vertices, polygons, lines; groups and materials become markers. Source: Wavefront Technologies, Object
 //! Files (.obj), appendix B1.
 //!
-//! Faces before any group or material have marker 0, each new pair of group and material the next number from 1; a group
-//! named `marker_K` has marker K. Texture coordinates, normals and display attributes are skipped, free-form curves and
+//! Faces and lines in no group and of no material have marker 0, each new pair of group and material the next number from 1, and its
+//! name; a group `marker_K NAME` has marker K, whatever its material. Texture coordinates, normals and display attributes are skipped, free-form curves and
 //! surfaces refused. Equal points are joined.
+use super::groups::{self, Groups, Single};
 use super::surface::{out_of_range, Surface};
 use super::text::{bad, int, shown, Line, Lines};
 use crate::error::{Element, Error, Status};
 use crate::plc::{Plc, Segment};
 use std::borrow::Cow;
-use std::collections::HashMap;
+
+fn owned(bytes: &[u8]) -> Result<Vec<u8>, Error> {
+    let mut copy = Vec::new();
+    copy.try_reserve_exact(bytes.len())?;
+    copy.extend_from_slice(bytes);
+    Ok(copy)
+}
 
 /// Reads a file.
 pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
@@ -20,7 +27,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
         reader.line(&mut line)?;
     }
     reader.check_ranges()?;
-    reader.surface.finish(true)
+    reader.surface.finish_groups(true, &reader.groups, Single::Counts)
 }
 
 /// A backslash at the end of a line continues it on the next one: both become blanks.
@@ -48,8 +55,9 @@ struct Reader {
     surface: Surface,
     group: Vec<u8>,
     material: Vec<u8>,
-    markers: HashMap<(Vec<u8>, Vec<u8>), i32>,
-    marker: i32,
+    groups: Groups,
+    /// The number of the group and material that faces and lines belong to now.
+    current: i32,
     facets: u32,
     /// The largest index used so far with the element and line that used it.
     largest: Option<(i64, Element, usize)>,
@@ -65,14 +73,12 @@ impl Reader {
             b"f" | b"fo" => self.face(line),
             b"l" => self.polyline(line),
             b"g" | b"o" => {
-                self.group = line.rest().trim_ascii().to_vec();
-                self.enter_group();
-                Ok(())
+                self.group = owned(line.rest().trim_ascii())?;
+                self.enter_group()
             }
             b"usemtl" => {
-                self.material = line.rest().trim_ascii().to_vec();
-                self.enter_group();
-                Ok(())
+                self.material = owned(line.rest().trim_ascii())?;
+                self.enter_group()
             }
             b"vt" | b"vn" | b"vp" | b"p" | b"s" | b"mtllib" | b"mg" | b"bevel" | b"c_interp"
             | b"d_interp" | b"lod" | b"usemap" | b"maplib" | b"shadow_obj" | b"trace_obj" | b"call"
@@ -91,14 +97,29 @@ impl Reader {
         }
     }
 
-    fn enter_group(&mut self) {
-        let named = self.group.strip_prefix(b"marker_").and_then(int).and_then(|k| i32::try_from(k).ok());
-        if let (Some(marker), true) = (named, self.material.is_empty()) {
-            self.marker = marker;
-            return;
+    fn enter_group(&mut self) -> Result<(), Error> {
+        if self.group.is_empty() && self.material.is_empty() {
+            self.current = 0;
+            return Ok(());
         }
-        let next = self.markers.len() as i32 + 1;
-        self.marker = *self.markers.entry((self.group.clone(), self.material.clone())).or_insert(next);
+        let stated = groups::stated_marker(&self.group).is_some();
+        let material = if stated { &[][..] } else { &self.material };
+        // A line feed is in no name.
+        let mut key = owned(&self.group)?;
+        key.try_reserve_exact(material.len() + 1)?;
+        key.push(b'\n');
+        key.extend_from_slice(material);
+        let group = &self.group;
+        self.current = self.groups.of_key(&key, || {
+            let mut name = owned(group)?;
+            name.try_reserve_exact(material.len() + 1)?;
+            if !group.is_empty() && !material.is_empty() {
+                name.push(b'/');
+            }
+            name.extend_from_slice(material);
+            Ok(name)
+        })?;
+        Ok(())
     }
 
     /// An index from 0: positive ones count from the first point, negative ones back from the last so far.
@@ -134,7 +155,7 @@ impl Reader {
             return Err(bad(line.number(), format_args!("a face of {corners} corners")));
         }
         self.facets = self.facets.saturating_add(1);
-        self.surface.end_polygon(self.marker)
+        self.surface.end_polygon(self.current)
     }
 
     fn polyline(&mut self, line: &mut Line<'_>) -> Result<(), Error> {
@@ -146,7 +167,7 @@ impl Reader {
             if let Some(last) = last {
                 let ends = [last, index].map(|i| u32::try_from(i).unwrap_or(u32::MAX));
                 self.surface.segments.try_reserve(1)?;
-                self.surface.segments.push(Segment { ends, marker: 0 });
+                self.surface.segments.push(Segment { ends, marker: self.current });
             }
             last = Some(index);
             count += 1;

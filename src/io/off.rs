@@ -1,9 +1,11 @@
 //! The Object File Format: `OFF`, counts, a line per vertex, a line per polygon. Source: the Geomview manual, "OFF Files".
 //!
 //! Prefixes `ST`, `C`, `N` (texture coordinates, colours, normals) only add columns after the coordinates; these are
-//! skipped. Homogeneous (`4OFF`), n-dimensional (`nOFF`) and binary files are refused.
+//! skipped. What follows the corners of a face is its colour: one integer is an index into a colour map and becomes the marker,
+//! three or four numbers number groups where they are not the same everywhere, anything else is skipped. Homogeneous (`4OFF`), n-dimensional (`nOFF`) and binary files are refused.
+use super::groups::{Groups, Single};
 use super::surface::Surface;
-use super::text::{bad, shown, Lines};
+use super::text::{bad, float, int, shown, Line, Lines};
 use crate::error::{Error, Status};
 use crate::plc::Plc;
 
@@ -22,6 +24,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
     let available = bytes.len();
     let vertex_count = line.count("the number of vertices", 6, available)?;
     let face_count = line.count("the number of faces", 4, available)?;
+    let mut groups = Groups::default();
     let mut surface = Surface::default();
     surface.reserve(vertex_count, face_count, 3 * face_count)?;
     for _ in 0..vertex_count {
@@ -44,10 +47,35 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
             }
             surface.corner(corner)?;
         }
-        surface.end_polygon(0)?;
+        let group = match line.rest().trim_ascii().is_empty() {
+            true => 0,
+            false => colour_group(&mut line, &mut groups)?,
+        };
+        surface.end_polygon(group)?;
     }
     lines.expect_end("face")?;
-    surface.finish(false)
+    surface.finish_groups(false, &groups, Single::Nothing)
+}
+
+/// The group of a face by what follows its corners, 0 for none.
+fn colour_group(line: &mut Line<'_>, groups: &mut Groups) -> Result<i32, Error> {
+    let (mut values, mut count, mut integers) = ([0.0; 4], 0, true);
+    while let Some(token) = line.token() {
+        let Some(value) = float(token).filter(|_| count < 4) else { return Ok(0) };
+        values[count] = value;
+        count += 1;
+        integers &= int(token).is_some();
+    }
+    match (count, integers) {
+        (1, true) if values[0] == f64::from(values[0] as i32) => {
+            let marker = values[0] as i32;
+            groups.of_marker(marker)
+        }
+        (3 | 4, true) => groups.of_colour(&values[..count]),
+        // Reals go from 0 to 1.
+        (3 | 4, false) => groups.of_colour(&values.map(|x| 255.0 * x)[..count]),
+        _ => Ok(0),
+    }
 }
 
 fn check_magic(magic: &[u8], line: usize) -> Result<(), Error> {

@@ -80,6 +80,11 @@ impl Out {
         self.inner.write_all(bytes.as_ref())
     }
 
+    /// Formatted text, without a copy of it.
+    pub fn format(&mut self, text: std::fmt::Arguments<'_>) -> io::Result<()> {
+        self.inner.write_fmt(text)
+    }
+
     /// A double in shortest form. What is not finite is refused.
     pub fn float(&mut self, value: f64) -> io::Result<()> {
         if !value.is_finite() {

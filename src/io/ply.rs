@@ -1,7 +1,10 @@
 //! PLY, text and binary of both byte orders. Source: Greg Turk, The PLY Polygon File Format (1994).
 //!
 //! Used are the elements `vertex` (x, y, z of any scalar type), `face` (the list `vertex_index` or `vertex_indices`; a
-//! scalar `marker`) and `edge` (`vertex1`, `vertex2`: segments). Everything else is read over. Equal points are joined.
+//! scalar `marker`, or else `material_index`, or else the colour `red`, `green`, `blue`, which numbers groups where it is not the same
+//! everywhere) and `edge` (`vertex1`, `vertex2`: segments). Everything else is read over. A comment
+//! `marker K NAME` names a marker. Equal points are joined.
+use super::groups::{self, Groups, Single};
 use super::surface::Surface;
 use super::text::{bad, float, int, shown, Line, Lines};
 use crate::error::{Error, Status};
@@ -62,6 +65,8 @@ enum Role {
     Coordinate(usize),
     Corners,
     Marker,
+    Material,
+    Colour(usize),
     End(usize),
 }
 
@@ -90,12 +95,28 @@ impl Element {
     fn has(&self, role: Role) -> bool {
         self.properties.iter().any(|p| p.role == role)
     }
+
+    /// Leaves one source of markers: `marker`, else `material_index`, else a whole colour.
+    fn settle_marker(&mut self) {
+        let marked = self.has(Role::Marker);
+        let material = !marked && self.has(Role::Material);
+        let colour = !marked && !material && (0..3).all(|i| self.has(Role::Colour(i)));
+        for property in &mut self.properties {
+            property.role = match property.role {
+                Role::Material if material => Role::Marker,
+                Role::Material => Role::Skip,
+                Role::Colour(_) if !colour => Role::Skip,
+                role => role,
+            };
+        }
+    }
 }
 
 /// Reads a file.
 pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
     let mut lines = Lines::new(bytes);
-    let (encoding, elements) = header(&mut lines)?;
+    let Header { encoding, elements, names } = header(&mut lines)?;
+    let mut groups = Groups::default();
     let mut values = Values { encoding, line: None, lines, binary: &[] };
     if encoding != Encoding::Text {
         values.binary = values.lines.remaining();
@@ -104,11 +125,15 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
     for element in &elements {
         reserve(&mut surface, element)?;
         for _ in 0..element.count {
-            item(&mut values, element, &mut surface)?;
+            item(&mut values, element, &mut surface, &mut groups)?;
         }
     }
     values.expect_end()?;
-    surface.finish(true)
+    let mut plc = surface.finish_groups(true, &groups, Single::Nothing)?;
+    for name in names.names {
+        plc.set_marker_name(name.marker, &name.name)?;
+    }
+    Ok(plc)
 }
 
 fn reserve(surface: &mut Surface, element: &Element) -> Result<(), Error> {
@@ -120,18 +145,27 @@ fn reserve(surface: &mut Surface, element: &Element) -> Result<(), Error> {
     }
 }
 
-fn header(lines: &mut Lines<'_>) -> Result<(Encoding, Vec<Element>), Error> {
+struct Header {
+    encoding: Encoding,
+    elements: Vec<Element>,
+    /// The names of markers that comments gave.
+    names: Plc,
+}
+
+fn header(lines: &mut Lines<'_>) -> Result<Header, Error> {
     let ended = |number: usize| bad(number, "the file ends within the header");
     let mut line = lines.next_raw().ok_or_else(|| ended(1))?;
     if line.token() != Some(b"ply") {
         return Err(bad(1, "not a PLY file: it does not start with 'ply'"));
     }
     let mut encoding = None;
+    let mut names = Plc::default();
     let mut elements: Vec<Element> = Vec::new();
     loop {
         let mut line = lines.next_raw().ok_or_else(|| ended(lines.number()))?;
         match line.token() {
-            None | Some(b"comment" | b"obj_info") => {}
+            None | Some(b"obj_info") => {}
+            Some(b"comment") => groups::take_name(line.rest(), &mut names)?,
             Some(b"format") => {
                 encoding = Some(match line.expect("the format")? {
                     b"ascii" => Encoding::Text,
@@ -157,7 +191,8 @@ fn header(lines: &mut Lines<'_>) -> Result<(Encoding, Vec<Element>), Error> {
     }
     let encoding = encoding.ok_or_else(|| bad(lines.number(), "the header names no format"))?;
     check_elements(&elements, encoding, lines)?;
-    Ok((encoding, elements))
+    elements.iter_mut().for_each(Element::settle_marker);
+    Ok(Header { encoding, elements, names })
 }
 
 fn element(line: &mut Line<'_>, available: usize) -> Result<Element, Error> {
@@ -186,11 +221,15 @@ fn property(line: &mut Line<'_>, kind: Kind) -> Result<Property, Error> {
         (Kind::Vertex, b"z", false) => Role::Coordinate(2),
         (Kind::Face, b"vertex_index" | b"vertex_indices", true) => Role::Corners,
         (Kind::Face | Kind::Edge, b"marker", false) => Role::Marker,
+        (Kind::Face, b"material_index", false) => Role::Material,
+        (Kind::Face, b"red" | b"diffuse_red", false) => Role::Colour(0),
+        (Kind::Face, b"green" | b"diffuse_green", false) => Role::Colour(1),
+        (Kind::Face, b"blue" | b"diffuse_blue", false) => Role::Colour(2),
         (Kind::Edge, b"vertex1", false) => Role::End(0),
         (Kind::Edge, b"vertex2", false) => Role::End(1),
         _ => Role::Skip,
     };
-    let integral = matches!(role, Role::Corners | Role::Marker | Role::End(_));
+    let integral = matches!(role, Role::Corners | Role::Marker | Role::Material | Role::End(_));
     if (integral && scalar.is_float()) || list.is_some_and(Scalar::is_float) {
         return Err(bad(line.number(), format_args!("property '{}' must have an integer type", shown(name))));
     }
@@ -336,13 +375,24 @@ impl<'a> Values<'a> {
 }
 
 /// Reads one vertex, face, edge or other item.
-fn item(values: &mut Values<'_>, element: &Element, surface: &mut Surface) -> Result<(), Error> {
-    let (mut point, mut ends, mut marker) = ([0.0; 3], [0u32; 2], 0i32);
+fn item(
+    values: &mut Values<'_>,
+    element: &Element,
+    surface: &mut Surface,
+    groups: &mut Groups,
+) -> Result<(), Error> {
+    let (mut point, mut ends, mut marker, mut colour, mut coloured) =
+        ([0.0; 3], [0u32; 2], 0i32, [0.0; 3], false);
     for property in &element.properties {
         match (property.role, property.list) {
             (Role::Coordinate(axis), _) => point[axis] = values.float(property.scalar)?,
             (Role::End(end), _) => {
                 ends[end] = u32::try_from(values.int(property.scalar)?).unwrap_or(u32::MAX)
+            }
+            (Role::Colour(i), None) => {
+                let value = values.float(property.scalar)?;
+                coloured = true;
+                colour[i] = if property.scalar.is_float() { 255.0 * value } else { value };
             }
             (Role::Marker, _) => {
                 let value = values.int(property.scalar)?;
@@ -365,12 +415,16 @@ fn item(values: &mut Values<'_>, element: &Element, surface: &mut Surface) -> Re
             (_, None) => drop(values.float(property.scalar)?),
         }
     }
+    let group = match coloured {
+        true => groups.of_colour(&colour)?,
+        false => groups.of_marker(marker)?,
+    };
     match element.kind {
         Kind::Vertex => surface.point(point)?,
-        Kind::Face => surface.end_polygon(marker)?,
+        Kind::Face => surface.end_polygon(group)?,
         Kind::Edge => {
             surface.segments.try_reserve(1)?;
-            surface.segments.push(Segment { ends, marker });
+            surface.segments.push(Segment { ends, marker: group });
         }
         Kind::Other => {}
     }

@@ -2,12 +2,15 @@
 //!
 //! A file is binary if its length is 84 + 50 n, n being the count at byte 80: text cannot fulfil that, and binary files
 //! that begin with "solid" exist. Equal points are joined: the format has no other way to say that triangles meet.
+use super::groups::{Groups, Single};
 use super::surface::Surface;
 use super::text::{bad, float, shown, Lines};
 use crate::error::{Error, Status};
 use crate::plc::Plc;
 
-/// Reads a file of either kind. The triangles of the k-th solid of several have marker k, from 1.
+/// Reads a file of either kind. The triangles of the k-th solid of several have marker k, from 1, and the solid's name names
+/// it; a solid `marker_K NAME` has marker K. In a binary file the two attribute bytes of a triangle (colours, in most files
+/// that use them) number groups, where they are not the same everywhere.
 pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
     if let Some(count) = binary_count(bytes) {
         return read_binary(bytes, count);
@@ -20,11 +23,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
         Status::Format,
         match bytes.get(80..84).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes) {
             Some(n) => format!(
-                "line 1: not an STL file: it does not start with 'solid', and a binary file of {n} triangles would have {} bytes, not {}",
+                "not an STL file, or cut short: it does not start with 'solid' as text does, and the {n} triangles that a \
+                 binary file would announce take {} bytes, not {}",
                 84 + 50 * u64::from(n),
                 bytes.len()
             ),
-            None => format!("line 1: not an STL file: {} bytes that do not start with 'solid'", bytes.len()),
+            None => format!("not an STL file: {} bytes that do not start with 'solid'", bytes.len()),
         },
     ))
 }
@@ -38,6 +42,7 @@ fn read_binary(bytes: &[u8], count: usize) -> Result<Plc, Error> {
     if count == 0 {
         return Err(Error::new(Status::Format, "the file has no triangles"));
     }
+    let mut groups = Groups::default();
     let mut surface = Surface::default();
     surface.reserve(3 * count, count, 3 * count)?;
     for triangle in bytes[84..].chunks_exact(50) {
@@ -48,9 +53,22 @@ fn read_binary(bytes: &[u8], count: usize) -> Result<Plc, Error> {
             surface.corner(surface.points.len() as i64)?;
             surface.point([at(0), at(4), at(8)])?;
         }
-        surface.end_polygon(0)?;
+        let number = groups.of_key(&triangle[48..50], || attribute_name(triangle[48], triangle[49]))?;
+        surface.end_polygon(number)?;
     }
-    surface.finish(true)
+    surface.finish_groups(true, &groups, Single::Nothing)
+}
+
+/// The name of the group of an attribute.
+fn attribute_name(low: u8, high: u8) -> Result<Vec<u8>, Error> {
+    const DIGITS: &[u8; 16] = b"0123456789abcdef";
+    let mut name = Vec::new();
+    name.try_reserve_exact(16)?;
+    name.extend_from_slice(b"attribute 0x");
+    for byte in [high, low] {
+        name.extend_from_slice(&[DIGITS[usize::from(byte >> 4)], DIGITS[usize::from(byte & 15)]]);
+    }
+    Ok(name)
 }
 
 /// The words of a text STL with their line.
@@ -95,21 +113,20 @@ impl<'a> Words<'a> {
 fn read_text(bytes: &[u8]) -> Result<Plc, Error> {
     let mut words = Words { lines: Lines::new(bytes), line: None };
     let mut surface = Surface::default();
-    let mut marker_of = Vec::new();
-    let mut solids = 0i32;
+    let mut groups = Groups::default();
+    let mut triangles = 0u64;
     while let Some(word) = words.next() {
         if !word.eq_ignore_ascii_case(b"solid") {
             return Err(words.unexpected("solid", Some(word)));
         }
-        words.line = None; // the rest of the line is the name
-        solids = solids.saturating_add(1);
+        let name = words.line.take().map_or(&[][..], |line| line.rest().trim_ascii());
+        let solid = groups.add(name)?;
         loop {
             let word = words.next();
             match word {
                 Some(w) if w.eq_ignore_ascii_case(b"facet") => {
-                    read_facet(&mut words, &mut surface)?;
-                    marker_of.try_reserve(1)?;
-                    marker_of.push(solids);
+                    read_facet(&mut words, &mut surface, solid)?;
+                    triangles += 1;
                 }
                 Some(w) if w.eq_ignore_ascii_case(b"endsolid") => {
                     words.line = None;
@@ -119,17 +136,13 @@ fn read_text(bytes: &[u8]) -> Result<Plc, Error> {
             }
         }
     }
-    if marker_of.is_empty() {
+    if triangles == 0 {
         return Err(bad(words.lines.number(), "the file has no triangles"));
     }
-    let mut plc = surface.finish(true)?;
-    if solids > 1 {
-        plc.triangle_markers = marker_of;
-    }
-    Ok(plc)
+    surface.finish_groups(true, &groups, Single::Unmarked)
 }
 
-fn read_facet(words: &mut Words<'_>, surface: &mut Surface) -> Result<(), Error> {
+fn read_facet(words: &mut Words<'_>, surface: &mut Surface, solid: i32) -> Result<(), Error> {
     words.expect("normal")?;
     for _ in 0..3 {
         words.float("a number of the normal")?;
@@ -145,5 +158,5 @@ fn read_facet(words: &mut Words<'_>, surface: &mut Surface) -> Result<(), Error>
     }
     words.expect("endloop")?;
     words.expect("endfacet")?;
-    surface.end_polygon(0)
+    surface.end_polygon(solid)
 }

@@ -1,4 +1,5 @@
 //! What the surface readers fill: points, polygons in file order, and the joining of equal points.
+use super::groups::{Groups, Single};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::plc::{Facet, Interior, Plc, Segment};
 
@@ -62,6 +63,19 @@ impl Surface {
         self.ends.push(self.corners.len());
         self.markers.push(marker);
         Ok(())
+    }
+
+    /// As [`Surface::finish`], where the markers so far are numbers of groups.
+    pub fn finish_groups(mut self, join: bool, groups: &Groups, single: Single) -> Result<Plc, Error> {
+        let mut named = Plc::default();
+        let first = self.markers.first().copied().unwrap_or(0);
+        let divided = self.markers.iter().any(|&m| m != first);
+        let single = if divided { Single::Counts } else { single };
+        let markers = groups.markers(single, &mut named)?;
+        let marker_of = |number: i32| markers.get(number as usize).copied().unwrap_or(0);
+        self.markers.iter_mut().for_each(|m| *m = marker_of(*m));
+        self.segments.iter_mut().for_each(|s| s.marker = marker_of(s.marker));
+        Ok(Plc { names: named.names, ..self.finish(join)? })
     }
 
     /// The PLC: triangles if all polygons are, else general facets in file order. With `join` equal points become one

@@ -67,15 +67,37 @@ fn points(out: &mut Out, plc: &Plc, prefix: &str) -> io::Result<()> {
     })
 }
 
-fn off(out: &mut Out, plc: &Plc) -> io::Result<()> {
-    out.put(format!("OFF\n{} {} 0\n", plc.points.len(), plc.facet_count() + plc.segments.len()))?;
-    points(out, plc, "")?;
-    for (ring, _) in rings(plc) {
-        polygon(out, ring)?;
+/// Comments that name the markers: a line `# marker K NAME` each, for `groups::names_in_comments`.
+fn names(out: &mut Out, plc: &Plc, comment: &str) -> io::Result<()> {
+    for name in &plc.names {
+        out.put(comment)?;
+        out.put(" marker ")?;
+        out.int(name.marker)?;
+        out.put(" ")?;
+        out.put(one_line(&name.name))?;
         out.put("\n")?;
     }
-    for segment in &plc.segments {
-        polygon(out, &segment.ends)?;
+    Ok(())
+}
+
+/// The first line of a name, for files in which a line ends it.
+fn one_line(name: &str) -> &str {
+    name.lines().next().unwrap_or_default()
+}
+
+fn off(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    out.put("OFF\n")?;
+    names(out, plc, "#")?;
+    out.format(format_args!("{} {} 0\n", plc.points.len(), plc.facet_count() + plc.segments.len()))?;
+    points(out, plc, "")?;
+    // Where there are markers, all are written: a reader may want one colour index per face.
+    let marked = rings(plc).any(|(_, marker)| marker != 0) || plc.segments.iter().any(|s| s.marker != 0);
+    let segments = plc.segments.iter().map(|s| (&s.ends[..], s.marker));
+    for (ring, marker) in rings(plc).chain(segments) {
+        polygon(out, ring)?;
+        if marked {
+            out.blank_int(marker)?;
+        }
         out.put("\n")?;
     }
     Ok(())
@@ -90,38 +112,56 @@ fn polygon(out: &mut Out, corners: &[u32]) -> io::Result<()> {
 fn obj(out: &mut Out, plc: &Plc) -> io::Result<()> {
     points(out, plc, "v ")?;
     let mut current = 0;
-    for (ring, marker) in rings(plc) {
-        if marker != current {
-            out.put(format!("g marker_{marker}\n"))?;
-            current = marker;
+    let facets = rings(plc).map(|(ring, marker)| ("f", ring, marker));
+    let segments = plc.segments.iter().map(|s| ("l", &s.ends[..], s.marker));
+    let mut first = plc.marker_name(0).is_some();
+    for (keyword, corners, marker) in facets.chain(segments) {
+        if marker != current || first {
+            out.put("g ")?;
+            group_name(out, plc, marker)?;
+            out.put("\n")?;
+            (current, first) = (marker, false);
         }
-        out.put("f")?;
-        ring.iter().try_for_each(|&c| out.blank_int(u64::from(c) + 1))?;
-        out.put("\n")?;
-    }
-    for segment in &plc.segments {
-        out.put("l")?;
-        segment.ends.iter().try_for_each(|&c| out.blank_int(u64::from(c) + 1))?;
+        out.put(keyword)?;
+        corners.iter().try_for_each(|&c| out.blank_int(u64::from(c) + 1))?;
         out.put("\n")?;
     }
     Ok(())
 }
 
+/// `marker_K`, and the marker's name: a group that states its marker.
+fn group_name(out: &mut Out, plc: &Plc, marker: i32) -> io::Result<()> {
+    out.put("marker_")?;
+    out.int(marker)?;
+    match plc.marker_name(marker) {
+        None => Ok(()),
+        Some(name) => {
+            out.put(" ")?;
+            out.put(one_line(name))
+        }
+    }
+}
+
 fn ply(out: &mut Out, plc: &Plc) -> io::Result<()> {
     let marked = rings(plc).any(|(_, marker)| marker != 0);
-    out.put(format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+    out.put("ply\nformat binary_little_endian 1.0\n")?;
+    names(out, plc, "comment")?;
+    out.format(format_args!(
+        "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
         plc.points.len()
     ))?;
     let wide = rings(plc).any(|(ring, _)| ring.len() > 255);
     let count_type = if wide { "uint" } else { "uchar" };
-    out.put(format!("element face {}\nproperty list {count_type} uint vertex_indices\n", plc.facet_count()))?;
+    out.format(format_args!(
+        "element face {}\nproperty list {count_type} uint vertex_indices\n",
+        plc.facet_count()
+    ))?;
     if marked {
         out.put("property int marker\n")?;
     }
     if !plc.segments.is_empty() {
         let count = plc.segments.len();
-        out.put(format!(
+        out.format(format_args!(
             "element edge {count}\nproperty uint vertex1\nproperty uint vertex2\nproperty int marker\n"
         ))?;
     }
@@ -148,13 +188,59 @@ fn ply(out: &mut Out, plc: &Plc) -> io::Result<()> {
 }
 
 fn stl(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    if plc.names.is_empty() && rings(plc).all(|(_, marker)| marker == 0) {
+        stl_binary(out, plc)
+    } else {
+        stl_text(out, plc)
+    }
+}
+
+/// A solid for each run of triangles of one marker, named by it: programs that divide a surface by its solids see the same
+/// parts, and the order of the triangles stays.
+fn stl_text(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    let end = |out: &mut Out, marker: i32| {
+        out.put("endsolid ")?;
+        group_name(out, plc, marker)?;
+        out.put("\n")
+    };
+    let mut current = None;
+    for (ring, marker) in rings(plc) {
+        if current != Some(marker) {
+            if let Some(last) = current.replace(marker) {
+                end(out, last)?;
+            }
+            out.put("solid ")?;
+            group_name(out, plc, marker)?;
+            out.put("\n")?;
+        }
+        let [a, b, c] = triangle(plc, ring);
+        out.put("facet normal ")?;
+        out.point(&normal(a, b, c))?;
+        out.put("\nouter loop\n")?;
+        for corner in [a, b, c] {
+            out.put("vertex ")?;
+            out.point(&corner)?;
+            out.put("\n")?;
+        }
+        out.put("endloop\nendfacet\n")?;
+    }
+    current.map_or(Ok(()), |last| end(out, last))
+}
+
+/// The corners of a triangle.
+fn triangle(plc: &Plc, ring: &[u32]) -> [[f64; 3]; 3] {
+    std::array::from_fn(|i| {
+        ring.get(i).and_then(|&c| plc.points.get(c as usize)).copied().unwrap_or_default()
+    })
+}
+
+fn stl_binary(out: &mut Out, plc: &Plc) -> io::Result<()> {
     let mut header = [b' '; 80];
     header[..7].copy_from_slice(b"delotet");
     out.put(header)?;
     out.put((plc.facet_count() as u32).to_le_bytes())?;
     for (ring, _) in rings(plc) {
-        let corner = |i: usize| plc.points.get(ring[i] as usize).copied().unwrap_or_default();
-        let (a, b, c) = (corner(0), corner(1), corner(2));
+        let [a, b, c] = triangle(plc, ring);
         for point in [normal(a, b, c), a, b, c] {
             point.iter().try_for_each(|&x| out.put((x as f32).to_le_bytes()))?;
         }
@@ -179,7 +265,7 @@ fn normal(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> [f64; 3] {
 fn nodes(out: &mut Out, plc: &Plc) -> io::Result<()> {
     let attributes = plc.point_attribute_count;
     let marked = !plc.point_markers.is_empty();
-    out.put(format!("{}  3  {attributes}  {}\n", plc.points.len(), u8::from(marked)))?;
+    out.format(format_args!("{}  3  {attributes}  {}\n", plc.points.len(), u8::from(marked)))?;
     for (i, point) in plc.points.iter().enumerate() {
         out.int(i)?;
         out.put(" ")?;
@@ -196,8 +282,9 @@ fn nodes(out: &mut Out, plc: &Plc) -> io::Result<()> {
 }
 
 fn smesh(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    names(out, plc, "#")?;
     nodes(out, plc)?;
-    out.put(format!("{}  1\n", plc.facet_count()))?;
+    out.format(format_args!("{}  1\n", plc.facet_count()))?;
     for (ring, marker) in rings(plc) {
         polygon(out, ring)?;
         out.put("  ")?;
@@ -208,8 +295,9 @@ fn smesh(out: &mut Out, plc: &Plc) -> io::Result<()> {
 }
 
 fn poly(out: &mut Out, plc: &Plc) -> io::Result<()> {
+    names(out, plc, "#")?;
     nodes(out, plc)?;
-    out.put(format!("{}  1\n", plc.facet_count() + plc.segments.len()))?;
+    out.format(format_args!("{}  1\n", plc.facet_count() + plc.segments.len()))?;
     for (i, triangle) in plc.triangles.iter().enumerate() {
         out.put("1 0 ")?;
         out.int(plc.facet_marker(i))?;
@@ -218,7 +306,7 @@ fn poly(out: &mut Out, plc: &Plc) -> io::Result<()> {
         out.put("\n")?;
     }
     for facet in &plc.facets {
-        out.put(format!("{} {} {}\n", facet.polygons.len(), facet.holes.len(), facet.marker))?;
+        out.format(format_args!("{} {} {}\n", facet.polygons.len(), facet.holes.len(), facet.marker))?;
         for ring in &facet.polygons {
             polygon(out, ring)?;
             out.put("\n")?;
@@ -226,7 +314,7 @@ fn poly(out: &mut Out, plc: &Plc) -> io::Result<()> {
         numbered(out, &facet.holes)?;
     }
     for segment in &plc.segments {
-        out.put(format!("1 0 {}\n", segment.marker))?;
+        out.format(format_args!("1 0 {}\n", segment.marker))?;
         polygon(out, &segment.ends)?;
         out.put("\n")?;
     }
@@ -246,9 +334,9 @@ fn numbered(out: &mut Out, points: &[[f64; 3]]) -> io::Result<()> {
 
 /// The hole and region sections.
 fn seeds(out: &mut Out, plc: &Plc) -> io::Result<()> {
-    out.put(format!("{}\n", plc.holes.len()))?;
+    out.format(format_args!("{}\n", plc.holes.len()))?;
     numbered(out, &plc.holes)?;
-    out.put(format!("{}\n", plc.regions.len()))?;
+    out.format(format_args!("{}\n", plc.regions.len()))?;
     for (i, region) in plc.regions.iter().enumerate() {
         out.int(i)?;
         out.put(" ")?;

@@ -1,4 +1,4 @@
-//! The input: a piecewise linear complex (PLC). Pure data;.
+//! The input: a piecewise linear complex (PLC). Pure data.
 //!
 //! Si & Gärtner 2011, section 2: a PLC is a set of vertices, segments and facets such that the intersection of any two is a
 //! union of others of the set. We are more lenient on input: a vertex exactly on a segment or facet splits it.
@@ -14,6 +14,7 @@ mod radix;
 pub mod split;
 pub mod surface;
 
+use crate::error::Error;
 pub use prepare::{check, check_and_split, prepare, Prepared};
 #[cfg(test)]
 mod tests;
@@ -62,6 +63,16 @@ pub struct RegionSeed {
     pub max_volume: Option<f64>,
 }
 
+/// The name of a facet marker: of the group, solid, material or colour of a file that the marker stands for, or one that the
+/// caller gave.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MarkerName {
+    /// The marker.
+    pub marker: i32,
+    /// Its name: one line, not empty.
+    pub name: String,
+}
+
 /// A piecewise linear complex, as given.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Plc {
@@ -85,9 +96,39 @@ pub struct Plc {
     pub holes: Vec<[f64; 3]>,
     /// Region seeds.
     pub regions: Vec<RegionSeed>,
+    /// Names of facet markers, ascending by marker, each marker at most once ([`Plc::set_marker_name`] keeps it so). Readers
+    /// fill it from the groups of a file, writers name groups by it; meshing does not look at it.
+    pub names: Vec<MarkerName>,
 }
 
 impl Plc {
+    /// The name of a facet marker, if it has one.
+    pub fn marker_name(&self, marker: i32) -> Option<&str> {
+        let found = self.names.binary_search_by_key(&marker, |n| n.marker).ok()?;
+        self.names.get(found).map(|n| n.name.as_str())
+    }
+
+    /// Names a facet marker; an empty name takes its name away. Only the first line of a name is kept, without blanks around it.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    pub fn set_marker_name(&mut self, marker: i32, name: &str) -> Result<(), Error> {
+        let line = name.trim().lines().next().unwrap_or_default().trim_end();
+        let mut kept = String::new();
+        kept.try_reserve_exact(line.len())?;
+        kept.push_str(line);
+        match (self.names.binary_search_by_key(&marker, |n| n.marker), kept.is_empty()) {
+            (Ok(at), true) => drop(self.names.remove(at)),
+            (Ok(at), false) => self.names[at].name = kept,
+            (Err(_), true) => {}
+            (Err(at), false) => {
+                self.names.try_reserve(1)?;
+                self.names.insert(at, MarkerName { marker, name: kept });
+            }
+        }
+        Ok(())
+    }
+
     /// How many facets there are: triangles and general ones.
     pub fn facet_count(&self) -> usize {
         self.triangles.len() + self.facets.len()

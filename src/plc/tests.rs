@@ -728,3 +728,15 @@ fn random_segments_in_a_facet_are_all_kept() {
         }
     }
 }
+
+#[test]
+fn names_of_markers_are_sorted_unique_and_one_line() {
+    let mut plc = Plc::default();
+    for (marker, name) in [(7, " left wall \nmore"), (-3, "inlet"), (7, "right wall"), (2, ""), (0, "rest")] {
+        plc.set_marker_name(marker, name).unwrap();
+    }
+    plc.set_marker_name(0, "  ").unwrap();
+    let names: Vec<(i32, &str)> = plc.names.iter().map(|n| (n.marker, n.name.as_str())).collect();
+    assert_eq!(names, [(-3, "inlet"), (7, "right wall")]);
+    assert_eq!((plc.marker_name(7), plc.marker_name(0)), (Some("right wall"), None));
+}

@@ -60,7 +60,7 @@ impl Run<'_> {
             self.statistics.preserve = Default::default();
         }
         let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
-        self.delaunay_in(&mut engine, &mut order, options.threads)?;
+        self.delaunay_in(&mut engine, &mut order, options.worker_threads())?;
         let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
         let subfaces = self.recover_facets(&surface, &segments, &mut engine)?;
         let counts = &mut self.statistics.preserve;
@@ -141,7 +141,7 @@ impl Run<'_> {
             *end += 8;
         }
         let mut order: Vec<u32> = (count..count + 8).chain(inner).collect();
-        self.delaunay_in(&mut engine, &mut order, options.threads)?;
+        self.delaunay_in(&mut engine, &mut order, options.worker_threads())?;
         engine.delaunay.index_vertices(engine.points.len())?;
 
         report(self.observer, Phase::Segments, 0.0)?;

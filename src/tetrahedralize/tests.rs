@@ -270,12 +270,11 @@ fn the_caller_can_cancel_in_every_phase() {
 #[test]
 fn the_number_of_threads_changes_nothing() {
     let one = run(&schoenhardt(0.0), &Options::default()).unwrap();
-    for threads in [2, 3, 7] {
+    for threads in [0, 2, 3, 7] {
         let more = run(&schoenhardt(0.0), &Options { threads, ..Options::default() }).unwrap();
         assert_eq!((&one.points, &one.tets), (&more.points, &more.tets));
     }
-    let none = Options { threads: 0, ..Options::default() };
-    assert_eq!(run(&cube(1.0), &none).unwrap_err().status, Status::InvalidArgument);
+    assert!(Options { threads: 0, ..Options::default() }.worker_threads() >= 1);
 }
 
 /// A fan of triangles whose edges from the common vertex are an ulp apart.

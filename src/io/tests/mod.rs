@@ -1,6 +1,7 @@
 //! Tests of the file formats: `surfaces` (readers and writers of surfaces, malformed files), `meshes` (writers of meshes).
 use std::path::PathBuf;
 
+mod markers;
 mod meshes;
 mod surfaces;
 
