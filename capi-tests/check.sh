@@ -3,10 +3,12 @@
 # sanitizers, valgrind and the ABI guard. Needs: cargo, cmake 3.18, gcc, g++, pkg-config, python3; and for the parts that use them
 # valgrind, abidiff (abigail-tools), Eigen (libeigen3-dev), CalculiX (calculix-ccx), CGAL (libcgal-dev), TetGen (libtet1.5-dev).
 #   capi-tests/check.sh [folder for builds, default target/check]
+# The library is that of `cargo build --release`, in cargo's usual folder: what has been built there is not built again.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 mkdir -p "${1:-$root/target/check}"
 work=$(cd "${1:-$root/target/check}" && pwd)
+target=${CARGO_TARGET_DIR:-$root/target}
 jobs=$(nproc 2>/dev/null || echo 2)
 log=$work/log.txt
 
@@ -20,13 +22,6 @@ consumer() {
     source=$1 build=$2
     shift 2
     rm -rf "$work/$build"
-    # Consumers that build the library themselves find what cargo built before.
-    for seed in delotet _deps/delotet-build; do
-        case $source/$seed in subdirectory/delotet | fetch/_deps/delotet-build)
-            mkdir -p "$work/$build/$seed"
-            cp -a "$work/build/cargo" "$work/$build/$seed/cargo" ;;
-        esac
-    done
     quiet cmake -S "$root/capi-tests/consumer/$source" -B "$work/$build" "$@"
     quiet cmake --build "$work/$build" -j "$jobs"
     quiet ctest --test-dir "$work/$build" --output-on-failure --no-tests=error
@@ -34,7 +29,7 @@ consumer() {
 
 step "build and test, shared and static"
 quiet cmake -S "$root/cmake" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DDELOTET_BUILD_TESTS=ON -DDELOTET_INSTALL=ON \
-    -DCMAKE_INSTALL_LIBDIR=lib
+    -DCMAKE_INSTALL_LIBDIR=lib -DDELOTET_CARGO_TARGET_DIR="$target"
 quiet cmake --build "$work/build" -j "$jobs"
 quiet ctest --test-dir "$work/build" -j "$jobs" --output-on-failure --no-tests=error
 grep 'tests passed' "$log"
@@ -88,11 +83,13 @@ quiet "$work/plain"
 quiet gcc -static "$main.c" -o "$work/plain" $(pkg-config --static --cflags --libs delotet)
 quiet "$work/plain"
 
-step "README: its code blocks, as they stand"
-set --
-[ ! -x "$root/target/release/delotet" ] || set -- --bin "$root/target/release/delotet"
-quiet python3 "$root/capi-tests/readme.py" "$work/prefix" --cargo "$work/build/cargo" --work "$work/readme" "$@"
-grep -e SKIPPED -e passed "$log"
+step "packaging: cargo, Ninja, strip, manifest, absolute folders, components, exports, plugins"
+quiet "$root/capi-tests/packaging.sh" "$work" "$target"
+grep -e 'bytes, stripped' -e passed "$log"
+
+step "README and guide: their code blocks, as they stand, in a fresh clone"
+quiet python3 "$root/capi-tests/readme.py" --work "$work/readme" --target "$target" --vendored "$work/vendored"
+grep passed "$log"
 
 step "examples, through the installed package"
 rm -rf "$work/examples"
@@ -112,14 +109,12 @@ else
 fi
 
 step "add_subdirectory and FetchContent"
-consumer subdirectory subdirectory
-if git -C "$root" rev-parse HEAD >/dev/null 2>&1; then
-    consumer fetch fetch -DREPOSITORY="file://$(git -C "$root" rev-parse --show-toplevel)" \
-        -DREVISION="$(git -C "$root" rev-parse HEAD)"
-else
-    echo "no git repository: FetchContent takes the folder"
-    consumer fetch fetch -DFETCHCONTENT_SOURCE_DIR_DELOTET="$root"
-fi
+consumer subdirectory subdirectory -DDELOTET_CARGO_TARGET_DIR="$work/vendored"
+# The clone that the README's blocks ran in, under the address and the tag of the guide.
+GIT_CONFIG_GLOBAL="$work/readme/gitconfig"
+export GIT_CONFIG_GLOBAL
+consumer fetch fetch -DDELOTET_CARGO_TARGET_DIR="$work/vendored" -DREPOSITORY="https://example.org/delotet.git" -DREVISION="v$version"
+unset GIT_CONFIG_GLOBAL
 
 step "AddressSanitizer and UndefinedBehaviorSanitizer"
 quiet cmake -S "$root/cmake" -B "$work/build" -DDELOTET_SANITIZE=ON

@@ -16,6 +16,10 @@ trap 'rm -rf "$work"' EXIT
 step() {
   local name=$1 log="$work/log" begin=$SECONDS status good bad
   shift
+  if [ "${DELOTET_TESTS:-}" = list ]; then
+    printf '%s\n' "$name"
+    return
+  fi
   printf '\n--- %s\n' "$name"
   "$@" 2>&1 | tee "$log"
   status=${PIPESTATUS[0]}
@@ -35,6 +39,7 @@ step() {
 # packages NAME...: installs the Debian packages that are missing.
 packages() {
   local missing=() admin=() name
+  [ "${DELOTET_TESTS:-}" = list ] && return 0
   command -v dpkg-query >/dev/null || { echo "not Debian: please install what corresponds to: $*"; return 0; }
   for name in "$@"; do
     dpkg-query -W -f '${Status}' "$name" 2>/dev/null | grep -q '^install ok installed' || missing+=("$name")
@@ -50,6 +55,7 @@ packages() {
 
 # make_judge: builds the independent judge; false where the shared material is absent.
 make_judge() {
+  [ "${DELOTET_TESTS:-}" = list ] && return 0
   [ -x "$shared/tools/build-judge" ] || return 1
   "$shared/tools/build-judge" target
 }
@@ -64,6 +70,7 @@ delaunay() {
 # closing: the last lines; its status is the script's.
 closing() {
   local line
+  [ "${DELOTET_TESTS:-}" = list ] && return 0
   printf '\n'
   for line in "${failures[@]}"; do printf '%s\n' "$line"; done
   printf '%d passed, %d failed (%d min %d s)\n' "$passed" "$failed" "$((SECONDS / 60))" "$((SECONDS % 60))"

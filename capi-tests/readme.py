@@ -1,19 +1,23 @@
 #!/usr/bin/env python3
-"""Runs the code blocks of README.md as they stand, against an installed delotet.
+"""Runs the code blocks of README.md and src/doc/*.md exactly as they stand, in a fresh clone of the project.
 
-    capi-tests/readme.py PREFIX [--bin delotet] [--cargo FOLDER] [--work FOLDER]
+    capi-tests/readme.py [--work FOLDER] [--target FOLDER] [--vendored FOLDER] [--only NAME.md]
+
+The clone has what is committed and what is changed in the working tree. Blocks run in it, those of README.md first. Nothing outside of
+FOLDER is written: `sudo` is a wrapper that sets DESTDIR, `ldconfig` one that indexes the libraries there, HOME a folder of its own, and git
+finds the project under the address that the documents print. With --target the clone shares cargo's folder with the working tree, with
+--vendored the projects that contain the library share one: what has been built there of the same sources is not built again. For this
+the files of every clone have the time stamps that they have here, which is how cargo knows them.
 
 A comment before a block says what is done with it; a block without one fails the test, unless its language is `text`:
 
     run: c NAME, run: cpp NAME    written to NAME, compiled under strict warnings, linked by pkg-config, run
-    run: sh             run by bash -e, in the folder of all blocks, with PREFIX, PKG_CONFIG_PATH and LD_LIBRARY_PATH set
-    run: cli            the same; `cargo run --release --` is the program of --bin (without it the block is skipped, loudly)
-    run: cmake NAME     a CMakeLists.txt beside the sources of the blocks before it: configured, built, `cube` run
-    run: rust           run by `cargo test --doc`, nothing here
-    not run: REASON     nothing
+    run: sh [NAME=VALUE ...]      run by bash -e in the clone, with the variables in the environment
+    run: cmake NAME               a CMakeLists.txt beside the sources of the blocks before it: configured, built, `cube` run
+    run: rust                     compiled and run by `cargo test --doc`, since src/doc.rs includes the page; here only looked for there
 
 A block `text` after `prints` is what the block before it wrote to stdout; `prints in part`: each of its lines appears there.
-`--cargo`: what cargo built for this folder's CMake build, so that the projects which contain the library need not build it anew.
+Links between documents are followed, too.
 """
 import argparse
 import os
@@ -24,12 +28,31 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-LANGUAGES = {'c': 'c', 'cpp': 'cpp', 'sh': 'sh', 'cli': 'sh', 'cmake': 'cmake', 'rust': 'rust'}
+LANGUAGES = {'c': 'c', 'cpp': 'cpp', 'sh': 'sh', 'cmake': 'cmake', 'rust': 'rust'}
 STRICT = ['-Wall', '-Wextra', '-Wpedantic', '-Werror']
+# The address from which the documents fetch the project.
+ADDRESS = 'https://example.org/delotet.git'
+
+SUDO = '''#!/bin/sh
+# Root of a file system of its own: whatever is installed goes below that folder.
+export DESTDIR='{stage}'
+exec "$@"
+'''
+LDCONFIG = '''#!/bin/sh
+# Indexes the libraries of that file system.
+PATH="$PATH:/sbin:/usr/sbin"
+exec "$(PATH="${{PATH#*:}}" command -v ldconfig)" -n "${{DESTDIR:?ldconfig needs root}}"/usr/local/lib*
+'''
+
+
+HOOK = '''#!/bin/sh
+# After a checkout of the clone: its time stamps.
+git ls-files | while IFS= read -r name; do touch -r '{clone}'/"$name" "$name"; done
+'''
 
 
 class Failure(Exception):
-    """A block that does not do what the README says."""
+    """A block that does not do what the document says."""
 
 
 def blocks(text):
@@ -47,52 +70,104 @@ def blocks(text):
         at += 1
 
 
+def git(*arguments):
+    run = subprocess.run(['git', '-C', str(ROOT), *arguments], capture_output=True, text=True)
+    return run.stdout if run.returncode == 0 else None
+
+
+def tracked():
+    """The files of the project: what git knows or would take, or all but what is built where there is no git."""
+    names = git('ls-files', '-z', '--cached', '--others', '--exclude-standard')
+    if names is not None:
+        return [name for name in names.split('\0') if name and (ROOT / name).is_file()]
+    return [str(path.relative_to(ROOT)) for path in ROOT.rglob('*')
+            if path.is_file() and path.relative_to(ROOT).parts[0] not in ('target', 'build')]
+
+
 class Runner:
-    """Runs blocks in one folder; keeps what the last one printed."""
+    """Runs blocks in one clone; keeps what the last one printed."""
 
-    def __init__(self, args):
-        self.work, self.bin, self.cargo = args.work, args.bin, args.cargo
-        self.prefix = args.prefix.resolve()
-        self.environment = dict(os.environ, PREFIX=str(self.prefix),
-                                PKG_CONFIG_PATH=str(self.prefix / 'lib/pkgconfig'),
-                                LD_LIBRARY_PATH=str(self.prefix / 'lib'))
+    def __init__(self, work, target, vendored):
+        self.work, self.clone, self.stage = work, work / 'delotet', work / 'root'
         self.printed = ''
-        shutil.rmtree(self.work, ignore_errors=True)
-        self.work.mkdir(parents=True)
-        # Paths in the README are relative to the project; what is written stays here.
-        (self.work / 'capi-tests').mkdir()
-        (self.work / 'capi-tests/data').symlink_to(ROOT / 'capi-tests/data')
+        shutil.rmtree(work, ignore_errors=True)
+        for folder in ('home', 'root', 'projects'):
+            (work / folder).mkdir(parents=True)
+        self.make_clone()
+        self.tool('tools/sudo', SUDO)
+        self.tool('tools/ldconfig', LDCONFIG)
+        home = Path.home()
+        self.environment = dict(
+            os.environ, HOME=str(work / 'home'), PATH=f'{work / "tools"}:{os.environ["PATH"]}',
+            CARGO_HOME=os.environ.get('CARGO_HOME', str(home / '.cargo')),
+            RUSTUP_HOME=os.environ.get('RUSTUP_HOME', str(home / '.rustup')),
+            GIT_CONFIG_GLOBAL=str(work / 'gitconfig'), GIT_CONFIG_NOSYSTEM='1',
+            PKG_CONFIG_PATH=':'.join(str(self.stage / 'usr/local' / lib / 'pkgconfig') for lib in ('lib', 'lib64')),
+            LD_LIBRARY_PATH=':'.join(str(self.stage / 'usr/local' / lib) for lib in ('lib', 'lib64')),
+            CMAKE_PREFIX_PATH=str(self.stage / 'usr/local'))
+        # pkg-config would put the folder of the file system before paths that have it already.
+        self.environment.pop('PKG_CONFIG_SYSROOT_DIR', None)
+        self.environment.pop('CARGO_TARGET_DIR', None)
+        self.vendored = vendored and vendored.resolve()
+        if target:
+            (self.clone / 'build').mkdir()
+            for folder in (self.clone / 'target', self.clone / 'build/cargo'):
+                folder.symlink_to(target.resolve())
 
-    def command(self, *command):
+    def make_clone(self):
+        if git('rev-parse', 'HEAD') is None:
+            self.clone.mkdir()
+            self.command('git', 'init', '--quiet', cwd=self.clone)
+        else:
+            self.command('git', 'clone', '--quiet', ROOT, self.clone, cwd=ROOT)
+        for name in set(git('ls-files', '-z') .split('\0') if git('ls-files') else []) - set(tracked()):
+            if name:
+                (self.clone / name).unlink()
+        for name in tracked():
+            (self.clone / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, self.clone / name)
+        # The tag that the documents name, on what the clone holds.
+        version = re.search(r'^version = "(.*)"', (ROOT / 'Cargo.toml').read_text(), re.M).group(1)
+        author = ['-c', 'user.name=test', '-c', 'user.email=test@localhost']
+        self.command('git', 'add', '--all', cwd=self.clone)
+        self.command('git', *author, 'commit', '--quiet', '--allow-empty', '--no-verify', '-m', 'as tested', cwd=self.clone)
+        self.command('git', *author, 'tag', '--force', '-m', 'as tested', f'v{version}', cwd=self.clone)
+        self.tool('hooks/post-checkout', HOOK)
+        (self.work / 'gitconfig').write_text(f'[url "file://{self.clone}"]\n\tinsteadOf = {ADDRESS}\n'
+                                             f'[core]\n\thooksPath = {self.work / "hooks"}\n')
+
+    def tool(self, name, text):
+        """A program in the folder of all this."""
+        path = self.work / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text.format(stage=self.stage, clone=self.clone))
+        path.chmod(0o755)
+
+    def command(self, *command, cwd=None, more=None):
         """Runs a command; its stdout, or a failure with all it said."""
-        run = subprocess.run([str(c) for c in command], cwd=self.work, env=self.environment, capture_output=True, text=True)
+        run = subprocess.run([str(c) for c in command], cwd=cwd or self.clone, capture_output=True, text=True, errors='replace',
+                             env=dict(getattr(self, 'environment', os.environ), **(more or {})))
         if run.returncode != 0:
             raise Failure(f'{" ".join(map(str, command))}: exit code {run.returncode}\n{run.stdout}{run.stderr}')
         return run.stdout
 
     def source(self, compiler, name, content):
-        (self.work / name).write_text(content)
+        (self.clone / name).write_text(content)
         flags = self.command('pkg-config', '--cflags', '--libs', 'delotet').split()
-        program = self.work / Path(name).stem
+        program = self.clone / Path(name).stem
         self.command(*compiler, *STRICT, name, '-o', program, *flags)
         self.printed = self.command(program)
 
-    def shell(self, content):
-        self.printed = self.command('bash', '-e', '-o', 'pipefail', '-c', content)
-
     def cmake(self, name, content):
-        folder, build = self.work / name, self.work / name / 'build'
-        folder.mkdir()
-        for source in self.work.glob('*.c'):
+        folder = self.work / 'projects' / name
+        build = folder / 'build'
+        (folder / 'third_party').mkdir(parents=True)
+        (folder / 'third_party/delotet').symlink_to(self.clone)
+        for source in self.clone.glob('*.c'):
             shutil.copy(source, folder)
-        # The folder that a project would hold, and the repository that it would fetch from, are this one.
-        (folder / 'CMakeLists.txt').write_text(content.replace('third_party/delotet', str(ROOT)))
-        inside = {'subdirectory': 'delotet', 'fetch': '_deps/delotet-build'}.get(name)
-        if self.cargo and inside:
-            (build / inside).mkdir(parents=True)
-            self.command('cp', '-a', self.cargo.resolve(), build / inside / 'cargo')
-        self.command('cmake', '-S', folder, '-B', build, f'-DCMAKE_PREFIX_PATH={self.prefix}',
-                     f'-DFETCHCONTENT_SOURCE_DIR_DELOTET={ROOT}')
+        (folder / 'CMakeLists.txt').write_text(content)
+        shared = [f'-DDELOTET_CARGO_TARGET_DIR={self.vendored}'] if self.vendored and name != 'find' else []
+        self.command('cmake', '-S', folder, '-B', build, *shared)
         self.command('cmake', '--build', build)
         printed = self.command(build / 'cube')
         if 'tetrahedra' not in printed:
@@ -104,55 +179,68 @@ class Runner:
             if missing:
                 raise Failure('\n'.join(['printed:', self.printed, 'missing:', *missing]))
         elif self.printed.strip() != expected.strip():
-            raise Failure(f'printed:\n{self.printed}\nthe README says:\n{expected}')
+            raise Failure(f'printed:\n{self.printed}\nthe document says:\n{expected}')
 
-    def block(self, note, language, content):
-        """Does what the note says; returns what was done."""
+    def block(self, page, note, language, content):
+        """Does what the note says; returns what was done, None for nothing."""
         if note in ('prints', 'prints in part'):
             self.check_printed(note != 'prints', content)
             return 'output as shown'
-        if language == 'text' or note.startswith('not run: '):
-            return 'not run'
-        kind, _, name = note.removeprefix('run: ').partition(' ')
+        if language == 'text':
+            return None
+        kind, _, rest = note.removeprefix('run: ').partition(' ')
         if not note.startswith('run: ') or LANGUAGES.get(kind) != language:
-            raise Failure(f'a block of {language or "no language"} after the comment "{note}": is it run or not?')
+            raise Failure(f'a block of {language or "no language"} after the comment "{note}": how is it run?')
         if kind == 'c':
-            self.source(['gcc', '-std=c99'], name, content)
+            self.source(['gcc', '-std=c99'], rest, content)
         elif kind == 'cpp':
-            self.source(['g++', '-std=c++17'], name, content)
+            self.source(['g++', '-std=c++17'], rest, content)
         elif kind == 'sh':
-            self.shell(content)
+            more = dict(word.split('=', 1) for word in rest.split())
+            self.printed = self.command('bash', '-e', '-o', 'pipefail', '-c', content, more=more)
         elif kind == 'cmake':
-            self.cmake(name, content)
-        elif kind == 'rust':
-            return 'by cargo test --doc'
-        elif not self.bin:
-            self.printed = None
-            return 'SKIPPED: no --bin'
-        else:
-            self.shell(content.replace('cargo run --release --', str(self.bin.resolve())))
+            self.cmake(rest, content)
+        elif f'"doc/{page.name}"' not in (ROOT / 'src/doc.rs').read_text():
+            raise Failure(f'src/doc.rs does not include {page.name}: cargo test --doc does not run this block')
         return 'ok'
+
+
+def dead_links(page):
+    """Links to files that do not exist; addresses are not followed."""
+    text = re.sub(r'^```.*?^```', '', page.read_text(), flags=re.M | re.S)
+    found = re.findall(r'\]\(([^)\s]+)\)', text) + re.findall(r'^\[[^\]]+\]: (\S+)', text, re.M)
+    return [link for link in found if '://' not in link and not (page.parent / link.partition('#')[0]).exists()]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('prefix', type=Path)
-    parser.add_argument('--bin', type=Path)
-    parser.add_argument('--cargo', type=Path)
     parser.add_argument('--work', type=Path, default=ROOT / 'target/readme')
-    runner = Runner(parser.parse_args())
+    parser.add_argument('--target', type=Path, help="cargo's folder of the working tree")
+    parser.add_argument('--vendored', type=Path, help="a folder for cargo in projects that contain the library")
+    parser.add_argument('--only', help='only this document, and README.md before it')
+    arguments = parser.parse_args()
+    runner = Runner(arguments.work.resolve(), arguments.target, arguments.vendored)
+    pages = [ROOT / 'README.md', *sorted((ROOT / 'src/doc').glob('*.md'))]
     count = failed = 0
-    for line, note, language, content in blocks((ROOT / 'README.md').read_text()):
-        if runner.printed is None and note.startswith('prints'):
+
+    def report(place, what, outcome, bad):
+        nonlocal count, failed
+        count, failed = count + 1, failed + bad
+        print(f'{place}: {what}: {outcome}', flush=True)
+
+    for page in pages:
+        name = str(page.relative_to(ROOT))
+        if arguments.only and page.name not in ('README.md', arguments.only):
             continue
-        try:
-            outcome = runner.block(note, language, content)
-        except Failure as failure:
-            failed += 1
-            outcome = f'FAILED\n{failure}'
-        if outcome != 'not run':
-            count += 1
-            print(f'README.md:{line}: {note}: {outcome}', flush=True)
+        links = dead_links(page)
+        report(name, 'links', f'FAILED: {links}' if links else 'ok', bool(links))
+        for line, note, language, content in blocks(page.read_text()):
+            try:
+                outcome, bad = runner.block(page, note, language, content), False
+            except Failure as failure:
+                outcome, bad = f'FAILED\n{failure}', True
+            if outcome:
+                report(f'{name}:{line}', note, outcome, bad)
     print(f'{count - failed} passed, {failed} failed')
     sys.exit(failed != 0 or count == 0)
 

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing and runs all tests; on two cores in well under half an hour.
 #   bash capi-tests/run-tests.sh
+# With DELOTET_TESTS=list in the environment it installs and runs nothing, but lists its steps.
 # The whole corpus is another command: capi-tests/run-corpus.sh.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
 . capi-tests/common.sh
 
 packages g++ cmake make pkg-config python3 valgrind abigail-tools binutils libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev \
-  calculix-ccx tetgen libtet1.5-dev
+  calculix-ccx tetgen libtet1.5-dev ninja-build
 command -v cargo >/dev/null || { echo "cargo (1.86 or later) is needed: see https://rustup.rs"; exit 2; }
 
 regenerate() {

@@ -4,6 +4,8 @@
 //! whose boundary is exactly the input's. Every topological decision is taken from an exact sign: there is no
 //! tolerance, and no valid input fails. The same input and options give the same bytes.
 //!
+//! [`doc`] is the guide for users: installation, options, formats, guarantees, figures.
+//!
 //! # Module graph
 //!
 //! Arrows point at what is imported; `capi-tests/architecture.rs` holds the code to it.
@@ -16,7 +18,7 @@
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► plc, output
 //! main (the command line) ──► everything above through the public API
-//! error, options, progress: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
+//! doc: pages of text; error, options, progress: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
 //! ```
 //!
 //! # Conventions
@@ -29,6 +31,8 @@
 pub mod check;
 pub mod constrain;
 pub mod delaunay;
+#[cfg(any(doc, doctest))]
+pub mod doc;
 pub mod error;
 pub mod ffi;
 #[cfg(feature = "io")]
@@ -60,8 +64,3 @@ pub use tetrahedralize::tetrahedralize;
 
 /// The index that means "none": no neighbour, no parent.
 pub const INVALID: u32 = u32::MAX;
-
-/// The README's Rust block, as a test of the documentation.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

@@ -1730,7 +1730,7 @@ enum DelotetStatus delotet_mesh_locate(const struct DelotetMesh *mesh,
                                        struct DelotetError **out_error);
 
 /**
- * Reads a PLC from a file; the extension names the format (README lists them).
+ * Reads a PLC from a file; the extension names the format (src/doc/formats.md lists them).
  * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
  * on failure.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
@@ -1742,7 +1742,7 @@ enum DelotetStatus delotet_plc_read(const char *path,
                                     struct DelotetError **out_error);
 
 /**
- * Writes a mesh to a file; the extension names the format (README lists them). `plc` is the PLC that the mesh was made of: some
+ * Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
  * formats carry its markers and attributes.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
  */

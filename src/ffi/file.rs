@@ -29,7 +29,7 @@ unsafe fn path_of(path: *const c_char) -> Result<PathBuf, Error> {
     }
 }
 
-/// Reads a PLC from a file; the extension names the format (README lists them).
+/// Reads a PLC from a file; the extension names the format (src/doc/formats.md lists them).
 /// `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
 /// on failure.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
@@ -51,7 +51,7 @@ pub unsafe extern "C" fn delotet_plc_read(
     }
 }
 
-/// Writes a mesh to a file; the extension names the format (README lists them). `plc` is the PLC that the mesh was made of: some
+/// Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
 /// formats carry its markers and attributes.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
 #[no_mangle]

@@ -219,7 +219,7 @@ fn at(path: &Path, error: Error) -> Error {
     Error { message: format!("{}: {}", path.display(), error.message), ..error }
 }
 
-/// What [`write`] may be asked for.
+/// What [`write()`] may be asked for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct WriteOptions {
     /// `.vtu`: compress the arrays (zlib). Smaller and slower.

@@ -1,0 +1,6 @@
+#include "wrap.h"
+
+int main(void)
+{
+    return wrap_cube() == 6 ? 0 : 1;
+}

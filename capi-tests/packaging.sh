@@ -1,0 +1,156 @@
+#!/bin/sh
+# What the CMake project and its package do at the rim: no fit cargo, Ninja, --strip, the manifest, absolute folders, components that are
+# missing, exported targets of a project that contains delotet, plugins that contain the static library.
+#   capi-tests/packaging.sh WORK TARGET      folder for builds, cargo's folder for the default features
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+mkdir -p "$1/packaging"
+work=$(cd "$1/packaging" && pwd)
+vendored=$(mkdir -p "$1/vendored" && cd "$1/vendored" && pwd)
+target=$(mkdir -p "$2" && cd "$2" && pwd)
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' "$root/Cargo.toml" | head -n 1)
+rust=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' "$root/Cargo.toml")
+log=$work/log.txt
+good=0
+bad=0
+
+# check NAME COMMAND...: counts; shows what the command said if it fails.
+check() {
+    name=$1
+    shift
+    if "$@" >"$log" 2>&1; then
+        good=$((good + 1))
+        printf '%s: ok\n' "$name"
+    else
+        bad=$((bad + 1))
+        tail -n 40 "$log"
+        printf '%s: FAILED\n' "$name"
+    fi
+}
+# configure FOLDER ARGUMENT...: the project itself.
+configure() {
+    build=$1
+    shift
+    cmake -S "$root/cmake" -B "$work/$build" -DDELOTET_CARGO_TARGET_DIR="$target" -DCMAKE_INSTALL_LIBDIR=lib "$@"
+}
+
+# says PATTERN COMMAND...: it fails, and its words, on one line, match.
+says() {
+    pattern=$1
+    shift
+    if words=$("$@" 2>&1); then
+        printf '%s\nsucceeded\n' "$words"
+        return 1
+    fi
+    printf '%s\n' "$words" | tr -s '\n ' '  ' | grep -q "$pattern" || { printf '%s\nlacks: %s\n' "$words" "$pattern"; return 1; }
+}
+
+# cargo_says PATTERN LINE: with a cargo of which nothing is known but this line of shell.
+cargo_says() {
+    rm -rf "$work/cargo-build" "$work/fake"
+    mkdir -p "$work/fake"
+    printf '#!/bin/sh\n%s\n' "$2" >"$work/fake/cargo"
+    chmod +x "$work/fake/cargo"
+    says "$1" env PATH="$work/fake:$PATH" cmake -S "$root/cmake" -B "$work/cargo-build"
+}
+# A PATH with what CMake needs, and no cargo.
+no_cargo() {
+    rm -rf "$work/cargo-build" "$work/bare"
+    mkdir -p "$work/bare"
+    for tool in cmake cc c++ gcc g++ make ld as ar ranlib nm strip uname sh; do
+        ! command -v $tool >/dev/null || ln -s "$(command -v $tool)" "$work/bare/$tool"
+    done
+    says 'cargo, which builds the library, .*https://rustup.rs' \
+        env -u CARGO_HOME HOME="$work/bare" PATH="$work/bare" cmake -S "$root/cmake" -B "$work/cargo-build"
+}
+older=1.$((${rust#1.} - 1)).3
+check "no cargo: CMake names rustup" no_cargo
+check "an old cargo: CMake names both versions and rustup" \
+    cargo_says "version $older, but delotet needs $rust or later.*https://rustup.rs" "echo 'cargo $older (0123456 2025-01-01)'"
+check "a cargo without toolchain: CMake shows what it says" \
+    cargo_says 'no default is configured.*https://rustup.rs' 'echo "error: no default is configured" >&2; exit 1'
+enough() { ! cargo_says nothing "echo 'cargo $rust.0 (0123456 2025-01-01)'" && [ -e "$work/cargo-build/Makefile" ]; }
+check "the oldest cargo that will do" enough
+
+# Ninja, and the whole installation from its build folder.
+ninja() {
+    rm -rf "$work/ninja"
+    configure ninja -G Ninja && cmake --build "$work/ninja" && cmake --build "$work/ninja" | grep -q 'no work to do'
+}
+installed() { (cd "$1" && find . ! -type d | sed 's|^\.||' | sort); }
+manifest() {
+    rm -rf "$work/plain"
+    DESTDIR="$work/plain" cmake --install "$work/ninja" --prefix /opt/d &&
+        sort "$work/ninja/install_manifest.txt" >"$work/manifest" && installed "$work/plain" | diff "$work/manifest" - &&
+        grep -qx "/opt/d/lib/libdelotet.so.$version" "$work/manifest" && grep -qx /opt/d/bin/delotet "$work/manifest"
+}
+size() { wc -c <"$1/opt/d/$2"; }
+strip_() {
+    rm -rf "$work/stripped"
+    DESTDIR="$work/stripped" cmake --install "$work/ninja" --prefix /opt/d --strip || return 1
+    installed "$work/stripped" | diff "$work/manifest" - || return 1
+    for file in "lib/libdelotet.so.$version" lib/libdelotet.a bin/delotet; do
+        [ "$(size "$work/stripped" "$file")" -lt "$(size "$work/plain" "$file")" ] || { echo "$file is no smaller"; return 1; }
+    done
+    ! readelf -S "$work/stripped/opt/d/lib/libdelotet.so" | grep -q debug_line && "$work/stripped/opt/d/bin/delotet" --version &&
+        gcc "$root/capi-tests/consumer/main.c" -o "$work/main" -I"$work/stripped/opt/d/include" \
+            "$work/stripped/opt/d/lib/libdelotet.a" -lutil -lrt -lpthread -lm -ldl && "$work/main"
+}
+check "Ninja: builds, and then has nothing to do" ninja
+check "install: the manifest is complete" manifest
+check "install --strip: library, archive and program" strip_
+for file in "lib/libdelotet.so.$version" lib/libdelotet.a bin/delotet; do
+    printf '%s: %d bytes, stripped %d\n' "$file" "$(size "$work/plain" "$file")" "$(size "$work/stripped" "$file")"
+done
+
+# Folders given as absolute paths, as some distributions do.
+absolute() {
+    rm -rf "$work/absolute" "$work/dev" "$work/out"
+    configure absolute -DCMAKE_INSTALL_PREFIX="$work/out" -DCMAKE_INSTALL_LIBDIR="$work/dev/lib64" \
+        -DCMAKE_INSTALL_INCLUDEDIR="$work/dev/include" && cmake --build "$work/absolute" && cmake --install "$work/absolute" &&
+        rm -rf "$work/absolute-user" &&
+        cmake -S "$root/capi-tests/consumer/find" -B "$work/absolute-user" -DREQUEST="$version" \
+            -Ddelotet_DIR="$work/dev/lib64/cmake/delotet" && cmake --build "$work/absolute-user" &&
+        ctest --test-dir "$work/absolute-user" --output-on-failure --no-tests=error &&
+        [ "$(readlink "$work/dev/lib64/libdelotet.so")" = "libdelotet.so.${version%.*}" ] &&
+        # shellcheck disable=SC2046
+        PKG_CONFIG_PATH="$work/dev/lib64/pkgconfig" sh -c \
+            'gcc "$1" -o "$2" $(pkg-config --cflags --libs delotet) -Wl,-rpath,$(pkg-config --variable=libdir delotet) && "$2"' \
+            sh "$root/capi-tests/consumer/main.c" "$work/main"
+}
+check "absolute CMAKE_INSTALL_LIBDIR and CMAKE_INSTALL_INCLUDEDIR" absolute
+
+# What find_package says.
+find_says() {
+    rm -rf "$work/find"
+    says "$1" cmake -S "$root/capi-tests/consumer/find" -B "$work/find" -DCMAKE_PREFIX_PATH="$work/half/opt/d" -DREQUEST="$2"
+}
+rm -rf "$work/half"
+cp -a "$work/plain" "$work/half"
+rm "$work/half/opt/d/lib/libdelotet.a"
+check "a component that there is not: said" \
+    find_says "there is no component 'nonsense': the components are shared and static" "$version COMPONENTS nonsense"
+check "a component that is not installed: said" \
+    find_says "the component 'static' is not installed: .*libdelotet.a does not exist" "$version COMPONENTS static"
+
+# A project that contains delotet and exports its own targets.
+export_() {
+    rm -rf "$work/export" "$work/wrap" "$work/user"
+    cmake -S "$root/capi-tests/consumer/export" -B "$work/export" -DDELOTET_CARGO_TARGET_DIR="$vendored" -DCMAKE_INSTALL_LIBDIR=lib &&
+        cmake --build "$work/export" && cmake --install "$work/export" --prefix "$work/wrap" &&
+        [ ! -e "$work/wrap/bin/delotet" ] &&
+        cmake -S "$root/capi-tests/consumer/export/user" -B "$work/user" -DCMAKE_PREFIX_PATH="$work/wrap" &&
+        cmake --build "$work/user" && ctest --test-dir "$work/user" --output-on-failure --no-tests=error
+}
+check "install(EXPORT) of a project that contains delotet" export_
+
+# Plugins: nothing of the archive leaves them.
+plugin() {
+    rm -rf "$work/plugin"
+    cmake -S "$root/capi-tests/consumer/plugin" -B "$work/plugin" -DCMAKE_PREFIX_PATH="$work/plain/opt/d" &&
+        cmake --build "$work/plugin" && ctest --test-dir "$work/plugin" --output-on-failure --no-tests=error || return 1
+    [ "$(nm -D --defined-only "$work/plugin/libone.so" | sed 's/.* //')" = wrap_cube ] || { nm -D --defined-only "$work/plugin/libone.so"; return 1; }
+}
+check "two plugins with the static library: they export nothing of it" plugin
+printf '%d passed, %d failed\n' "$good" "$bad"
+[ "$bad" -eq 0 ]
