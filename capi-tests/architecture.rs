@@ -12,10 +12,11 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("error", &["options"]),
     ("progress", &["error"]),
     ("options", &["error"]),
+    ("warning", &["error", "progress"]),
     ("vector", &[]),
-    ("output", &["progress", "error"]),
+    ("output", &["progress", "error", "warning"]),
     ("predicates", &["error"]),
-    ("plc", &["predicates", "vector", "output", "error", "options", "progress"]),
+    ("plc", &["predicates", "vector", "output", "error", "options", "progress", "warning"]),
     // The engine, from the bottom up.
     ("mesh", &["error"]),
     ("delaunay", &["mesh", "predicates", "error", "progress", "options"]),
@@ -70,15 +71,27 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "error",
             "progress",
             "options",
+            "warning",
         ],
     ),
     // What looks at results; it never touches the engine.
     ("check", &["output", "plc", "predicates", "error", "options"]),
     ("mesh_query", &["output", "plc", "predicates", "error"]),
-    ("io", &["plc", "vector", "output", "error", "options", "progress"]),
+    ("io", &["plc", "vector", "output", "error", "options", "progress", "warning"]),
     (
         "ffi",
-        &["tetrahedralize", "plc", "options", "output", "error", "progress", "check", "mesh_query", "io"],
+        &[
+            "tetrahedralize",
+            "plc",
+            "options",
+            "output",
+            "error",
+            "progress",
+            "check",
+            "mesh_query",
+            "io",
+            "warning",
+        ],
     ),
     // The program sees the library from outside, as `delotet::`.
     ("cli", &[]),
@@ -86,7 +99,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
 ];
 
 /// Modules that may be imported anywhere, and may name each other.
-const LEAVES: &[&str] = &["error", "options", "progress"];
+const LEAVES: &[&str] = &["error", "options", "progress", "warning"];
 
 /// Files outside of `ffi` that may use `unsafe`, each with the reason.
 const UNSAFE_FILES: &[(&str, &str)] = &[

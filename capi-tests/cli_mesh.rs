@@ -191,7 +191,23 @@ fn an_open_surface_is_refused_unless_the_hull_is_kept() {
     let output = delotet(&["mesh", "open.off", "-o", "o.ele", "--report", "r.json"], &dir);
     assert_eq!(output.status.code(), Some(1), "{}", error_line(&output));
     assert!(text(dir.join("r.json")).contains("\"status\": \"NothingEnclosed\""));
+    // The edges round the missing side, with their places, in the message, the list below it and the report.
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("encloses nothing: 4 open edges, such as that of facet"), "{said}");
+    for (a, b, at) in [(0, 3, "0, 0.5, 0"), (0, 4, "0, 0, 0.5"), (3, 7, "0, 1, 0.5"), (4, 7, "0, 0.5, 1")] {
+        assert!(said.contains(&format!("  open edge: point {a} and point {b} at ({at})\n")), "{said}");
+    }
+    let report = text(dir.join("r.json"));
+    assert!(report.contains("\"defect_count\": 4") && report.contains("\"kind\": \"open edge\""), "{report}");
     assert!(!dir.join("o.ele").exists() && !dir.join("o.node").exists());
+    let info = delotet(&["info", "open.off", "--report", "i.json"], &dir);
+    assert_eq!(info.status.code(), Some(0));
+    let said = String::from_utf8_lossy(&info.stderr).into_owned();
+    assert!(
+        said.starts_with("warning: 4 open edges: ") && said.contains("point 0 and point 3 at (0, 0.5, 0)"),
+        "{said}"
+    );
+    assert!(text(dir.join("i.json")).contains("\"warning_count\": 4"));
     let output = delotet(&["mesh", "open.off", "-o", "o.ele", "--keep-hull"], &dir);
     assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
 }
@@ -354,4 +370,62 @@ fn check_says_that_the_surface_was_not_preserved() {
     assert!(delotet(&["mesh", "cube.off", "-o", "c.ele"], &dir).status.success());
     let output = delotet(&["check", "c.ele", "--input", "cube.off", "--preserved"], &dir);
     assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+}
+
+/// A cube, an open box around it, and a triangle far away.
+fn leaky_shell() -> String {
+    let cube = |base: usize, low: f64, high: f64| {
+        let at = |i: usize, bits: [usize; 3]| bits.map(|b| if i & b != 0 { high } else { low });
+        let points: String =
+            (0..8).map(|i| at(i, [1, 2, 4])).map(|p| format!("{} {} {}\n", p[0], p[1], p[2])).collect();
+        let rings = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        (points, rings.map(|r| r.map(|v: usize| v + base)))
+    };
+    let ((inner, closed), (outer, open)) = (cube(0, 1.0, 2.0), cube(8, 0.0, 3.0));
+    let rings = closed.iter().chain(&open[1..]);
+    let rings: String = rings.map(|r| format!("4 {} {} {} {}\n", r[0], r[1], r[2], r[3])).collect();
+    format!("OFF\n19 12 0\n{inner}{outer}9 9 9\n9 8 9\n8 9 9\n{rings}3 16 17 18\n")
+}
+
+#[test]
+fn a_shell_that_leaks_beside_others_is_said_and_not_written() {
+    let dir = folder("leak");
+    std::fs::write(dir.join("leak.off"), leaky_shell()).unwrap();
+    for mode in ["cdt", "preserve"] {
+        let output = delotet(
+            &["mesh", "leak.off", "-o", "m.ele", "--mode", mode, "--stats", "s.json", "--report", "r.json"],
+            &dir,
+        );
+        assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(said.contains("warning: 7 open edges: "), "{said}");
+        assert!(
+            said.contains("warning: 11 parts of facets bound no tetrahedron (first: facet 6 at ("),
+            "{said}"
+        );
+        assert!(said.contains("warning: 11 points are in no tetrahedron"), "{said}");
+        let stats = text(dir.join("s.json"));
+        for count in ["\"open edge\": 7", "\"unmeshed facet\": 11", "\"unmeshed point\": 11"] {
+            assert!(stats.contains(count), "{stats}");
+        }
+        assert!(text(dir.join("r.json")).contains("\"warning_count\": 29"));
+        assert!(text(dir.join("m.face")).starts_with("12  1\n"));
+        let check = ["check", "m.ele", "--input", "leak.off"];
+        let with: &[&str] = if mode == "preserve" { &["--preserved"] } else { &[] };
+        let output = delotet(&[&check, with].concat(), &dir);
+        assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+        assert!(String::from_utf8_lossy(&output.stdout).contains("correct"));
+        let quiet = delotet(&["mesh", "leak.off", "-o", "m.vtu", "--mode", mode, "-q"], &dir);
+        assert!(quiet.status.success() && quiet.stderr.is_empty());
+        // A file that lists them among the mesh's faces is refused.
+        let faces = text(dir.join("m.face")).replacen("12  1", "13  1", 1) + "12 8 10 11 0\n";
+        let parents = text(dir.join("m.parents")).replacen("12", "13", 1);
+        let mut parents: Vec<&str> = parents.lines().collect();
+        parents.insert(13, "6");
+        std::fs::write(dir.join("m.face"), faces).unwrap();
+        std::fs::write(dir.join("m.parents"), parents.join("\n")).unwrap();
+        let output = delotet(&check, &dir);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(String::from_utf8_lossy(&output.stderr).contains("facet missing: facet 6"));
+    }
 }

@@ -101,7 +101,7 @@ pub enum DefectKind {
     SeedOnFacet,
     /// A seed lies outside the domain.
     SeedOutside,
-    /// A facet has an edge that no other facet shares, where closed surfaces are required.
+    /// An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
     OpenEdge,
     /// A Steiner point has no valid position in doubles.
     Rounding,

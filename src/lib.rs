@@ -18,7 +18,7 @@
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► plc, output
 //! main (the command line) ──► everything above through the public API
-//! doc: pages of text; error, options, progress: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
+//! doc: pages of text; error, options, progress, warning: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
 //! ```
 //!
 //! # Conventions
@@ -50,6 +50,7 @@ pub mod region;
 pub mod rounding;
 pub mod tetrahedralize;
 mod vector;
+pub mod warning;
 
 pub use check::{check_mesh, check_preserved, check_preserved_outer};
 pub use error::{Defect, DefectKind, Element, Error, Status};
@@ -61,6 +62,7 @@ pub use output::{
 pub use plc::{Facet, Interior, MarkerName, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
 pub use tetrahedralize::tetrahedralize;
+pub use warning::{Warning, WarningKind, Warnings};
 
 /// The index that means "none": no neighbour, no parent.
 pub const INVALID: u32 = u32::MAX;

@@ -40,7 +40,7 @@ pub struct Options {
     /// Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may end in
     /// [`Status::Internal`](crate::Status::Internal).
     pub validate: bool,
-    /// How many defects a report lists at most. Default: 1000.
+    /// How many defects a report lists at most, and how many warnings of a kind a mesh. Default: 1000.
     pub max_defects: usize,
     /// Worker threads; 0: as many as there are processors for this process. The result does not depend on it. Default: 1.
     pub threads: usize,

@@ -1,5 +1,6 @@
 //! The result: flat arrays in doubles, input points first, with the origin of everything.
 use crate::progress::Phase;
+use crate::warning::Warnings;
 
 /// A Steiner point and where it lies: on an edge of the input, or inside ([`SteinerPoint::INSIDE`]; on no segment then).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,8 +51,10 @@ pub struct Subface {
     pub facet: u32,
     /// That facet's marker.
     pub marker: i32,
-    /// The tetrahedra on both sides, the smaller index first and [`INVALID`](crate::INVALID), where carved, last. The corners'
-    /// normal `(b − a) × (c − a)` points from the first to the second: outward on the boundary.
+    /// The tetrahedra on both sides. The first is that of the lower region (by its index), within one region that of the lower
+    /// index; the second is [`INVALID`](crate::INVALID) on the boundary. The corners' normal `(b − a) × (c − a)` points from
+    /// the first to the second: from the lower region to the higher, and outward on the boundary. Both are `INVALID` in
+    /// [`TetMesh::unmeshed_subfaces`] only.
     pub tets: [u32; 2],
 }
 
@@ -159,6 +162,12 @@ pub struct TetMesh {
     pub subfaces: Vec<Subface>,
     /// Edges on segments and facet edges.
     pub subsegments: Vec<Subsegment>,
+    /// Pieces of facets that bound no tetrahedron, since all around them was carved: no faces of the mesh.
+    pub unmeshed_subfaces: Vec<Subface>,
+    /// Pieces of segments and facet edges that are edges of no tetrahedron.
+    pub unmeshed_subsegments: Vec<Subsegment>,
+    /// Points that no tetrahedron has, ascending: those that equal an earlier point, and those around which all was carved.
+    pub unmeshed_points: Vec<u32>,
     /// One per Steiner point, in the order of `points`.
     pub steiner: Vec<SteinerPoint>,
     /// Terms of parameters that are no doubles, in the order of `steiner`, each point's largest first.
@@ -177,6 +186,9 @@ pub struct TetMesh {
     /// necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)). With [`Preserve::Outer`](crate::Preserve::Outer) that
     /// holds for the outer boundary.
     pub preserved: bool,
+    /// What the caller should know: leaks, parts of the input that are not meshed, seeds without effect. At most
+    /// [`Options::max_defects`](crate::Options::max_defects) of a kind are listed.
+    pub warnings: Warnings,
     /// Counts and costs.
     pub statistics: Statistics,
 }

@@ -13,17 +13,20 @@ use crate::options::{Mode, Options};
 use crate::output::{Statistics, TetMesh};
 use crate::plc::merge::{Guide, Merger};
 use crate::plc::surface::Surface;
-use crate::plc::{Plc, Prepared, RegionSeed};
-use crate::predicates::{scale, Points};
+use crate::plc::{Plc, Prepared};
+use crate::predicates::Points;
 use crate::progress::{report, Observer, Phase};
 use crate::region::{components, label, Components, Regions, Seeds};
 use crate::rounding::{round, Kept};
+use crate::warning::Warnings;
 use crate::INVALID;
 use rustc_hash::FxHashMap;
 use std::time::Instant;
 
 mod assemble;
 mod preserve;
+mod unmeshed;
+mod warn;
 
 /// Makes a tetrahedral mesh of a PLC.
 ///
@@ -31,29 +34,14 @@ mod preserve;
 /// the returned doubles, and input points come back first, in order, bit for bit. See [`Status`] for what can fail; a
 /// valid PLC does not.
 pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<TetMesh, Error> {
-    let mut run = Run { clock: Instant::now(), statistics: Statistics::default(), observer };
-    let prepared = run.prepare(plc, options)?;
-    let mut mesh = match options.mode {
-        Mode::Delaunay => {
-            let mut engine = Engine::new(prepared.surface(), options)?;
-            // The surface's copy of the points would lie beside the mesh at its largest.
-            let alias = prepared.surface().alias.clone();
-            drop(prepared);
-            run.delaunay(&mut engine, options.worker_threads())?;
-            assemble::delaunay(engine, plc, alias)?
-        }
-        Mode::Constrained => {
-            let mut engine = Engine::new(prepared.surface(), options)?;
-            run.delaunay(&mut engine, options.worker_threads())?;
-            let (surface, segments) = run.connect_and_recover(plc, options, prepared, &mut engine)?;
-            let mesh = run.constrain(plc, &surface, options, segments, &mut engine)?;
-            drop(engine);
-            mesh
-        }
-        Mode::Preserve => run.preserve(plc, options, prepared)?,
-    };
-    run.audit(plc, options, &mut mesh)?;
-    Ok(mesh)
+    let (statistics, warnings) = (Statistics::default(), Warnings::default());
+    let mut run = Run { clock: Instant::now(), statistics, warnings, observer };
+    let outcome = run.mesh(plc, options);
+    match &outcome {
+        Ok(mesh) => mesh.warnings.log(run.observer),
+        Err(_) => run.warnings.log(run.observer),
+    }
+    outcome
 }
 
 /// How often segments are recovered anew because Steiner points have no valid position in doubles.
@@ -86,6 +74,7 @@ fn split_edges(surface: &Surface, segments: &Segments) -> Result<Vec<[u32; 2]>, 
 struct Run<'a> {
     clock: Instant,
     statistics: Statistics,
+    warnings: Warnings,
     observer: &'a mut dyn Observer,
 }
 
@@ -160,6 +149,35 @@ impl Engine {
 }
 
 impl Run<'_> {
+    /// All stages in their order.
+    fn mesh(&mut self, plc: &Plc, options: &Options) -> Result<TetMesh, Error> {
+        let prepared = self.prepare(plc, options)?;
+        let mut mesh = match options.mode {
+            Mode::Delaunay => {
+                let mut engine = Engine::new(prepared.surface(), options)?;
+                // The surface's copy of the points would lie beside the mesh at its largest.
+                let alias = prepared.surface().alias.clone();
+                drop(prepared);
+                self.delaunay(&mut engine, options.worker_threads())?;
+                assemble::delaunay(engine, plc, alias)?
+            }
+            Mode::Constrained => {
+                let mut engine = Engine::new(prepared.surface(), options)?;
+                self.delaunay(&mut engine, options.worker_threads())?;
+                let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
+                let mesh = self.constrain(plc, &surface, options, segments, &mut engine)?;
+                drop(engine);
+                mesh
+            }
+            Mode::Preserve => self.preserve(plc, options, prepared)?,
+        };
+        self.audit(plc, options, &mut mesh)?;
+        unmeshed::set_apart(&mut mesh)?;
+        warn::about_mesh(&mesh, options, &mut self.warnings)?;
+        mesh.warnings = std::mem::take(&mut self.warnings);
+        Ok(mesh)
+    }
+
     /// Books the time since the last call for `phase`.
     fn lap(&mut self, phase: Phase) {
         self.statistics.seconds[phase as usize] += self.clock.elapsed().as_secs_f64();
@@ -176,7 +194,7 @@ impl Run<'_> {
             }
         };
         self.statistics.duplicate_points =
-            prepared.surface().alias.iter().enumerate().filter(|&(i, &a)| i as u32 != a).count() as u64;
+            warn::about_input(plc, &prepared.surface().alias, options, &mut self.warnings);
         self.lap(Phase::Validate);
         Ok(prepared)
     }
@@ -316,7 +334,7 @@ impl Run<'_> {
         let mut fewest = usize::MAX;
         loop {
             let subfaces = self.recover_facets(surface, &segments, engine)?;
-            let (mut components, regions) = self.find_regions(plc, options, engine)?;
+            let (mut components, regions) = self.find_regions(plc, surface, options, engine)?;
             report(self.observer, Phase::Round, 0.0)?;
             let mut kept = Kept { components: &mut components, regions: &regions };
             let rounded = round(
@@ -358,6 +376,7 @@ impl Run<'_> {
                 return Err(assemble::crowded(&mesh, &segments, &rounded));
             }
             mesh.hull_kept = options.keep_hull;
+            warn::about_seeds(plc, &regions, options, &mut self.warnings);
             self.statistics.missing_segments = segments.missing;
             self.statistics.steiner = segments.steiner_t.len() as u64;
             self.statistics.steiner_moved = rounded.moved;
@@ -414,6 +433,7 @@ impl Run<'_> {
     fn find_regions(
         &mut self,
         plc: &Plc,
+        surface: &Surface,
         options: &Options,
         engine: &mut Engine,
     ) -> Result<(Components, Regions), Error> {
@@ -422,17 +442,17 @@ impl Run<'_> {
             *flags &= flag::FACES | flag::DEAD;
         }
         let components = components(&engine.delaunay.mesh)?;
-        let scaled = |p: [f64; 3]| p.map(|x| scale(x, engine.scale));
-        let holes: Vec<[f64; 3]> = plc.holes.iter().map(|&p| scaled(p)).collect();
-        let seeds: Vec<RegionSeed> =
-            plc.regions.iter().map(|r| RegionSeed { point: scaled(r.point), ..*r }).collect();
         let regions = label(
             &engine.delaunay.mesh,
             &mut engine.points,
             &components,
-            &Seeds { holes: &holes, regions: &seeds },
+            &Seeds { holes: &plc.holes, regions: &plc.regions, exponent: engine.scale },
             options.keep_hull,
-        )?;
+        )
+        .map_err(|error| match error.status {
+            Status::NothingEnclosed => warn::nothing_enclosed(plc, surface, options.max_defects),
+            _ => error,
+        })?;
         self.note_peak(engine);
         self.lap(Phase::Regions);
         Ok((components, regions))

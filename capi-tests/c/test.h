@@ -117,6 +117,24 @@ static inline DelotetPlc *pierced(void)
     return plc;
 }
 
+/* A cube, a loose segment beside it and a triangle on its edge, outward: neither is meshed. */
+static inline DelotetPlc *cube_with_fin(void)
+{
+    static const uint32_t fin[3] = {1, 3, 8};
+    static const int32_t marker = 9;
+    double xyz[33] = {0};
+    DelotetPlc *plc = NULL;
+    box_points(xyz, 0, 1);
+    xyz[24] = 2;
+    xyz[27] = 5;
+    xyz[30] = 6;
+    OK(delotet_plc_new(xyz, 11, &plc, &error));
+    OK(delotet_plc_add_triangles(plc, BOX, BOX_MARKERS, 12, &error));
+    OK(delotet_plc_add_triangles(plc, fin, &marker, 1, &error));
+    OK(delotet_plc_add_segment(plc, 9, 10, 4, &error));
+    return plc;
+}
+
 static inline DelotetMesh *mesh_with(const DelotetPlc *plc, const DelotetOptions *options)
 {
     DelotetMesh *mesh = NULL;

@@ -6,6 +6,7 @@ int main(void)
     DelotetMesh *mesh = mesh_of(nested_boxes());
     DelotetSubfacesView subfaces = delotet_mesh_subfaces(mesh);
     DelotetTetsView tets = delotet_mesh_tets(mesh);
+    DelotetIndicesView regions = delotet_mesh_tet_regions(mesh);
     const double *xyz = delotet_mesh_points(mesh).data;
     size_t i, k, outer = 0, inner = 0;
     for (i = 0; i < subfaces.count; i++) {
@@ -13,7 +14,10 @@ int main(void)
         CHECK(face.facet < 24 && face.marker == (face.facet < 12 ? 7 : 8));
         outer += face.facet < 12;
         inner += face.facet >= 12;
-        CHECK(face.tets[0] < face.tets[1]); /* So the first always exists. */
+        CHECK(face.tets[0] != DELOTET_INVALID_INDEX);
+        /* From the lower region to the higher. */
+        if (face.tets[1] != DELOTET_INVALID_INDEX)
+            CHECK(regions.data[face.tets[0]] == 0 && regions.data[face.tets[1]] == 1);
     CHECK((face.tets[0] == DELOTET_INVALID_INDEX || face.tets[1] == DELOTET_INVALID_INDEX) == (face.facet < 12));
         for (k = 0; k < 2; k++)
             if (face.tets[k] != DELOTET_INVALID_INDEX) {

@@ -6,6 +6,7 @@
   generate.py points KIND N OUT.node    random points: uniform clustered sphere cylinder grid plane+1 parabola moment
   generate.py surface N OUT.off         a scan-like closed surface of at least N triangles
   generate.py layers F V OUT.poly       F parallel facets in a box, V points crowded above them, one point below
+  generate.py cells N P OUT.poly        N x N x N cubes with a region seed and P random points each
   generate.py fan N OUT.poly            N pages at one spine and N segments at one point, in a box
   generate.py chazelle N OUT.off        Chazelle's polyhedron with N notches from each side
   generate.py cylinder N OUT.off        a turned part of N facets around, in single precision: slivers, nearly coplanar
@@ -252,6 +253,25 @@ def layers(facets=5, points=60):
     m.point(0.01, 0.02, -0.02 * facets)
     for _ in range(points):
         m.point(noise.uniform(-0.5, 0.5), noise.uniform(-0.5, 0.5), noise.uniform(0.05, 0.5))
+    return m
+
+
+def cells(count=3, crowd=0):
+    """Cubes side by side, each a region with a seed, and `crowd` random points in each."""
+    m = Model()
+    noise = random.Random(7)
+    numbers = range(count)
+    for axis in range(3):
+        for k in range(count + 1):
+            for i in numbers:
+                for j in numbers:
+                    square = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+                    place = lambda u, v: (u, v, k)[-axis:] + (u, v, k)[:-axis] if axis else (u, v, k)
+                    m.facet(m.ring([place(u, v) for u, v in square]), marker=axis + 1)
+    for i, j, k in ((i, j, k) for i in numbers for j in numbers for k in numbers):
+        m.regions.append((i + 0.3, j + 0.6, k + 0.2, i + count * (j + count * k) + 1))
+        for _ in range(crowd):
+            m.point(*(x + noise.uniform(0.02, 0.98) for x in (i, j, k)))
     return m
 
 
@@ -521,6 +541,8 @@ def main(words):
     elif command in ("surface", "fan", "chazelle", "cylinder") and len(rest) == 2:
         make = {"surface": blob, "fan": fan, "chazelle": chazelle, "cylinder": sliver_cylinder}[command]
         write(make(int(rest[0])), rest[1])
+    elif command == "cells" and len(rest) == 3:
+        write(cells(int(rest[0]), int(rest[1])), rest[2])
     elif command == "layers" and len(rest) == 3:
         write(layers(int(rest[0]), int(rest[1])), rest[2])
     elif command == "refine" and len(rest) == 3:

@@ -48,6 +48,8 @@ namespace delotet {
 using Status = DelotetStatus;
 using Phase = DelotetPhase;
 using Defect = DelotetDefect;
+using Warning = DelotetWarning;
+using WarningKind = DelotetWarningKind;
 using Region = DelotetRegion;
 using Subface = DelotetSubface;
 using Subsegment = DelotetSubsegment;
@@ -945,6 +947,22 @@ class Mesh {
     void steiner_terms() const && = delete;
     Records<FacetFlip> facet_flips() const & noexcept { return records(delotet_mesh_facet_flips(get())); }
     void facet_flips() const && = delete;
+    Records<Subface> unmeshed_subfaces() const & noexcept { return records(delotet_mesh_unmeshed_subfaces(get())); }
+    void unmeshed_subfaces() const && = delete;
+    Records<Subsegment> unmeshed_subsegments() const & noexcept
+    {
+        return records(delotet_mesh_unmeshed_subsegments(get()));
+    }
+    void unmeshed_subsegments() const && = delete;
+    Span<const Index> unmeshed_points() const & noexcept { return span(delotet_mesh_unmeshed_points(get())); }
+    void unmeshed_points() const && = delete;
+    Records<Warning> warnings() const & noexcept { return records(delotet_mesh_warnings(get())); }
+    void warnings() const && = delete;
+    /// How many warnings of a kind there are, listed or not.
+    std::uint64_t warning_count(WarningKind kind) const noexcept
+    {
+        return delotet_mesh_warning_count(get(), static_cast<std::uint32_t>(kind));
+    }
     Stats stats() const noexcept
     {
         Stats stats = {};

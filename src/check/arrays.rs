@@ -35,6 +35,9 @@ pub(super) fn check_arrays(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
             bad_index(report, Element::Tet(t as u32));
         }
     }
+    for &v in mesh.unmeshed_points.iter().filter(|&&v| v as usize >= points) {
+        bad_index(report, Element::Point(v));
+    }
     for &t in mesh.replaced.iter().filter(|&&t| t as usize >= tets) {
         bad_index(report, Element::Tet(t));
     }
@@ -48,7 +51,7 @@ pub(super) fn check_arrays(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
 fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     let (points, tets) = (mesh.points.len(), mesh.tets.len());
     let tet_or_none = |t: u32| t == INVALID || (t as usize) < tets;
-    for face in &mesh.subfaces {
+    for face in mesh.subfaces.iter().chain(&mesh.unmeshed_subfaces) {
         let corners_ok = face.corners.iter().all(|&v| (v as usize) < points);
         let facet_ok = face.facet == INVALID || (face.facet as usize) < plc.facet_count();
         if !corners_ok || !facet_ok || !face.tets.iter().all(|&t| tet_or_none(t)) {
@@ -56,7 +59,7 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
         }
     }
     let segment_or_none = |s: u32| s == INVALID || (s as usize) < plc.segments.len();
-    for edge in &mesh.subsegments {
+    for edge in mesh.subsegments.iter().chain(&mesh.unmeshed_subsegments) {
         if edge.ends.iter().any(|&v| v as usize >= points) || !segment_or_none(edge.segment) {
             bad_index(report, Element::Segment(edge.segment));
         }

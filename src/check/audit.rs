@@ -83,6 +83,9 @@ fn audit_neighbors(mesh: &TetMesh, report: &mut Report) {
 
 fn audit_subfaces(mesh: &TetMesh, report: &mut Report) {
     for subface in &mesh.subfaces {
+        if subface.tets[0] == INVALID {
+            report.add(DefectKind::FacetMissing, Element::Facet(subface.facet), None, None);
+        }
         for t in subface.tets.into_iter().filter(|&t| t != INVALID) {
             if !subface.corners.iter().all(|v| mesh.tets[t as usize].contains(v)) {
                 report.add(

@@ -1,6 +1,6 @@
 //! What lies outside: pieces of segments and facets on no tetrahedron, since everything around them was carved.
 //!
-//! They are listed like the others (their facets are tiled by them), but are no faces and edges of the mesh. That a piece is
+//! They are listed apart from the others (together, they tile their facets), as they are no faces and edges of the mesh. That a piece is
 //! outside is asked where it begins: a valid PLC's pieces do not cross the facets that bound the mesh, so if a piece starts
 //! outside, all of it is. At a corner that is no vertex of the mesh this is so (the point check sees to that corner).
 use super::context::Context;
@@ -90,9 +90,9 @@ fn cone_meets(context: &Context, cone: [u32; 4], b: u32, c: u32) -> bool {
 pub(super) fn carved_edges(context: &Context) -> Result<Vec<[u32; 2]>, Error> {
     let mesh = context.mesh;
     let mut edges: Vec<[u32; 2]> = Vec::new();
-    edges.try_reserve(mesh.subsegments.len())?;
-    edges.extend(mesh.subsegments.iter().map(|s| s.ends));
-    for face in mesh.subfaces.iter().filter(|face| is_carved(context, face)) {
+    edges.try_reserve(mesh.unmeshed_subsegments.len())?;
+    edges.extend(mesh.unmeshed_subsegments.iter().map(|s| s.ends));
+    for face in mesh.unmeshed_subfaces.iter().filter(|face| is_carved(context, face)) {
         let [a, b, c] = face.corners;
         edges.try_reserve(3)?;
         edges.extend([[a, b], [b, c], [c, a]]);
@@ -113,7 +113,7 @@ pub(super) fn carved_edges(context: &Context) -> Result<Vec<[u32; 2]>, Error> {
     Ok(edges)
 }
 
-/// Whether a subface claims to be carved, and is outside.
+/// Whether a subface that is not meshed says so, and is outside.
 pub(super) fn is_carved(context: &Context, face: &Subface) -> bool {
     face.tets == [INVALID; 2]
         && context.faces.find(face.corners).is_empty()

@@ -3,9 +3,10 @@ use super::carved::carved_edges;
 use super::faces::{FaceTable, Stars};
 use super::geometry::Geometry;
 use crate::error::Error;
-use crate::output::TetMesh;
+use crate::output::{Subface, Subsegment, TetMesh};
 use crate::plc::Plc;
 use crate::INVALID;
+use std::borrow::Cow;
 
 /// Shared, read-only tables. Built only after the arrays have been found sound.
 pub(super) struct Context<'a> {
@@ -19,6 +20,10 @@ pub(super) struct Context<'a> {
     /// Every point that is not an input point says where on which input edge it lies. False for meshes from files that have
     /// such points: conformity is then judged only where all corners are input points.
     pub(super) parents_known: bool,
+    /// The subfaces of the mesh, then those that are not meshed.
+    pub(super) subfaces: Cow<'a, [Subface]>,
+    /// The same of subsegments.
+    pub(super) subsegments: Cow<'a, [Subsegment]>,
     /// Edges of carved pieces, in both directions, sorted.
     carved: Vec<[u32; 2]>,
 }
@@ -31,6 +36,8 @@ impl<'a> Context<'a> {
             faces: FaceTable::new(&mesh.tets, mesh.points.len())?,
             stars: Stars::new(&mesh.tets, mesh.points.len())?,
             parents_known: mesh.steiner.len() == mesh.points.len() - plc.points.len(),
+            subfaces: joined(&mesh.subfaces, &mesh.unmeshed_subfaces)?,
+            subsegments: joined(&mesh.subsegments, &mesh.unmeshed_subsegments)?,
             alias,
             plc,
             mesh,
@@ -71,8 +78,8 @@ impl<'a> Context<'a> {
     /// Whether the mesh names the facets of its subfaces (or has no facet to name).
     pub(super) fn subfaces_known(&self) -> bool {
         self.parents_known
-            && (!self.mesh.subfaces.is_empty() || self.plc.facet_count() == 0)
-            && self.mesh.subfaces.iter().all(|face| face.facet != INVALID)
+            && (!self.subfaces.is_empty() || self.plc.facet_count() == 0)
+            && self.subfaces.iter().all(|face| face.facet != INVALID)
     }
 
     /// Ends of the input edge that a Steiner point lies on; none for a point inside.
@@ -84,6 +91,18 @@ impl<'a> Context<'a> {
     pub(super) fn position(&self, v: u32) -> Option<[f64; 3]> {
         self.mesh.points.get(v as usize).copied()
     }
+}
+
+/// Two lists as one.
+fn joined<'a, T: Copy>(first: &'a [T], second: &[T]) -> Result<Cow<'a, [T]>, Error> {
+    if second.is_empty() {
+        return Ok(Cow::Borrowed(first));
+    }
+    let mut all = Vec::new();
+    all.try_reserve_exact(first.len() + second.len())?;
+    all.extend_from_slice(first);
+    all.extend_from_slice(second);
+    Ok(Cow::Owned(all))
 }
 
 /// For each point the first one with equal coordinates (0 and −0 are equal).

@@ -41,8 +41,8 @@ pub(super) fn check_coverage<'a>(
     members.extend(group.iter().enumerate().map(|(facet, &g)| (g, facet as u32)));
     members.sort_unstable();
     let mut subfaces: Vec<(u32, u32)> = Vec::new();
-    subfaces.try_reserve_exact(context.mesh.subfaces.len())?;
-    let numbered = context.mesh.subfaces.iter().enumerate();
+    subfaces.try_reserve_exact(context.subfaces.len())?;
+    let numbered = context.subfaces.iter().enumerate();
     subfaces.extend(numbered.map(|(i, face)| (group[face.facet as usize], i as u32)));
     subfaces.sort_unstable();
     let mut edges: Vec<(u32, Piece)> = Vec::new();
@@ -118,7 +118,7 @@ impl Group<'_> {
             let opposite = u.len() < 2 || u.len() == 2 && u[0].1 != u[1].1;
             if !good || !opposite {
                 let facet = match u.first() {
-                    Some(edge) => self.context.mesh.subfaces[edge.2 as usize].facet,
+                    Some(edge) => self.context.subfaces[edge.2 as usize].facet,
                     None => p[0].facet,
                 };
                 wrong.push((facet, next));
@@ -130,7 +130,7 @@ impl Group<'_> {
     fn uses(&self, axis: usize, wrong: &mut Vec<(u32, [u32; 2])>) -> Vec<Use> {
         let mut uses = Vec::with_capacity(3 * self.subfaces.len());
         for &i in &self.subfaces {
-            let face = &self.context.mesh.subfaces[i as usize];
+            let face = &self.context.subfaces[i as usize];
             let corners = face.corners;
             let sign = self.context.geometry.orient_in_plane(axis, corners);
             if sign == Sign::Zero {
@@ -157,7 +157,7 @@ impl Group<'_> {
         let knows = |v: u32| known.binary_search(&v).is_ok();
         let plane = self.members.iter().find_map(|&f| self.facets[f as usize].plane);
         for &i in &self.subfaces {
-            let face = &self.context.mesh.subfaces[i as usize];
+            let face = &self.context.subfaces[i as usize];
             for &v in &face.corners {
                 let on = knows(v)
                     || self.context.ends(v).is_some_and(|ends| ends.iter().all(|&e| knows(e)))
@@ -185,7 +185,7 @@ impl Group<'_> {
     /// meet in a line through it: then it lies on the triangles that its neighbours span.
     fn is_even(&self, v: u32) -> bool {
         let geometry = &self.context.geometry;
-        let corners = |&i: &u32| self.context.mesh.subfaces[i as usize].corners;
+        let corners = |&i: &u32| self.context.subfaces[i as usize].corners;
         let star: Vec<[u32; 3]> = self.subfaces.iter().map(corners).filter(|c| c.contains(&v)).collect();
         let in_plane = |[x, y, z]: [u32; 3], corners: &[u32; 3]| {
             corners.iter().all(|w| [x, y, z].contains(w) || geometry.orient3d([x, y, z, *w]) == Sign::Zero)

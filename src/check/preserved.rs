@@ -29,7 +29,7 @@ pub(super) fn check_preserved(context: &Context, report: &mut Report) -> Result<
         let from = by_facet.partition_point(|x| x.0 < f as u32);
         let mut own = by_facet[from..].iter().take_while(|x| x.0 == f as u32);
         let excused = own.any(|x| {
-            let face = &context.mesh.subfaces[x.1 as usize];
+            let face = &context.subfaces[x.1 as usize];
             let mut others = face.corners.iter().filter(|v| !corners.contains(v));
             let is_it = face.corners.iter().all(|v| corners.contains(v));
             is_it && is_carved(context, face)
@@ -49,7 +49,7 @@ pub(super) fn check_outer(context: &Context, report: &mut Report) -> Result<(), 
     keys.try_reserve_exact(triangles.len())?;
     keys.extend(triangles.iter().map(|&t| sorted(t).0));
     keys.sort_unstable();
-    for face in &context.mesh.subfaces {
+    for face in context.subfaces.iter() {
         if context.faces.find(face.corners).len() != 1 {
             continue;
         }
@@ -81,13 +81,13 @@ fn check_added_points(context: &Context, report: &mut Report) {
         let v = (inputs + i) as u32;
         report.add(DefectKind::SegmentMissing, Element::Point(v), None, context.position(v));
     }
-    for face in &context.mesh.subfaces {
+    for face in context.subfaces.iter() {
         for &v in face.corners.iter().filter(|&&v| !context.is_input(v)) {
             let point = Some(Element::Point(v));
             report.add(DefectKind::FacetMissing, Element::Facet(face.facet), point, context.position(v));
         }
     }
-    for edge in &context.mesh.subsegments {
+    for edge in context.subsegments.iter() {
         for &v in edge.ends.iter().filter(|&&v| !context.is_input(v)) {
             let point = Some(Element::Point(v));
             report.add(
@@ -102,7 +102,7 @@ fn check_added_points(context: &Context, report: &mut Report) {
 
 /// (facet, subface), sorted.
 fn subfaces_by_facet(context: &Context) -> Result<Vec<(u32, u32)>, Error> {
-    let subfaces = &context.mesh.subfaces;
+    let subfaces = &context.subfaces;
     let mut by_facet = Vec::new();
     by_facet.try_reserve_exact(subfaces.len())?;
     by_facet.extend(subfaces.iter().enumerate().map(|(i, face)| (face.facet, i as u32)));

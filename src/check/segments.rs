@@ -38,15 +38,17 @@ fn excused(context: &Context, a: u32, b: u32) -> bool {
 /// segment is a subsegment of it or of an equal one.
 fn check_subsegments(context: &Context, pieces: &[[u32; 3]], report: &mut Report) -> Result<(), Error> {
     let mut given: Vec<[u32; 2]> = Vec::new();
-    given.try_reserve_exact(context.mesh.subsegments.len())?;
-    for edge in &context.mesh.subsegments {
+    given.try_reserve_exact(context.subsegments.len())?;
+    let meshed = context.mesh.subsegments.len();
+    for (i, edge) in context.subsegments.iter().enumerate() {
         let [a, b] = edge.ends;
+        let listed_right = context.stars.has_edge(&context.mesh.tets, a, b) == (i < meshed);
         let key = [a.min(b), a.max(b)];
         given.push(key);
         let named = edge.segment == INVALID
             || pieces.binary_search(&[key[0], key[1], edge.segment]).is_ok()
                 && context.plc.segments[edge.segment as usize].marker == edge.marker;
-        if !context.has_edge(a, b) || !named {
+        if !context.has_edge(a, b) || !listed_right || !named {
             let element =
                 if edge.segment == INVALID { Element::Point(a) } else { Element::Segment(edge.segment) };
             report.add(DefectKind::NotConforming, element, Some(Element::Point(b)), context.position(a));

@@ -1,10 +1,11 @@
-//! Subfaces: each is a face of the mesh, listed once, with the marker of its facet and the right tetrahedra on both sides.
+//! Subfaces: each is a face of the mesh, listed once, with the marker of its facet and the right tetrahedra on both sides, in the
+//! right order.
 use super::carved::is_carved;
 use super::context::Context;
 use super::faces::{face_corners, sorted};
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
-use crate::output::Subface;
+use crate::output::{Region, Subface};
 use crate::INVALID;
 
 /// Checks the subfaces; returns per tetrahedron one bit for each face that lies on a facet.
@@ -16,19 +17,23 @@ pub(super) fn check_subfaces(context: &Context, report: &mut Report) -> Result<V
         flag_known_faces(context, &mut flags);
         return Ok(flags);
     }
+    for face in &context.mesh.unmeshed_subfaces {
+        if !is_carved(context, face) || face.marker != context.plc.facet_marker(face.facet as usize) {
+            let at = context.position(face.corners[0]);
+            report.add(DefectKind::NotConforming, Element::Facet(face.facet), None, at);
+        }
+    }
     for face in &context.mesh.subfaces {
         let entries = context.faces.find(face.corners);
         let element = Element::Facet(face.facet);
         let at = context.position(face.corners[0]);
         if entries.is_empty() {
-            if !is_carved(context, face) {
-                report.add(DefectKind::FacetMissing, element, None, at);
-            }
+            report.add(DefectKind::FacetMissing, element, None, at);
             continue;
         }
         let twice = entries.iter().any(|e| flags[e.handle as usize / 4] >> (e.handle % 4) & 1 == 1);
         let marker = context.plc.facet_marker(face.facet as usize);
-        if twice || marker != face.marker || face.tets != sides(context, face) {
+        if twice || marker != face.marker || face.tets != sides(context, face) || is_reversed(context, face) {
             report.add(DefectKind::NotConforming, element, None, at);
         }
         for e in entries {
@@ -49,6 +54,32 @@ fn sides(context: &Context, face: &Subface) -> [u32; 2] {
         tets[usize::from(positive)] = t;
     }
     tets
+}
+
+/// Whether the first tetrahedron is not the one that should be: that of the lower region, or of the lower index in one region.
+/// Regions are numbered as their seeds are, those without after them. Files do not tell regions whose seeds have equal
+/// attributes; that is not judged.
+fn is_reversed(context: &Context, face: &Subface) -> bool {
+    let [s, t] = face.tets;
+    if s == INVALID || t == INVALID {
+        return s == INVALID;
+    }
+    let region = |t: u32| {
+        let index = *context.mesh.tet_region.get(t as usize)?;
+        Some((index, context.mesh.regions.get(index as usize)?))
+    };
+    let (Some((r, first)), Some((q, second))) = (region(s), region(t)) else { return false };
+    if r == q {
+        return s > t;
+    }
+    let is_known = |region: &Region| {
+        region.seed != INVALID || context.plc.regions.iter().all(|seed| seed.attribute != region.attribute)
+    };
+    if !is_known(first) || !is_known(second) {
+        return false;
+    }
+    let order = first.seed.cmp(&second.seed).then(first.attribute.total_cmp(&second.attribute));
+    order.is_gt()
 }
 
 /// Without parents, the faces known to lie on a facet are those listed, the input triangles that are faces, and (nothing here

@@ -47,7 +47,17 @@ fn add_subface(plc: &Plc, mesh: &mut TetMesh, corners: [u32; 3], facet: u32) {
         }
     }
     let marker = plc.facet_marker(facet as usize);
-    mesh.subfaces.push(Subface { corners, facet, marker, tets });
+    mesh.subfaces.push(ordered(mesh, Subface { corners, facet, marker, tets }));
+}
+
+/// The tetrahedron of the lower region first, then that of the lower index.
+fn ordered(mesh: &TetMesh, face: Subface) -> Subface {
+    let rank = |t: u32| (mesh.tet_region.get(t as usize).copied().unwrap_or(0), t);
+    let ([a, b, c], [s, t]) = (face.corners, face.tets);
+    match t == INVALID || s != INVALID && rank(s) < rank(t) {
+        true => face,
+        false => Subface { corners: [a, c, b], tets: [t, s], ..face },
+    }
 }
 
 fn kinds(result: Result<(), Error>) -> Vec<DefectKind> {
@@ -465,18 +475,25 @@ fn carved_pieces_are_outside() {
     mesh.point_alias.push(8);
     plc.triangles.push([1, 5, 8]);
     plc.segments.push(Segment { ends: [5, 8], marker: 3 });
-    mesh.subsegments.push(Subsegment { ends: [8, 5], segment: 12, marker: 3 });
+    mesh.unmeshed_subsegments.push(Subsegment { ends: [8, 5], segment: 12, marker: 3 });
     let unlisted = mesh.clone();
-    mesh.subfaces.push(Subface { corners: [1, 5, 8], facet: 12, marker: 0, tets: [INVALID; 2] });
+    mesh.unmeshed_subfaces.push(Subface { corners: [1, 5, 8], facet: 12, marker: 0, tets: [INVALID; 2] });
     assert_eq!(check(&plc, &mesh), vec![]);
     assert_eq!(check(&plc, &unlisted), vec![DefectKind::FacetMissing]);
+    // Among the mesh's own they are wrong.
+    let mut listed = mesh.clone();
+    listed.subfaces.append(&mut listed.unmeshed_subfaces);
+    assert_eq!(check(&plc, &listed), vec![DefectKind::FacetMissing]);
+    let mut listed = mesh.clone();
+    listed.subsegments.append(&mut listed.unmeshed_subsegments);
+    assert!(check(&plc, &listed).contains(&DefectKind::NotConforming));
     // The same claim about a facet and a segment inside of the mesh.
     plc.triangles[12] = [1, 2, 4];
     plc.segments[12].ends = [1, 6];
-    mesh.subfaces[12].corners = [1, 2, 4];
-    mesh.subsegments[12].ends = [1, 6];
+    mesh.unmeshed_subfaces[0].corners = [1, 2, 4];
+    mesh.unmeshed_subsegments[0].ends = [1, 6];
     let found = check(&plc, &mesh);
-    assert!(found.contains(&DefectKind::FacetMissing) && found.contains(&DefectKind::SegmentMissing));
+    assert!(found.contains(&DefectKind::NotConforming) && found.contains(&DefectKind::SegmentMissing));
 }
 
 /// Every triangle between corners of the cube that is no face: with all corners used, outside is decided by signs alone.
@@ -569,7 +586,8 @@ fn grid(n: u32) -> (Plc, TetMesh) {
             let positive = orient3d(p, q, r, &mesh.points[apex as usize]) == Sign::Positive;
             let mut tets = [INVALID; 2];
             tets[usize::from(positive)] = only.handle / 4;
-            mesh.subfaces.push(Subface { corners, facet, marker: 0, tets });
+            let face = ordered(&mesh, Subface { corners, facet, marker: 0, tets });
+            mesh.subfaces.push(face);
         }
     }
     (plc, mesh)

@@ -18,6 +18,7 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
     if named && mesh.steiner.len() + plc.points.len() == points {
         let sides = sides_of_faces(mesh);
         mesh.subfaces.iter_mut().for_each(|face| face.tets = sides_of(face, &sides));
+        attribute_regions(plc, mesh);
         return Ok(());
     }
     let known = mesh.steiner.len() == points.saturating_sub(plc.points.len());
@@ -27,11 +28,15 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
         || mesh.tets.iter().flatten().any(|&v| v as usize >= points)
     {
         mesh.subfaces.clear();
+        mesh.unmeshed_subfaces.clear();
+        mesh.unmeshed_subsegments.clear();
         return Ok(());
     }
     let alias = aliases(plc);
     let facets_at = facets_at_points(plc, &alias);
     let sides = sides_of_faces(mesh);
+    let attribute = |&region: &u32| mesh.regions.get(region as usize).map_or(0.0, |r| r.attribute);
+    let attributes: Vec<f64> = mesh.tet_region.iter().map(attribute).collect();
     for face in &mut mesh.subfaces {
         let [a, b, c] = face.corners.map(|v| &facets_at[alias[v as usize] as usize]);
         let mut candidates = a.iter().filter(|f| b.contains(f) && c.contains(f)).copied();
@@ -48,9 +53,34 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
                 format!("face ({a}, {b}, {c}) of the mesh cannot be attributed to one facet of the input");
             return Err(Error::new(Status::Unsupported, message));
         };
-        *face = Subface { facet, tets: sides_of(face, &sides), ..*face };
+        *face = ordered(Subface { facet, tets: sides_of(face, &sides), ..*face }, &attributes);
     }
     Ok(())
+}
+
+/// Gives every region the seed that has its attribute, if only one has it.
+fn attribute_regions(plc: &Plc, mesh: &mut TetMesh) {
+    let mut seeds: Vec<(f64, u32)> = plc.regions.iter().map(|seed| seed.attribute + 0.0).zip(0..).collect();
+    seeds.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
+    for region in &mut mesh.regions {
+        let attribute = region.attribute + 0.0;
+        let from = seeds.partition_point(|x| x.0.total_cmp(&attribute).is_lt());
+        let mut equal = seeds[from..].iter().take_while(|x| x.0 == attribute);
+        if let (Some(only), None) = (equal.next(), equal.next()) {
+            region.seed = only.1;
+        }
+    }
+}
+
+/// A face from other programs, which may point either way, as ours do: from the lower of regions that differ by attribute only.
+fn ordered(face: Subface, attributes: &[f64]) -> Subface {
+    let attribute = |t: u32| attributes.get(t as usize).copied().unwrap_or(0.0);
+    let ([a, b, c], [s, t]) = (face.corners, face.tets);
+    let order = attribute(s).total_cmp(&attribute(t)).then(s.cmp(&t));
+    match t == INVALID || s != INVALID && order.is_le() {
+        true => face,
+        false => Subface { corners: [a, c, b], tets: [t, s], ..face },
+    }
 }
 
 /// All corners of a facet lie exactly in the plane of three points.

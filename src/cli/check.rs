@@ -2,14 +2,14 @@
 use super::args::{CheckArgs, PreserveArg};
 use super::{report, Failure};
 use delotet::io;
-use delotet::{Defect, DefectKind, Element, Error, Status, SteinerPoint, TetMesh};
+use delotet::{Defect, DefectKind, Element, Error, Status, SteinerPoint, TetMesh, Warnings};
 use std::io::Write;
 
 /// Reads a mesh and its input and checks the one against the other.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let outcome = check(args);
     report::write_if_asked(args.report.as_deref(), || match &outcome {
-        Ok(()) => report::of_success(None),
+        Ok(()) => report::of_success(None, &Warnings::default()),
         Err(failure) => report::of_error(&failure.error),
     });
     outcome

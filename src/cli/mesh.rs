@@ -16,7 +16,7 @@ pub fn run(args: &MeshArgs) -> Result<(), Failure> {
     console.finish();
     let report = args.report.as_deref();
     match &outcome {
-        Ok(mesh) => report::write_if_asked(report, || report::of_success(Some(mesh))),
+        Ok(mesh) => report::write_if_asked(report, || report::of_success(Some(mesh), &mesh.warnings)),
         Err(failure) => report::write_if_asked(report, || report::of_error(&failure.error)),
     }
     outcome.map(|_| ())
@@ -44,6 +44,7 @@ fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
     }
     console.finish();
     if !args.quiet {
+        report::print_warnings(&mesh.warnings);
         summary::print_mesh(&args.output, &mesh, total);
     }
     Ok(mesh)
@@ -133,6 +134,7 @@ fn statistics(mesh: &TetMesh, total: f64) -> Value {
         "facet_flips": mesh.facet_flips.len(),
         "regions": mesh.regions.len(),
         "hull_kept": mesh.hull_kept,
+        "warnings": report::warning_counts(&mesh.warnings),
         "peak_bytes": s.peak_bytes,
         "preserve": {
             "missing_edges": s.preserve.missing_edges,

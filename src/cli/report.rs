@@ -1,5 +1,5 @@
 //! Errors for people (stderr) and for programs (JSON).
-use delotet::{Defect, Element, Error, TetMesh};
+use delotet::{Defect, Element, Error, TetMesh, Warning, WarningKind, Warnings};
 use serde_json::{json, Value};
 use std::io::Write;
 use std::path::Path;
@@ -20,6 +20,31 @@ pub fn print(error: &Error) {
     }
 }
 
+/// How many warnings of a kind stderr shows beside the one that its line names.
+const SHOWN_WARNINGS: usize = 5;
+
+/// Prints warnings: a line per kind, then some of them where there are several.
+pub fn print_warnings(warnings: &Warnings) {
+    let mut err = std::io::stderr().lock();
+    for kind in WarningKind::ALL {
+        let Some(line) = warnings.line(kind) else { continue };
+        let _ = writeln!(err, "warning: {line}");
+        for warning in warnings.of(kind).skip(1).take(SHOWN_WARNINGS) {
+            let _ = writeln!(err, "  {warning}");
+        }
+        let more = warnings.count(kind).saturating_sub(1 + SHOWN_WARNINGS as u64);
+        if more > 0 {
+            let _ = writeln!(err, "  … and {more} more; --report FILE lists all");
+        }
+    }
+}
+
+/// How many warnings of each kind there are.
+pub fn warning_counts(warnings: &Warnings) -> Value {
+    let counted = WarningKind::ALL.into_iter().map(|kind| (kind, warnings.count(kind)));
+    counted.filter(|x| x.1 > 0).map(|(kind, count)| (kind.name().to_string(), json!(count))).collect()
+}
+
 /// The report of a failure.
 pub fn of_error(error: &Error) -> Value {
     json!({
@@ -32,8 +57,8 @@ pub fn of_error(error: &Error) -> Value {
     })
 }
 
-/// The report of a success: no defects, and the flips of facet merging.
-pub fn of_success(mesh: Option<&TetMesh>) -> Value {
+/// The report of a success: no defects; the warnings, and the flips of facet merging.
+pub fn of_success(mesh: Option<&TetMesh>, warnings: &Warnings) -> Value {
     let flips = mesh.map(|m| &m.facet_flips[..]).unwrap_or_default();
     let flip = |f: &delotet::FacetFlip| json!({ "old": f.old, "new": f.new, "facets": f.facets });
     json!({
@@ -43,6 +68,8 @@ pub fn of_success(mesh: Option<&TetMesh>) -> Value {
         "message": "",
         "defect_count": 0,
         "defects": [],
+        "warning_count": warnings.total(),
+        "warnings": warnings.list().iter().map(warning).collect::<Vec<_>>(),
         "facet_flips": flips.iter().map(flip).collect::<Vec<_>>(),
     })
 }
@@ -53,6 +80,15 @@ fn defect(defect: &Defect) -> Value {
         "first": element(defect.first),
         "second": defect.second.map(element),
         "point": defect.point,
+    })
+}
+
+fn warning(warning: &Warning) -> Value {
+    json!({
+        "kind": warning.kind.name(),
+        "first": element(warning.first),
+        "second": warning.second.map(element),
+        "point": warning.point,
     })
 }
 

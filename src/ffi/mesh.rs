@@ -4,6 +4,7 @@ use super::guard::{free, get, guard, invalid, null, read};
 use super::plc::DelotetPlc;
 use super::status::DelotetStatus;
 use super::view::*;
+use super::warning::DelotetWarning;
 use crate::error::Error;
 use crate::mesh_query::{Edges, Faces, Locator, PointData};
 use crate::output::TetMesh;
@@ -16,6 +17,7 @@ pub struct DelotetMesh {
     pub(super) mesh: TetMesh,
     pub(super) data: PointData,
     regions: Vec<DelotetRegion>,
+    pub(super) warnings: Vec<DelotetWarning>,
     pub(super) derived: Derived,
 }
 
@@ -50,7 +52,10 @@ impl DelotetMesh {
             max_volume: region.max_volume.unwrap_or(0.0),
             seed: region.seed,
         }));
-        Ok(DelotetMesh { mesh, data, regions, derived: Derived::default() })
+        let mut warnings = Vec::new();
+        warnings.try_reserve_exact(mesh.warnings.list().len())?;
+        warnings.extend(mesh.warnings.list().iter().map(DelotetWarning::from));
+        Ok(DelotetMesh { mesh, data, regions, warnings, derived: Derived::default() })
     }
 }
 
@@ -143,7 +148,8 @@ pub unsafe extern "C" fn delotet_mesh_regions(mesh: *const DelotetMesh) -> Delot
     unsafe { read(mesh, DelotetRegionsView::new(&[]), |mesh| DelotetRegionsView::new(&mesh.regions)) }
 }
 
-/// The faces on facets, with facet, marker and both tetrahedra. Borrowed from `mesh`. Empty for NULL.
+/// The faces on facets, with facet, marker and both tetrahedra; pieces of facets that bound no tetrahedron are in
+/// delotet_mesh_unmeshed_subfaces. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_subfaces(mesh: *const DelotetMesh) -> DelotetSubfacesView {
     // SAFETY: the caller passes NULL or a mesh that is alive.
@@ -156,6 +162,34 @@ pub unsafe extern "C" fn delotet_mesh_subsegments(mesh: *const DelotetMesh) -> D
     let none = DelotetSubsegmentsView::new(&[]);
     // SAFETY: the caller passes NULL or a mesh that is alive.
     unsafe { read(mesh, none, |mesh| DelotetSubsegmentsView::new(&mesh.mesh.subsegments)) }
+}
+
+/// Pieces of facets that bound no tetrahedron, since all around them was carved: a shell that leaks, a facet outside of the domain, a
+/// wall in a hole. They are no faces of the mesh: both tetrahedra are DELOTET_INVALID_INDEX. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_unmeshed_subfaces(mesh: *const DelotetMesh) -> DelotetSubfacesView {
+    let none = DelotetSubfacesView::new(&[]);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, none, |mesh| DelotetSubfacesView::new(&mesh.mesh.unmeshed_subfaces)) }
+}
+
+/// Pieces of segments and of edges of facets that are edges of no tetrahedron. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_unmeshed_subsegments(
+    mesh: *const DelotetMesh,
+) -> DelotetSubsegmentsView {
+    let none = DelotetSubsegmentsView::new(&[]);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, none, |mesh| DelotetSubsegmentsView::new(&mesh.mesh.unmeshed_subsegments)) }
+}
+
+/// Points that no tetrahedron has, ascending: those that equal an earlier point (delotet_mesh_point_aliases), and those around which
+/// all was carved. Borrowed from `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_unmeshed_points(mesh: *const DelotetMesh) -> DelotetIndicesView {
+    let none = DelotetIndicesView::new(&[]);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, none, |mesh| DelotetIndicesView::new(&mesh.mesh.unmeshed_points)) }
 }
 
 /// The Steiner points in the order of the points, with the input edge and the segment they lie on, if any. Borrowed from `mesh`. Empty

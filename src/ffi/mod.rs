@@ -9,7 +9,7 @@
 //! * Values that C passes in are integers, never Rust enums: an unknown value must be an error and not undefined behaviour.
 //! * Output arrays are views into the handle: pointer and count, valid until the handle is freed.
 //!
-//! Layers: imports `tetrahedralize`, `plc`, `options`, `output`, `check`, `io`, `mesh_query`, `error`, `progress`.
+//! Layers: imports `tetrahedralize`, `plc`, `options`, `output`, `check`, `io`, `mesh_query`, `error`, `progress`, `warning`.
 #![allow(unsafe_code)]
 #![allow(clippy::missing_safety_doc)]
 #![deny(clippy::undocumented_unsafe_blocks)]
@@ -26,6 +26,7 @@ mod slice;
 pub mod status;
 pub mod version;
 pub mod view;
+pub mod warning;
 
 #[cfg(test)]
 mod tests;

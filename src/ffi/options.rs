@@ -33,7 +33,7 @@ pub const DELOTET_PRESERVE_OUTER: DelotetPreserve = 1;
 pub type DelotetProgressFn =
     Option<unsafe extern "C" fn(user_data: *mut c_void, phase: DelotetPhase, fraction: f64) -> i32>;
 
-/// Receives a line of text about the run; `message` is UTF-8 and valid during the call of the callback only. Called on the
+/// Receives a line of text about the run: "warning: ..." and one line per kind of warning at its end; `message` is UTF-8 and valid during the call of the callback only. Called on the
 /// thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
 pub type DelotetLogFn = Option<unsafe extern "C" fn(user_data: *mut c_void, message: *const c_char)>;
 
@@ -225,7 +225,7 @@ pub unsafe extern "C" fn delotet_options_set_validate(
     }
 }
 
-/// How many defects an error lists at most. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
+/// How many defects an error lists at most, and how many warnings of a kind a mesh. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_max_defects(

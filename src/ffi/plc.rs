@@ -408,7 +408,9 @@ pub unsafe extern "C" fn delotet_plc_add_region(
 }
 
 /// Looks for defects: non-finite points, elements without extent, self-intersections, unusable polygons. All of them are listed
-/// in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel.
+/// in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel. A surface that
+/// encloses nothing fails too, with its open edges, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; where other parts
+/// enclose something, the log gets a warning.
 /// Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -421,7 +423,8 @@ pub unsafe extern "C" fn delotet_plc_check(
     unsafe {
         guard(out_error, || {
             let (options, mut callbacks) = settings(options);
-            crate::plc::prepare::check(&get(plc, "plc")?.plc, options.max_defects, &mut callbacks)
+            crate::plc::check(&get(plc, "plc")?.plc, &options, &mut callbacks)?.log(&mut callbacks);
+            Ok(())
         })
     }
 }

@@ -2,6 +2,7 @@
 //! Numbers are never reused; retired ones stay here as comments.
 use crate::error::{DefectKind, Element, Status};
 use crate::progress::Phase;
+use crate::warning::WarningKind;
 use std::ffi::c_char;
 
 /// Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 stopped or not possible within the
@@ -111,7 +112,7 @@ pub enum DelotetDefectKind {
     SeedOnFacet = 14,
     /// A seed lies outside the domain.
     SeedOutside = 15,
-    /// A facet has an edge that no other facet shares, where closed surfaces are required.
+    /// An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
     OpenEdge = 16,
     /// A Steiner point has no valid position in doubles.
     Rounding = 17,
@@ -129,6 +130,32 @@ pub enum DelotetDefectKind {
     NotDelaunay = 23,
     /// A boundary face of the mesh lies on no facet.
     HullOffFacets = 24,
+}
+
+/// What a warning is about.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DelotetWarningKind {
+    /// An edge of one facet only, on a part of the surface that encloses nothing: there it leaks. The elements are the ends.
+    OpenEdge = 1,
+    /// A part of a facet bounds no tetrahedron.
+    UnmeshedFacet = 2,
+    /// A part of a segment is an edge of no tetrahedron.
+    UnmeshedSegment = 3,
+    /// A point is a corner of no tetrahedron, and equals no other point.
+    UnmeshedPoint = 4,
+    /// A point equals an earlier one, which is used instead. The elements are the point and the earlier one.
+    EqualPoints = 5,
+    /// A region seed lies in a region that has an earlier seed, whose attribute is used. The elements are both seeds.
+    RepeatedSeed = 6,
+    /// A hole seed lies outside the domain: it has no effect.
+    HoleOutside = 7,
+    /// A region has a volume bound, which is kept, but makes no tetrahedron smaller: there is no refinement yet.
+    UnusedVolume = 8,
+    /// A polygon is not planar by more than rounding; it was triangulated.
+    NonPlanarFacet = 9,
+    /// A file's format cannot hold a value as it is.
+    LostValue = 10,
 }
 
 /// Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
@@ -213,6 +240,23 @@ impl From<DefectKind> for DelotetDefectKind {
             DefectKind::FacetMissing => DelotetDefectKind::FacetMissing,
             DefectKind::NotDelaunay => DelotetDefectKind::NotDelaunay,
             DefectKind::HullOffFacets => DelotetDefectKind::HullOffFacets,
+        }
+    }
+}
+
+impl From<WarningKind> for DelotetWarningKind {
+    fn from(kind: WarningKind) -> Self {
+        match kind {
+            WarningKind::OpenEdge => DelotetWarningKind::OpenEdge,
+            WarningKind::UnmeshedFacet => DelotetWarningKind::UnmeshedFacet,
+            WarningKind::UnmeshedSegment => DelotetWarningKind::UnmeshedSegment,
+            WarningKind::UnmeshedPoint => DelotetWarningKind::UnmeshedPoint,
+            WarningKind::EqualPoints => DelotetWarningKind::EqualPoints,
+            WarningKind::RepeatedSeed => DelotetWarningKind::RepeatedSeed,
+            WarningKind::HoleOutside => DelotetWarningKind::HoleOutside,
+            WarningKind::UnusedVolume => DelotetWarningKind::UnusedVolume,
+            WarningKind::NonPlanarFacet => DelotetWarningKind::NonPlanarFacet,
+            WarningKind::LostValue => DelotetWarningKind::LostValue,
         }
     }
 }
@@ -313,6 +357,19 @@ static DEFECT_KIND_NAMES: &[(u32, &str)] = &[
     (24, "DELOTET_DEFECT_KIND_HULL_OFF_FACETS\0"),
 ];
 
+static WARNING_KIND_NAMES: &[(u32, &str)] = &[
+    (1, "DELOTET_WARNING_KIND_OPEN_EDGE\0"),
+    (2, "DELOTET_WARNING_KIND_UNMESHED_FACET\0"),
+    (3, "DELOTET_WARNING_KIND_UNMESHED_SEGMENT\0"),
+    (4, "DELOTET_WARNING_KIND_UNMESHED_POINT\0"),
+    (5, "DELOTET_WARNING_KIND_EQUAL_POINTS\0"),
+    (6, "DELOTET_WARNING_KIND_REPEATED_SEED\0"),
+    (7, "DELOTET_WARNING_KIND_HOLE_OUTSIDE\0"),
+    (8, "DELOTET_WARNING_KIND_UNUSED_VOLUME\0"),
+    (9, "DELOTET_WARNING_KIND_NON_PLANAR_FACET\0"),
+    (10, "DELOTET_WARNING_KIND_LOST_VALUE\0"),
+];
+
 static PHASE_NAMES: &[(u32, &str)] = &[
     (0, "DELOTET_PHASE_READ\0"),
     (1, "DELOTET_PHASE_VALIDATE\0"),
@@ -347,6 +404,12 @@ pub extern "C" fn delotet_element_name(element: u32) -> *const c_char {
 #[no_mangle]
 pub extern "C" fn delotet_defect_kind_name(kind: u32) -> *const c_char {
     name_in(DEFECT_KIND_NAMES, kind)
+}
+
+/// Name of a kind of warning, such as "DELOTET_WARNING_KIND_OPEN_EDGE"; "unknown" for other numbers. Static: never NULL, never freed.
+#[no_mangle]
+pub extern "C" fn delotet_warning_kind_name(kind: u32) -> *const c_char {
+    name_in(WARNING_KIND_NAMES, kind)
 }
 
 /// Name of a phase, such as "DELOTET_PHASE_FACETS"; "unknown" for other numbers. Static: never NULL, never freed.

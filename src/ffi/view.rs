@@ -139,8 +139,9 @@ pub struct DelotetSubface {
     pub facet: u32,
     /// That facet's marker.
     pub marker: i32,
-    /// The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
-    /// `(b - a) x (c - a)` points from the first to the second: outward on the boundary.
+    /// The tetrahedra on both sides. The first is that of the lower region (by its index), within one region that of the lower index;
+    /// the second is DELOTET_INVALID_INDEX on the boundary. `(b - a) x (c - a)` points from the first to the second: from the
+    /// lower region to the higher, and outward on the boundary.
     pub tets: [u32; 2],
 }
 
@@ -265,7 +266,8 @@ records!(DelotetFacetFlipsView, DelotetFacetFlip, FacetFlip);
 pub struct DelotetFace {
     /// The corners; `(b - a) x (c - a)` points from `tets[0]` to `tets[1]`.
     pub corners: [u32; 3],
-    /// The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
+    /// The tetrahedra on both sides, the smaller index first, but of a subface in its order; the second is DELOTET_INVALID_INDEX on the
+    /// boundary.
     pub tets: [u32; 2],
     /// The subface that it is, or DELOTET_INVALID_INDEX.
     pub subface: u32,

@@ -1,15 +1,16 @@
 //! `.parents`, beside TetGen's files: what they cannot say and an exact check needs. Ours, plain text, numbered from 0.
 //!
 //! First line: the number of Steiner points (the last points of `.node`), of faces (those of `.face`), of facet flips, and 1 if
-//! the convex hull was kept, else 0, and of tetrahedra that rounding had to replace. Then a line per Steiner point: the two ends `a` and `b` of its edge (input points), the
+//! the convex hull was kept, else 0, of tetrahedra that rounding had to replace, and of faces and edges that are not meshed. Then a line per Steiner point: the two ends `a` and `b` of its edge (input points), the
 //! input segment or -1, and the parameter `t` with any further terms of it: exactly, the point is `a + t (b − a)`. Then a line
 //! per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two facets. Then a line per replaced
-//! tetrahedron, ascending: its number.
+//! tetrahedron, ascending: its number. Then a line per piece of a facet that bounds no tetrahedron: its corners, its facet, its marker;
+//! and one per piece of an edge that no tetrahedron has: its ends, its segment or -1, its marker.
 //! Doubles read back bit for bit.
 use super::output_files::Out;
 use super::text::{bad, float, Line, Lines};
 use crate::error::{Error, Status};
-use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, TetMesh};
+use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::INVALID;
 use std::io;
 
@@ -17,7 +18,9 @@ use std::io;
 pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     let counts = [mesh.steiner.len(), mesh.subfaces.len(), mesh.facet_flips.len()];
     let (hull, replaced) = (u8::from(mesh.hull_kept), mesh.replaced.len());
-    out.put(format!("{}  {}  {}  {hull}  {replaced}\n", counts[0], counts[1], counts[2]))?;
+    let (faces, edges) = (mesh.unmeshed_subfaces.len(), mesh.unmeshed_subsegments.len());
+    let [steiner, subfaces, flips] = counts;
+    out.put(format!("{steiner}  {subfaces}  {flips}  {hull}  {replaced}  {faces}  {edges}\n"))?;
     let mut terms = mesh.steiner_terms.iter().peekable();
     for (i, point) in mesh.steiner.iter().enumerate() {
         out.int(point.ends[0])?;
@@ -41,6 +44,14 @@ pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     }
     for t in &mesh.replaced {
         out.put(format!("{t}\n"))?;
+    }
+    for face in &mesh.unmeshed_subfaces {
+        let ([a, b, c], facet) = (face.corners, or_none(face.facet));
+        out.put(format!("{a} {b} {c} {facet} {}\n", face.marker))?;
+    }
+    for edge in &mesh.unmeshed_subsegments {
+        let ([a, b], segment) = (edge.ends, or_none(edge.segment));
+        out.put(format!("{a} {b} {segment} {}\n", edge.marker))?;
     }
     Ok(())
 }
@@ -70,6 +81,13 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
             "the number of replaced tetrahedra is not that of the mesh beside it",
         ));
     };
+    let mut unmeshed = |what| -> Result<usize, Error> {
+        let count = line.optional_int(what)?.unwrap_or(0);
+        let count = usize::try_from(count).ok().filter(|&n| n <= available / 8);
+        count.ok_or_else(|| bad(line.number(), format_args!("{what} is too large for the file")))
+    };
+    let unmeshed_faces = unmeshed("the number of faces that are not meshed")?;
+    let unmeshed_edges = unmeshed("the number of edges that are not meshed")?;
     if steiner > mesh.points.len() || faces != mesh.subfaces.len() {
         let message = "the numbers of points and faces are not those of the mesh beside it";
         return Err(Error::new(Status::Format, message));
@@ -101,7 +119,27 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
     for _ in 0..replaced {
         mesh.replaced.push(index(&mut lines.expect("a replaced tetrahedron")?)?);
     }
+    mesh.unmeshed_subfaces.try_reserve_exact(unmeshed_faces)?;
+    for _ in 0..unmeshed_faces {
+        let mut line = lines.expect("a face that is not meshed")?;
+        let corners = [index(&mut line)?, index(&mut line)?, index(&mut line)?];
+        let facet = index(&mut line)?;
+        let marker = marker(&mut line)?;
+        mesh.unmeshed_subfaces.push(Subface { corners, facet, marker, tets: [INVALID; 2] });
+    }
+    mesh.unmeshed_subsegments.try_reserve_exact(unmeshed_edges)?;
+    for _ in 0..unmeshed_edges {
+        let mut line = lines.expect("an edge that is not meshed")?;
+        let ends = [index(&mut line)?, index(&mut line)?];
+        let segment = index(&mut line)?;
+        mesh.unmeshed_subsegments.push(Subsegment { ends, segment, marker: marker(&mut line)? });
+    }
     lines.expect_end("line")
+}
+
+fn marker(line: &mut Line<'_>) -> Result<i32, Error> {
+    let value = line.int("a marker")?;
+    i32::try_from(value).map_err(|_| bad(line.number(), format_args!("{value} is no marker")))
 }
 
 /// An index, or -1 for none. Whether it refers to something is asked by the check.

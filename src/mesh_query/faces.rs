@@ -1,6 +1,7 @@
 //! All faces of a mesh, each once, in the order of their first tetrahedron.
 //!
-//! Invariant: `corners` look outward from `tets[0]`, which always exists and has the smaller index of the two.
+//! Invariant: `corners` look outward from `tets[0]`, which always exists. It has the smaller index of the two, but on a subface the
+//! order is that of the subface: from the lower region to the higher.
 use super::{filled, FACE_CORNERS};
 use crate::error::Error;
 use crate::{TetMesh, INVALID};
@@ -61,6 +62,10 @@ impl Faces {
             let side = side_with(mesh, tet, &subface.corners).ok_or_else(neighbor_error)?;
             let face = &mut self.faces[self.tet_faces[tet as usize][side] as usize];
             face.subface = index as u32;
+            if face.tets[0] != subface.tets[0] {
+                face.tets.swap(0, 1);
+                face.corners.swap(1, 2);
+            }
             face.marker = subface.marker;
         }
         Ok(())

@@ -5,15 +5,17 @@
 use super::duplicates::first_equal;
 use super::intersect::{find_intersections, IntersectInput, Intersections};
 use super::merge::Merger;
+use super::open::{open_shells, OpenEdge};
 use super::patch::{connect, FixedEdge};
 use super::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
 use super::split::split;
 use super::surface::Surface;
 use super::{Facet, Interior, Plc};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
-use crate::options::Options;
+use crate::options::{Mode, Options};
 use crate::predicates::{range_scale, scale};
 use crate::progress::{report, Observer, Phase};
+use crate::warning::{Warning, WarningKind, Warnings};
 use crate::INVALID;
 
 /// Defects found so far, as many as the caller wants to see.
@@ -278,12 +280,63 @@ fn contacts(
     find_intersections(&input, max_defects, observer)
 }
 
-/// Reports every defect of a PLC.
+/// Reports every defect of a PLC; of the options, `max_defects` counts, and `keep_hull` and `mode`, which allow open surfaces.
+/// Warns of shells that enclose nothing beside others.
 ///
 /// # Errors
-/// As [`prepare`] with validation on.
-pub fn check(plc: &Plc, max_defects: usize, observer: &mut dyn Observer) -> Result<(), Error> {
-    prepare(plc, &Options { max_defects, validate: true, ..Options::default() }, observer).map(|_| ())
+/// As [`prepare`] with validation on; [`Status::NothingEnclosed`] if all of the surface is open, with its open edges.
+pub fn check(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Warnings, Error> {
+    let strict = Options { max_defects: options.max_defects, ..Options::default() };
+    let surface = prepare(plc, &strict, observer)?;
+    let mut warnings = Warnings::default();
+    if options.mode == Mode::Delaunay || surface.triangles.is_empty() {
+        return Ok(warnings);
+    }
+    let (open, all) = open_shells(&surface)?;
+    if all && !options.keep_hull {
+        return Err(nothing_enclosed(plc, &surface, &open, options.max_defects));
+    }
+    for edge in &open {
+        let [first, second] = edge.ends.map(Element::Point);
+        let (kind, point) = (WarningKind::OpenEdge, edge.middle(&surface));
+        warnings.push(Warning { kind, first, second: Some(second), point }, options.max_defects);
+    }
+    Ok(warnings)
+}
+
+/// The error of a surface that encloses nothing, which names its open edges.
+pub(crate) fn nothing_enclosed(plc: &Plc, surface: &Surface, open: &[OpenEdge], max_defects: usize) -> Error {
+    let mut defects = Vec::new();
+    let listed = open.len().min(max_defects);
+    // Short of memory, the message alone has to do.
+    if defects.try_reserve_exact(listed).is_ok() {
+        defects.extend(open[..listed].iter().map(|edge| Defect {
+            kind: DefectKind::OpenEdge,
+            first: Element::Point(edge.ends[0]),
+            second: Some(Element::Point(edge.ends[1])),
+            point: edge.middle(surface),
+        }));
+    }
+    let reason = match open.first() {
+        Some(edge) => {
+            let [x, y, z] = edge.middle(surface).unwrap_or_default();
+            let facet = surface.triangle_facet.get(edge.triangle as usize).copied().unwrap_or(INVALID);
+            let (count, [a, b]) = (open.len(), edge.ends);
+            let edges = if count == 1 { "open edge" } else { "open edges, such as that" };
+            format!(
+                "{count} {edges} of facet {facet} between points {a} and {b} at ({x}, {y}, {z}); close it"
+            )
+        }
+        None if surface.triangles.is_empty() => "it has no facet; add facets".to_string(),
+        None if !plc.holes.is_empty() => "the hole seeds carve all of it; remove one".to_string(),
+        None => "it has no inside; change it".to_string(),
+    };
+    Error {
+        status: Status::NothingEnclosed,
+        message: format!("the surface encloses nothing: {reason}, or keep the convex hull"),
+        defects,
+        defect_count: open.len(),
+    }
 }
 
 /// Coordinates are finite, indices refer to points.

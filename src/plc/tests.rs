@@ -360,7 +360,8 @@ fn degenerate_elements() {
         error.defects.iter().skip(2).map(|d| d.first).collect::<Vec<_>>(),
         [12, 13, 14, 15, 16, 17].map(Element::Facet)
     );
-    let error = check(&plc, 3, &mut Silent).unwrap_err();
+    let options = Options { max_defects: 3, ..Options::default() };
+    let error = check(&plc, &options, &mut Silent).unwrap_err();
     assert_eq!((error.defects.len(), error.defect_count), (3, 8));
 }
 

@@ -54,9 +54,20 @@ fn trim(mut digits: Vec<u32>) -> Vec<u32> {
 impl Big {
     /// Coordinates in a common unit: the lowest bit set in any of them.
     pub(crate) fn rows<const N: usize>(points: &[[Expansion; 3]; N]) -> [[Big; 3]; N] {
-        let components = points.iter().flatten().flat_map(|x| x.components());
-        let unit = components.filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(0);
-        std::array::from_fn(|i| std::array::from_fn(|k| Big::of(&points[i][k], unit)))
+        Big::scaled_rows(points, [0; N])
+    }
+
+    /// The same of points times two to the power of their exponents.
+    pub(crate) fn scaled_rows<const N: usize>(
+        points: &[[Expansion; 3]; N],
+        exponents: [i32; N],
+    ) -> [[Big; 3]; N] {
+        let lowest = |i: usize| {
+            let components = points[i].iter().flat_map(|x| x.components());
+            components.filter_map(|&x| range::lowest_exponent(x)).min().map(|e| e + exponents[i])
+        };
+        let unit = (0..N).filter_map(lowest).min().unwrap_or(0);
+        std::array::from_fn(|i| std::array::from_fn(|k| Big::of(&points[i][k], unit - exponents[i])))
     }
 
     /// The value of an expansion in units of two to the power of `unit`, which divides all its components.

@@ -43,6 +43,13 @@ impl Points {
         }
     }
 
+    /// Sign of `det(b − a, c − a, d − a)` for a point `a` of any finite coordinates, given as `a = p 2^exponent`. Slow: for points
+    /// outside of the exact range.
+    pub fn orient3d_of(&self, p: &[f64; 3], exponent: i32, [b, c, d]: [u32; 3]) -> Sign {
+        let [b, c, d] = [b, c, d].map(|v| self.exact_coordinates(v));
+        exact::orient3d(&Big::scaled_rows(&[p.map(Expansion::from), b, c, d], [exponent, 0, 0, 0]))
+    }
+
     /// The plane through three points, for many [`Plane::side`] in turn.
     #[inline]
     pub fn plane(&self, b: u32, c: u32, d: u32) -> Plane {

@@ -66,7 +66,7 @@ impl Model {
             *flags &= crate::mesh::flag::FACES | crate::mesh::flag::DEAD;
         }
         let parts = components(&delaunay.mesh).unwrap();
-        let seeds = Seeds { holes: &[], regions: &[] };
+        let seeds = Seeds { holes: &[], regions: &[], exponent: 0 };
         let regions = label(&delaunay.mesh, &mut points, &parts, &seeds, self.keep_hull).unwrap();
         let solid = Solid::carve(delaunay.mesh, points.len(), &parts, &regions, &subfaces).unwrap();
         check_solid(&solid, &points).unwrap();

@@ -6,7 +6,12 @@ use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::mesh::{flag, Tetrahedra, NONE};
 use crate::output::Region;
 use crate::plc::RegionSeed;
-use crate::predicates::{Points, Sign};
+use crate::predicates::Points;
+use seeds::{locate, Place};
+
+mod seeds;
+#[cfg(test)]
+mod tests;
 
 /// The components of a constrained mesh.
 #[derive(Clone, Debug, Default)]
@@ -52,59 +57,6 @@ pub fn components(mesh: &Tetrahedra) -> Result<Components, Error> {
     Ok(Components { of, count })
 }
 
-/// The component that contains a point: None outside the hull; an error if the point lies on a subface between two.
-fn component_at(
-    mesh: &Tetrahedra,
-    points: &mut Points,
-    components: &Components,
-    seed: [f64; 3],
-    element: Element,
-) -> Result<Option<u32>, Error> {
-    let mut found: Option<u32> = None;
-    let mut ambiguous = false;
-    let mark = points.len();
-    let mut pushed: Option<u32> = None;
-    for t in 0..mesh.slot_count() as u32 {
-        if !mesh.is_live(t) || mesh.is_ghost(t) {
-            continue;
-        }
-        let v = mesh.verts[t as usize];
-        let outside_box = (0..3).any(|k| {
-            let low = v.iter().map(|&w| points.xyz(w)[k]).fold(f64::INFINITY, f64::min).next_down();
-            let high = v.iter().map(|&w| points.xyz(w)[k]).fold(f64::NEG_INFINITY, f64::max).next_up();
-            seed[k] < low || seed[k] > high
-        });
-        if outside_box {
-            continue;
-        }
-        // Only a seed inside the box of the mesh becomes a point: the filters' bounds hold there.
-        let p = match pushed {
-            Some(p) => p,
-            None => *pushed.insert(points.push(seed)?),
-        };
-        let inside = (0..4).all(|f| {
-            let [x, y, z] = mesh.face(4 * t + f);
-            points.orient3d(p, x, y, z) != Sign::Negative
-        });
-        if inside {
-            let component = components.of[t as usize];
-            ambiguous |= found.is_some_and(|other| other != component);
-            found = Some(component);
-        }
-    }
-    points.truncate(mark);
-    if ambiguous {
-        let defect =
-            Defect { kind: DefectKind::SeedOnFacet, first: element, second: None, point: Some(seed) };
-        return Err(Error::with_defect(
-            Status::SeedOutside,
-            format!("{element} lies exactly on a facet"),
-            defect,
-        ));
-    }
-    Ok(found)
-}
-
 /// Which components stay, and what region each is.
 #[derive(Clone, Debug, Default)]
 pub struct Regions {
@@ -112,14 +64,58 @@ pub struct Regions {
     pub of_component: Vec<u32>,
     /// The regions.
     pub regions: Vec<Region>,
+    /// Hole seeds that carve nothing, since they lie outside.
+    pub holes_outside: Vec<u32>,
+    /// Region seeds in a region that has one, with that one.
+    pub repeated_seeds: Vec<[u32; 2]>,
 }
 
-/// Seeds in the engine's scale.
+/// The caller's seeds.
 pub struct Seeds<'a> {
     /// Hole seeds.
     pub holes: &'a [[f64; 3]],
     /// Region seeds.
     pub regions: &'a [RegionSeed],
+    /// The mesh's coordinates are the caller's times two to this power.
+    pub exponent: i32,
+}
+
+impl Seeds<'_> {
+    /// Where all of them lie: the holes, then the regions. Fails if one lies on a facet.
+    fn locate(
+        &self,
+        mesh: &Tetrahedra,
+        points: &mut Points,
+        components: &Components,
+    ) -> Result<Vec<Option<u32>>, Error> {
+        let (count, holes) = (self.holes.len() + self.regions.len(), self.holes.len());
+        let mut all = Vec::new();
+        all.try_reserve_exact(count)?;
+        all.extend_from_slice(self.holes);
+        all.extend(self.regions.iter().map(|seed| seed.point));
+        let mut component = Vec::new();
+        component.try_reserve_exact(count)?;
+        for (i, place) in locate(mesh, points, components, &all, self.exponent)?.into_iter().enumerate() {
+            let element = match i.checked_sub(holes) {
+                None => Element::Hole(i as u32),
+                Some(region) => Element::Region(region as u32),
+            };
+            component.push(match place {
+                Place::Outside => None,
+                Place::In(component) => Some(component),
+                Place::OnFacet => {
+                    let message = format!("{element} lies exactly on a facet");
+                    return Err(seed_error(DefectKind::SeedOnFacet, element, all[i], message));
+                }
+            });
+        }
+        Ok(component)
+    }
+}
+
+fn seed_error(kind: DefectKind, element: Element, at: [f64; 3], message: String) -> Error {
+    let defect = Defect { kind, first: element, second: None, point: Some(at) };
+    Error::with_defect(Status::SeedOutside, message, defect)
 }
 
 /// Decides what is carved and labels the rest. Fails if nothing is left, or a seed is on a facet or outside.
@@ -131,11 +127,20 @@ pub fn label(
     keep_hull: bool,
 ) -> Result<Regions, Error> {
     let count = components.count as usize;
-    let mut carved = vec![false; count];
+    let mut carved = Vec::new();
+    carved.try_reserve_exact(count)?;
+    carved.resize(count, false);
     carved[0] = !keep_hull;
-    for (i, &hole) in seeds.holes.iter().enumerate() {
-        if let Some(component) = component_at(mesh, points, components, hole, Element::Hole(i as u32))? {
-            carved[component as usize] = true;
+    let component_of = seeds.locate(mesh, points, components)?;
+    let (of_holes, of_seeds) = component_of.split_at(seeds.holes.len());
+    let mut found = Regions::default();
+    for (i, component) in (0..).zip(of_holes) {
+        match component {
+            Some(component) if *component != 0 || keep_hull => carved[*component as usize] = true,
+            _ => {
+                found.holes_outside.try_reserve(1)?;
+                found.holes_outside.push(i);
+            }
         }
     }
     let any_left = (0..mesh.slot_count() as u32)
@@ -146,56 +151,60 @@ pub fn label(
             "the surface encloses nothing (keep the convex hull to mesh around it)",
         ));
     }
-    let mut of_component = vec![NONE; count];
-    let mut regions: Vec<Region> = Vec::new();
-    for (i, seed) in seeds.regions.iter().enumerate() {
-        let element = Element::Region(i as u32);
-        let component = component_at(mesh, points, components, seed.point, element)?;
+    let Regions { of_component, regions, repeated_seeds, .. } = &mut found;
+    of_component.try_reserve_exact(count)?;
+    of_component.resize(count, NONE);
+    regions.try_reserve(seeds.regions.len())?;
+    for ((i, seed), component) in (0..).zip(seeds.regions).zip(of_seeds) {
+        let element = Element::Region(i);
         let Some(component) = component.filter(|&c| !carved[c as usize]) else {
-            let defect = Defect {
-                kind: DefectKind::SeedOutside,
-                first: element,
-                second: None,
-                point: Some(seed.point),
-            };
-            return Err(Error::with_defect(
-                Status::SeedOutside,
-                format!("{element} lies outside the domain"),
-                defect,
-            ));
+            let message = format!("{element} lies outside the domain");
+            return Err(seed_error(DefectKind::SeedOutside, element, seed.point, message));
         };
-        if of_component[component as usize] == NONE {
-            of_component[component as usize] = regions.len() as u32;
-            regions.push(Region { attribute: seed.attribute, seed: i as u32, max_volume: seed.max_volume });
+        match of_component[component as usize] {
+            NONE => {
+                of_component[component as usize] = regions.len() as u32;
+                regions.push(Region { attribute: seed.attribute, seed: i, max_volume: seed.max_volume });
+            }
+            first => {
+                repeated_seeds.try_reserve(1)?;
+                repeated_seeds.push([i, regions[first as usize].seed]);
+            }
         }
     }
-    number_unseeded(mesh, components, &carved, &mut of_component, &mut regions);
-    Ok(Regions { of_component, regions })
+    number_unseeded(mesh, components, &carved, seeds.regions, &mut found)?;
+    Ok(found)
 }
 
-/// Gives every remaining component a region of its own, with the smallest attributes 1, 2, … that no seed uses.
+/// Gives every remaining component a region of its own, with the smallest attributes 1, 2, … that no seed has.
 fn number_unseeded(
     mesh: &Tetrahedra,
     components: &Components,
     carved: &[bool],
-    of_component: &mut [u32],
-    regions: &mut Vec<Region>,
-) {
-    let used: Vec<f64> = regions.iter().map(|r| r.attribute).collect();
+    seeds: &[RegionSeed],
+    found: &mut Regions,
+) -> Result<(), Error> {
+    let mut used: Vec<f64> = Vec::new();
+    used.try_reserve_exact(seeds.len())?;
+    used.extend(seeds.iter().map(|seed| seed.attribute).filter(|&a| a >= 1.0));
+    used.sort_unstable_by(f64::total_cmp);
+    let mut used = used.into_iter().peekable();
     let mut next = 0.0;
     for t in 0..mesh.slot_count() as u32 {
         if !mesh.is_live(t) || mesh.is_ghost(t) {
             continue;
         }
         let c = components.of[t as usize] as usize;
-        if carved[c] || of_component[c] != NONE {
+        if carved[c] || found.of_component[c] != NONE {
             continue;
         }
         next += 1.0;
-        while used.contains(&next) {
-            next += 1.0;
+        while let Some(attribute) = used.next_if(|&a| a <= next) {
+            next += f64::from(attribute == next);
         }
-        of_component[c] = regions.len() as u32;
-        regions.push(Region { attribute: next, seed: NONE, max_volume: None });
+        found.of_component[c] = found.regions.len() as u32;
+        found.regions.try_reserve(1)?;
+        found.regions.push(Region { attribute: next, seed: NONE, max_volume: None });
     }
+    Ok(())
 }

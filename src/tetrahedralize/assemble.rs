@@ -377,7 +377,9 @@ fn faces(
             if !out.preserved {
                 return Err(Error::internal("a subface is no face of the mesh"));
             }
-            out.subfaces.push(Subface { corners: corners.map(&point_of), facet, marker, tets: [INVALID; 2] });
+            let corners = corners.map(&point_of);
+            out.unmeshed_subfaces.try_reserve(1)?;
+            out.unmeshed_subfaces.push(Subface { corners, facet, marker, tets: [INVALID; 2] });
             continue;
         };
         // (apex, x, y, z) is positive, so (x, y, z, apex) is not: the normal of (x, y, z) points away from the apex.
@@ -386,12 +388,19 @@ fn faces(
         let (behind, ahead) = if same { (code, mesh.across(code)) } else { (mesh.across(code), code) };
         let mut corners = corners.map(&point_of);
         let mut tets = [number[(behind >> 2) as usize], number[(ahead >> 2) as usize]];
-        if tets[0] > tets[1] {
-            // The smaller index first, INVALID last: on the boundary normals point outward.
+        // The lower region first, INVALID last: on the boundary normals point outward.
+        let rank = |t: u32| (out.tet_region.get(t as usize).copied().unwrap_or(INVALID), t);
+        if rank(tets[0]) > rank(tets[1]) {
             tets.swap(0, 1);
             corners.swap(1, 2);
         }
-        out.subfaces.push(Subface { corners, facet, marker, tets });
+        let subface = Subface { corners, facet, marker, tets };
+        if tets == [INVALID; 2] {
+            out.unmeshed_subfaces.try_reserve(1)?;
+            out.unmeshed_subfaces.push(subface);
+        } else {
+            out.subfaces.push(subface);
+        }
     }
     Ok(())
 }

@@ -4,7 +4,7 @@
 //! points on the edges that resist ([`recover`](crate::preserve::recover)). Where that is given up, and where the hull is kept or facets are
 //! merged, from the constrained Delaunay tetrahedralization, which always exists. Either way what is on the surface is
 //! taken away again ([`from_constrained`]).
-use super::{assemble, Engine, Run};
+use super::{assemble, warn, Engine, Run};
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::{Subfaces, Triangles};
@@ -84,7 +84,7 @@ impl Run<'_> {
         embedded: Embedded,
     ) -> Result<TetMesh, Error> {
         let Embedded { mut engine, segments, subfaces, patch, inside } = embedded;
-        let (components, regions) = self.find_regions(plc, options, &mut engine)?;
+        let (components, regions) = self.find_regions(plc, surface, options, &mut engine)?;
         report(self.observer, Phase::Preserve, 0.0)?;
         let carved = std::mem::take(&mut engine.delaunay.mesh);
         let mut solid = Solid::carve(carved, engine.points.len(), &components, &regions, &subfaces)?;
@@ -119,6 +119,7 @@ impl Run<'_> {
         self.statistics.steiner_exact =
             mesh.steiner.iter().filter(|point| point.exact && !point.is_inside()).count() as u64;
         mesh.hull_kept = options.keep_hull;
+        warn::about_seeds(plc, &regions, options, &mut self.warnings);
         self.lap(Phase::Preserve);
         Ok(mesh)
     }

@@ -112,7 +112,16 @@ fn a_hole_may_take_a_whole_room_with_its_walls() {
     plc.holes.push([1.5, 1.0, 1.0]);
     let mesh = run(&plc, &Options::default()).unwrap();
     assert_eq!(volume6(&mesh), 24.0);
-    assert!(mesh.subfaces.iter().any(|s| s.tets == [INVALID; 2]));
+    assert!(mesh.subfaces.iter().all(|s| s.tets[0] != INVALID));
+    assert!(!mesh.unmeshed_subfaces.is_empty());
+    // A wall of the carved room is 2 triangles or more; its floor, ceiling and two sides are parts of facets.
+    assert!(mesh.unmeshed_subfaces.iter().all(|s| s.tets == [INVALID; 2]));
+    assert_eq!(mesh.unmeshed_points, [1, 3, 5, 7]);
+    assert_eq!(mesh.unmeshed_subsegments.len(), 8);
+    // Nothing leaks: the room is closed.
+    assert_eq!(mesh.warnings.count(crate::WarningKind::OpenEdge), 0);
+    assert_eq!(mesh.warnings.count(crate::WarningKind::UnmeshedPoint), 4);
+    assert_eq!(mesh.warnings.count(crate::WarningKind::UnmeshedFacet), mesh.unmeshed_subfaces.len() as u64);
 }
 
 #[test]
@@ -414,6 +423,162 @@ fn any_number_of_threads_gives_the_same_mesh() {
         assert!(one.tets.len() > 400_000);
         for threads in [2, 3, 4, 7] {
             assert!(by(threads) == one, "{mode:?}, {threads} threads");
+        }
+    }
+}
+
+/// A box without one triangle of its lid, at `base`.
+fn leaky(low: [f64; 3], high: [f64; 3], base: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let rings = sides(base);
+    let halves = |f: &Facet| {
+        let r = f.polygons[0].clone();
+        [[r[0], r[1], r[2]], [r[0], r[2], r[3]]]
+    };
+    let mut triangles: Vec<[u32; 3]> = rings.iter().flat_map(halves).collect();
+    triangles.remove(3);
+    (corners(low, high), triangles)
+}
+
+/// The error named no element at all.
+#[test]
+fn a_surface_that_leaks_is_told_where() {
+    let (points, triangles) = leaky([0.0; 3], [2.0; 3], 0);
+    let plc = Plc { points, triangles, ..Plc::default() };
+    for mode in [Mode::Constrained, Mode::Preserve] {
+        let options = Options { mode, ..Options::default() };
+        let error = run(&plc, &options).unwrap_err();
+        assert_eq!((error.status, error.defect_count, error.defects.len()), (Status::NothingEnclosed, 3, 3));
+        let of = |d: &crate::Defect| (d.kind, d.first, d.second, d.point);
+        let open = |a, b, at| (DefectKind::OpenEdge, Element::Point(a), Some(Element::Point(b)), Some(at));
+        assert_eq!(
+            error.defects.iter().map(of).collect::<Vec<_>>(),
+            [open(4, 6, [0.0, 1.0, 2.0]), open(4, 7, [1.0, 1.0, 2.0]), open(6, 7, [1.0, 2.0, 2.0])]
+        );
+        assert!(error.message.contains("3 open edges, such as that of facet"), "{}", error.message);
+        assert!(error.message.contains("between points 4 and 6 at (0, 1, 2)"), "{}", error.message);
+    }
+    // The check of the input alone says the same, unless the hull is kept.
+    let checked = crate::plc::check(&plc, &Options::default(), &mut Silent).unwrap_err();
+    assert_eq!(checked, run(&plc, &Options::default()).unwrap_err());
+    let kept = Options { keep_hull: true, ..Options::default() };
+    let warnings = crate::plc::check(&plc, &kept, &mut Silent).unwrap();
+    assert_eq!(warnings.count(crate::WarningKind::OpenEdge), 3);
+    assert_eq!(run(&plc, &kept).unwrap().warnings.total(), 0);
+}
+
+/// The outer shell vanished without a word.
+#[test]
+fn a_shell_that_leaks_beside_others_is_a_warning() {
+    let (mut points, mut triangles) = leaky([0.0; 3], [8.0; 3], 0);
+    points.extend(corners([2.0; 3], [5.0; 3]));
+    triangles.extend(sides(8).iter().flat_map(|f| {
+        let r = &f.polygons[0];
+        [[r[0], r[1], r[2]], [r[0], r[2], r[3]]]
+    }));
+    let mut plc = Plc { points, triangles, ..Plc::default() };
+    // Steiner points on the leaking shell do not make more edges.
+    plc.points.push([4.0, 8.0, 8.0]);
+    for mode in [Mode::Constrained, Mode::Preserve] {
+        let mesh = run(&plc, &Options { mode, ..Options::default() }).unwrap();
+        let of = |kind| mesh.warnings.of(kind).copied().collect::<Vec<_>>();
+        let ends: Vec<_> =
+            of(crate::WarningKind::OpenEdge).iter().map(|w| (w.first, w.second.unwrap())).collect();
+        let point = Element::Point;
+        assert_eq!(
+            ends,
+            [(point(4), point(6)), (point(4), point(7)), (point(6), point(16)), (point(7), point(16))]
+        );
+        assert_eq!(of(crate::WarningKind::UnmeshedFacet).len(), mesh.unmeshed_subfaces.len());
+        assert!(mesh.unmeshed_subfaces.len() >= 11);
+        assert!(mesh.unmeshed_points.iter().copied().eq((0..8).chain(16..mesh.points.len() as u32)));
+        assert!(mesh.subfaces.iter().all(|s| s.facet >= 11 && s.tets[0] != INVALID));
+    }
+    let warnings = crate::plc::check(&plc, &Options::default(), &mut Silent).unwrap();
+    assert_eq!(warnings.count(crate::WarningKind::OpenEdge), 4);
+}
+
+/// Once both kinds came back among the mesh's, subfaces with two invalid tetrahedra.
+#[test]
+fn what_bounds_nothing_is_set_apart() {
+    let mut plc = nested();
+    // A fin outside, a loose segment outside and one inside, a loose point, and a point twice.
+    plc.points.extend([
+        [10.0, 0.0, 0.0],
+        [10.0, 8.0, 0.0],
+        [20.0; 3],
+        [1.0, 1.0, 1.0],
+        [30.0; 3],
+        [1.0, 1.0, 1.0],
+    ]);
+    plc.facets.push(Facet { polygons: vec![vec![1, 16, 17, 3]], marker: 5, ..Facet::default() });
+    plc.segments = vec![Segment { ends: [16, 18], marker: 3 }, Segment { ends: [0, 19], marker: 4 }];
+    for mode in [Mode::Constrained, Mode::Preserve] {
+        let mesh = run(&plc, &Options { mode, ..Options::default() }).unwrap();
+        assert!(mesh.subfaces.iter().all(|s| s.tets[0] != INVALID && s.marker == 0));
+        assert_eq!(mesh.unmeshed_subfaces.len(), 2);
+        assert!(mesh.unmeshed_subfaces.iter().all(|s| s.facet == 12 && s.marker == 5));
+        assert_eq!(mesh.subsegments.iter().filter(|s| s.segment != INVALID).map(|s| s.marker).max(), Some(4));
+        let mut apart: Vec<_> = mesh.unmeshed_subsegments.iter().map(|s| (s.ends, s.segment)).collect();
+        apart.iter_mut().for_each(|x| x.0.sort_unstable());
+        apart.sort_unstable();
+        assert_eq!(apart, [([1, 16], INVALID), ([3, 17], INVALID), ([16, 17], INVALID), ([16, 18], 0)]);
+        assert_eq!(mesh.unmeshed_points, [16, 17, 18, 20, 21]);
+        let of = |kind| mesh.warnings.of(kind).map(|w| (w.first, w.second)).collect::<Vec<_>>();
+        use crate::WarningKind::*;
+        let point = Element::Point;
+        assert_eq!(
+            of(OpenEdge),
+            [(point(1), Some(point(16))), (point(3), Some(point(17))), (point(16), Some(point(17)))]
+        );
+        assert_eq!(of(UnmeshedFacet), [(Element::Facet(12), None); 2]);
+        assert_eq!(of(UnmeshedSegment), [(Element::Segment(0), None)]);
+        assert_eq!(of(UnmeshedPoint), [16, 17, 18, 20].map(|v| (point(v), None)));
+        assert_eq!(of(EqualPoints), [(point(21), Some(point(19)))]);
+        crate::check::check_mesh(&plc, &mesh, false, 10).unwrap();
+        // The check notices a piece in the wrong list.
+        let mut wrong = mesh.clone();
+        wrong.subfaces.push(wrong.unmeshed_subfaces[0]);
+        wrong.unmeshed_subfaces.remove(0);
+        assert!(crate::check::check_mesh(&plc, &wrong, false, 10).is_err());
+        let mut wrong = mesh.clone();
+        wrong.subsegments.append(&mut wrong.unmeshed_subsegments);
+        assert!(crate::check::check_mesh(&plc, &wrong, false, 10).is_err());
+        let mut wrong = mesh.clone();
+        wrong.unmeshed_subfaces.clear();
+        assert!(crate::check::check_mesh(&plc, &wrong, false, 10).is_err());
+    }
+}
+
+/// They pointed either way, by the numbers of tetrahedra.
+#[test]
+fn interfaces_point_from_the_lower_region_to_the_higher() {
+    let mut plc = nested();
+    let seeds = [([1.0; 3], 5.0), ([3.0; 3], 2.0)];
+    for order in [[0, 1], [1, 0]] {
+        let seed = |i: usize| RegionSeed { point: seeds[i].0, attribute: seeds[i].1, max_volume: None };
+        plc.regions = order.map(seed).to_vec();
+        for mode in [Mode::Constrained, Mode::Preserve] {
+            let mesh = run(&plc, &Options { mode, ..Options::default() }).unwrap();
+            let mut interfaces = 0;
+            for face in mesh.subfaces.iter().filter(|face| face.tets[1] != INVALID) {
+                assert_eq!(face.tets.map(|t| mesh.tet_region[t as usize]), [0, 1]);
+                let [a, b, c] = face.corners.map(|v| mesh.points[v as usize]);
+                let inward = (0..3).map(|k| {
+                    let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+                    let normal = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+                    normal * (3.5 - a[k])
+                });
+                assert_eq!(inward.sum::<f64>() > 0.0, order == [0, 1]);
+                interfaces += 1;
+            }
+            assert!(interfaces >= 12);
+            check_mesh(&plc, &mesh, false, 10).unwrap();
+            let mut wrong = mesh.clone();
+            let face = wrong.subfaces.iter_mut().find(|face| face.tets[1] != INVALID).unwrap();
+            face.tets.swap(0, 1);
+            face.corners.swap(1, 2);
+            let error = check_mesh(&plc, &wrong, false, 10).unwrap_err();
+            assert_eq!(error.defects[0].kind, DefectKind::NotConforming);
         }
     }
 }

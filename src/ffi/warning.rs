@@ -1,0 +1,73 @@
+//! What a caller should know about a mesh that was made all the same.
+use super::guard::read;
+use super::mesh::DelotetMesh;
+use super::status::{DelotetElement, DelotetWarningKind};
+use super::view::records;
+use crate::warning::{Warning, WarningKind};
+
+/// One warning: kind, the one or two elements involved, and a point where it is seen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DelotetWarning {
+    /// The kind: a DelotetWarningKind, in 32 bits with any compiler.
+    pub kind: u32,
+    /// What `first` counts: a DelotetElement.
+    pub first_element: u32,
+    /// Index of the element that it is about.
+    pub first: u32,
+    /// What `second` counts: a DelotetElement; DELOTET_ELEMENT_NONE if only one element is involved.
+    pub second_element: u32,
+    /// Index of the other element of a pair, or DELOTET_INVALID_INDEX.
+    pub second: u32,
+    /// 1 if `point` is set, else 0.
+    pub has_point: u32,
+    /// x y z of a point at or near it (rounded); zeros if there is none.
+    pub point: [f64; 3],
+}
+
+/// Borrowed warnings; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetWarningsView {
+    /// The first of `count` warnings; DELOTET_AT(DelotetWarning, view, i) is the i-th.
+    pub first: *const DelotetWarning,
+    /// How many.
+    pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
+}
+records!(DelotetWarningsView, DelotetWarning, DelotetWarning);
+
+impl From<&Warning> for DelotetWarning {
+    fn from(warning: &Warning) -> Self {
+        let (first_element, first) = DelotetElement::split(Some(warning.first));
+        let (second_element, second) = DelotetElement::split(warning.second);
+        DelotetWarning {
+            kind: DelotetWarningKind::from(warning.kind) as u32,
+            first_element: first_element as u32,
+            first,
+            second_element: second_element as u32,
+            second,
+            has_point: warning.point.is_some().into(),
+            point: warning.point.unwrap_or_default(),
+        }
+    }
+}
+
+/// What should be known about a mesh: leaks, parts of the input that are not meshed, seeds without effect. Of each kind at most as many
+/// as delotet_options_set_max_defects allows; delotet_mesh_warning_count() counts all. The log gets a line per kind. Borrowed from
+/// `mesh`. Empty for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_warnings(mesh: *const DelotetMesh) -> DelotetWarningsView {
+    let none = DelotetWarningsView::new(&[]);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, none, |mesh| DelotetWarningsView::new(&mesh.warnings)) }
+}
+
+/// How many warnings of a kind (a DelotetWarningKind) there are, listed or not. 0 for NULL and for other numbers.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_warning_count(mesh: *const DelotetMesh, kind: u32) -> u64 {
+    let known = WarningKind::ALL.into_iter().find(|&known| DelotetWarningKind::from(known) as u32 == kind);
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, 0, |mesh| known.map_or(0, |kind| mesh.mesh.warnings.count(kind))) }
+}

@@ -1,0 +1,172 @@
+//! Edges where a surface is open, and what certainly encloses nothing.
+//!
+//! A triangle with an edge that no other triangle has bounds no volume: one can pass from one side to the other round that edge.
+//! Taken away, it leaves others open. Where all triangles go this way (a collapse, Whitehead 1939), nothing is enclosed. The
+//! converse is not true, but surfaces without open edges that enclose nothing (Bing's house with two rooms) are curiosities.
+use super::surface::Surface;
+use crate::error::Error;
+use crate::predicates::scale;
+
+/// An edge of one triangle only.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OpenEdge {
+    /// The ends, ascending: input points.
+    pub ends: [u32; 2],
+    /// The triangle, by its index in the surface.
+    pub triangle: u32,
+}
+
+impl OpenEdge {
+    /// The middle of the edge in the caller's coordinates, rounded.
+    pub fn middle(&self, surface: &Surface) -> Option<[f64; 3]> {
+        let [a, b] = self.ends.map(|v| surface.points.get(v as usize));
+        let (a, b) = (a?, b?);
+        Some([0, 1, 2].map(|k| scale(a[k] / 2.0 + b[k] / 2.0, -surface.scale)))
+    }
+}
+
+/// The edges of the surface's triangles with their triangles, sorted.
+fn uses(surface: &Surface) -> Result<Vec<([u32; 2], u32)>, Error> {
+    let mut uses = Vec::new();
+    uses.try_reserve_exact(3 * surface.triangles.len())?;
+    for (t, &[a, b, c]) in (0..).zip(&surface.triangles) {
+        uses.extend([[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], t)));
+    }
+    uses.sort_unstable();
+    Ok(uses)
+}
+
+/// All open edges, in order of their ends.
+///
+/// # Errors
+/// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+pub fn open_edges(surface: &Surface) -> Result<Vec<OpenEdge>, Error> {
+    let uses = uses(surface)?;
+    let mut open = Vec::new();
+    for run in uses.chunk_by(|x, y| x.0 == y.0) {
+        if let [(ends, triangle)] = *run {
+            open.try_reserve(1)?;
+            open.push(OpenEdge { ends, triangle });
+        }
+    }
+    Ok(open)
+}
+
+/// Open edges of the shells (parts of the surface that are connected through edges) that enclose nothing for certain, and whether all
+/// shells are such.
+///
+/// # Errors
+/// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+pub fn open_shells(surface: &Surface) -> Result<(Vec<OpenEdge>, bool), Error> {
+    let uses = uses(surface)?;
+    let count = surface.triangles.len();
+    // Per edge its range of uses, and how many triangles of it are left; per triangle its edges.
+    let mut edges: Vec<[u32; 3]> = Vec::new();
+    edges.try_reserve_exact(uses.len())?;
+    let mut edges_of = filled(count, [0u32; 3])?;
+    let mut known = filled(count, 0u8)?;
+    let mut open = Vec::new();
+    let mut from = 0;
+    for run in uses.chunk_by(|x, y| x.0 == y.0) {
+        for &(_, t) in run {
+            edges_of[t as usize][usize::from(known[t as usize])] = edges.len() as u32;
+            known[t as usize] += 1;
+        }
+        edges.push([from, from + run.len() as u32, run.len() as u32]);
+        from += run.len() as u32;
+        if let [(ends, triangle)] = *run {
+            open.try_reserve(1)?;
+            open.push(OpenEdge { ends, triangle });
+        }
+    }
+    // Every triangle goes once at most.
+    let mut gone = filled(count, false)?;
+    let mut stack: Vec<u32> = Vec::new();
+    stack.try_reserve_exact(count)?;
+    for edge in &open {
+        if !std::mem::replace(&mut gone[edge.triangle as usize], true) {
+            stack.push(edge.triangle);
+        }
+    }
+    while let Some(t) = stack.pop() {
+        for e in edges_of[t as usize] {
+            let [from, to, left] = &mut edges[e as usize];
+            *left -= 1;
+            if *left == 1 {
+                let others = uses[*from as usize..*to as usize].iter().map(|x| x.1);
+                for other in others {
+                    if !std::mem::replace(&mut gone[other as usize], true) {
+                        stack.push(other);
+                    }
+                }
+            }
+        }
+    }
+    let all = gone.iter().all(|&gone| gone);
+    // Shells with a triangle that is left may enclose something.
+    let mut closed = gone;
+    closed.iter_mut().for_each(|x| *x = !*x);
+    stack.extend((0..count as u32).filter(|&t| closed[t as usize]));
+    while let Some(t) = stack.pop() {
+        for e in edges_of[t as usize] {
+            let [from, to, _] = edges[e as usize];
+            for &(_, other) in &uses[from as usize..to as usize] {
+                if !std::mem::replace(&mut closed[other as usize], true) {
+                    stack.push(other);
+                }
+            }
+        }
+    }
+    open.retain(|edge| !closed[edge.triangle as usize]);
+    Ok((open, all))
+}
+
+fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, Error> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count)?;
+    list.resize(count, value);
+    Ok(list)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn surface(triangles: &[[u32; 3]]) -> Surface {
+        let points = (0..20).map(|i| [f64::from(i), f64::from(i * i), 1.0]).collect();
+        Surface { points, triangles: triangles.to_vec(), ..Surface::default() }
+    }
+
+    const TET: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+
+    #[test]
+    fn closed_surfaces_have_no_open_edge() {
+        let closed = surface(&TET);
+        assert_eq!(open_edges(&closed).unwrap(), []);
+        assert_eq!(open_shells(&closed).unwrap(), (vec![], false));
+        assert_eq!(open_shells(&surface(&[])).unwrap(), (vec![], true));
+    }
+
+    #[test]
+    fn a_missing_triangle_opens_its_three_edges() {
+        let leaky = surface(&TET[1..]);
+        let (open, all) = open_shells(&leaky).unwrap();
+        assert!(all);
+        assert_eq!(open.iter().map(|e| e.ends).collect::<Vec<_>>(), [[0, 1], [0, 2], [1, 2]]);
+        assert_eq!(open, open_edges(&leaky).unwrap());
+        assert_eq!(open[0].middle(&leaky), Some([0.5, 0.5, 1.0]));
+    }
+
+    #[test]
+    fn a_fin_on_a_closed_shell_is_no_shell_of_its_own() {
+        let mut triangles = TET.to_vec();
+        triangles.push([0, 1, 10]);
+        triangles.push([11, 12, 13]);
+        triangles.push([12, 13, 14]);
+        let (open, all) = open_shells(&surface(&triangles)).unwrap();
+        assert!(!all);
+        let ends: Vec<_> = open.iter().map(|e| e.ends).collect();
+        assert_eq!(ends, [[11, 12], [11, 13], [12, 14], [13, 14]]);
+        assert_eq!(open_edges(&surface(&triangles)).unwrap().len(), 6);
+    }
+}

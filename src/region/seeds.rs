@@ -1,0 +1,278 @@
+//! Which component each seed lies in.
+//!
+//! One pass over the tetrahedra asks a k-d tree of the seeds (Bentley 1975) for those in each one's box, so the cost is that of
+//! a few comparisons per tetrahedron whatever the number of seeds, and memory follows the seeds. A seed strictly
+//! inside a tetrahedron is done and leaves the tree; one on a face, edge or vertex waits for the other tetrahedra there.
+use super::Components;
+use crate::error::Error;
+use crate::mesh::{flag, Tetrahedra};
+use crate::predicates::{in_range, scale, Points, Sign};
+
+/// Where a seed lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// Outside of the convex hull.
+    Outside,
+    /// In a component, or on a facet that has it on both sides.
+    In(u32),
+    /// On a facet between two components.
+    OnFacet,
+}
+
+/// A seed as the signs see it.
+enum Position {
+    /// A vertex of the store.
+    Vertex(u32),
+    /// Outside of the exact range of coordinates: the caller's coordinates.
+    Fine([f64; 3]),
+}
+
+/// Seeds in a leaf. Fewer make the tree larger, more make leaves slower; from 4 to 16 nothing is to be measured.
+const LEAF: usize = 8;
+
+struct Node {
+    low: [f64; 3],
+    high: [f64; 3],
+    /// Range of the node's seeds in the order of the tree.
+    seeds: [u32; 2],
+    /// Seeds that are not done.
+    waiting: u32,
+    /// The right child; 0 in a leaf. The left one is the next node.
+    right: u32,
+    /// The parent; the root is its own.
+    parent: u32,
+}
+
+impl Node {
+    fn meets(&self, low: &[f64; 3], high: &[f64; 3]) -> bool {
+        (0..3).all(|k| self.low[k] <= high[k] && low[k] <= self.high[k])
+    }
+}
+
+/// A k-d tree of points that are taken out one by one.
+struct Tree {
+    nodes: Vec<Node>,
+    /// Numbers of the points, such that each node's are a range.
+    order: Vec<u32>,
+    /// Per point its leaf; the root once it is taken out.
+    leaf: Vec<u32>,
+    stack: Vec<u32>,
+}
+
+impl Tree {
+    fn new(points: &[[f64; 3]]) -> Result<Tree, Error> {
+        let count = points.len();
+        let (mut nodes, mut order, mut leaf, mut stack): (Vec<Node>, Vec<u32>, Vec<u32>, Vec<u32>) =
+            Default::default();
+        order.try_reserve_exact(count)?;
+        order.extend(0..count as u32);
+        leaf.try_reserve_exact(count)?;
+        leaf.resize(count, 0);
+        // Halving ends at more than LEAF / 2 points a leaf. A path down holds no more than 64 pending halves.
+        nodes.try_reserve_exact(4 * count / LEAF + 2)?;
+        stack.try_reserve_exact(64)?;
+        // Ranges to become nodes, with the parent; right halves wait. The sign bit tells that it is a right half.
+        let mut pending: Vec<(usize, usize, u32, bool)> = Vec::new();
+        pending.try_reserve_exact(64)?;
+        pending.push((0, count, 0, false));
+        while let Some((from, to, parent, is_right)) = pending.pop() {
+            let node = nodes.len() as u32;
+            if is_right {
+                nodes[parent as usize].right = node;
+            }
+            let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+            for &i in &order[from..to] {
+                for k in 0..3 {
+                    low[k] = low[k].min(points[i as usize][k]);
+                    high[k] = high[k].max(points[i as usize][k]);
+                }
+            }
+            let seeds = [from as u32, to as u32];
+            nodes.try_reserve(1)?;
+            nodes.push(Node { low, high, seeds, waiting: (to - from) as u32, right: 0, parent });
+            if to - from <= LEAF {
+                order[from..to].iter().for_each(|&i| leaf[i as usize] = node);
+                continue;
+            }
+            // Halves, so that equal points make no long path.
+            let width = |k: usize| high[k] / 2.0 - low[k] / 2.0;
+            let axis = (1..3).fold(0, |best, k| if width(k) > width(best) { k } else { best });
+            let middle = (to - from) / 2;
+            order[from..to].select_nth_unstable_by(middle, |&i, &j| {
+                let x = |i: u32| points[i as usize][axis];
+                x(i).total_cmp(&x(j)).then(i.cmp(&j))
+            });
+            pending.try_reserve(2)?;
+            pending.push((from + middle, to, node, true));
+            pending.push((from, from + middle, node, false));
+        }
+        Ok(Tree { nodes, order, leaf, stack })
+    }
+
+    /// Whether all points have been taken out.
+    fn is_empty(&self) -> bool {
+        self.nodes[0].waiting == 0
+    }
+
+    /// Replaces `found` by leaves that may hold points in the box.
+    fn leaves(&mut self, low: &[f64; 3], high: &[f64; 3], found: &mut Vec<u32>) -> Result<(), Error> {
+        found.clear();
+        self.stack.push(0);
+        while let Some(n) = self.stack.pop() {
+            let node = &self.nodes[n as usize];
+            if node.waiting == 0 || !node.meets(low, high) {
+                continue;
+            }
+            if node.right == 0 {
+                found.try_reserve(1)?;
+                found.push(n);
+            } else {
+                self.stack.try_reserve(2)?;
+                self.stack.extend([node.right, n + 1]);
+            }
+        }
+        Ok(())
+    }
+
+    fn take_out(&mut self, point: u32) {
+        let mut n = std::mem::replace(&mut self.leaf[point as usize], u32::MAX);
+        if n == u32::MAX {
+            return;
+        }
+        loop {
+            self.nodes[n as usize].waiting -= 1;
+            if n == 0 {
+                return;
+            }
+            n = self.nodes[n as usize].parent;
+        }
+    }
+}
+
+/// Finds the component of every seed. `exponent`: the mesh's coordinates are the caller's times two to this power. Any finite
+/// coordinates will do.
+pub(super) fn locate(
+    mesh: &Tetrahedra,
+    points: &mut Points,
+    components: &Components,
+    seeds: &[[f64; 3]],
+    exponent: i32,
+) -> Result<Vec<Place>, Error> {
+    let mut places = Vec::new();
+    places.try_reserve_exact(seeds.len())?;
+    places.resize(seeds.len(), Place::Outside);
+    if seeds.is_empty() {
+        return Ok(places);
+    }
+    // Rounded where they are no doubles. Rounding keeps order: what is outside of a box after it was so before.
+    let mut scaled: Vec<[f64; 3]> = Vec::new();
+    scaled.try_reserve_exact(seeds.len())?;
+    scaled.extend(seeds.iter().map(|p| p.map(|x| scale(x, exponent))));
+    let mark = points.len();
+    let found = Search { mesh, points, components, exponent, seeds, scaled: &scaled }.run(&mut places);
+    points.truncate(mark);
+    found.map(|()| places)
+}
+
+struct Search<'a> {
+    mesh: &'a Tetrahedra,
+    points: &'a mut Points,
+    components: &'a Components,
+    exponent: i32,
+    seeds: &'a [[f64; 3]],
+    scaled: &'a [[f64; 3]],
+}
+
+impl Search<'_> {
+    fn run(&mut self, places: &mut [Place]) -> Result<(), Error> {
+        let mut tree = Tree::new(self.scaled)?;
+        let mut positions: Vec<Option<Position>> = Vec::new();
+        positions.try_reserve_exact(self.seeds.len())?;
+        positions.resize_with(self.seeds.len(), || None);
+        let mut leaves = Vec::new();
+        for t in 0..self.mesh.slot_count() as u32 {
+            if tree.is_empty() {
+                break;
+            }
+            if !self.mesh.is_live(t) || self.mesh.is_ghost(t) {
+                continue;
+            }
+            let (low, high) = self.box_of(t);
+            tree.leaves(&low, &high, &mut leaves)?;
+            for &leaf in &leaves {
+                let [from, to] = tree.nodes[leaf as usize].seeds;
+                for k in from..to {
+                    let seed = tree.order[k as usize];
+                    let p = self.scaled[seed as usize];
+                    let outside = (0..3).any(|k| p[k] < low[k] || p[k] > high[k]);
+                    if outside || tree.leaf[seed as usize] == u32::MAX {
+                        continue;
+                    }
+                    let position = match &mut positions[seed as usize] {
+                        Some(known) => known,
+                        unknown => unknown.insert(self.position(seed)?),
+                    };
+                    let position = match position {
+                        Position::Vertex(v) => Position::Vertex(*v),
+                        Position::Fine(p) => Position::Fine(*p),
+                    };
+                    if self.visit(t, &position, &mut places[seed as usize]) {
+                        tree.take_out(seed);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The box of a tetrahedron; Steiner points are within an ulp of their doubles.
+    fn box_of(&self, t: u32) -> ([f64; 3], [f64; 3]) {
+        let corners = self.mesh.verts[t as usize].map(|v| self.points.xyz(v));
+        let low = |k: usize| corners.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min).next_down();
+        let high = |k: usize| corners.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max).next_up();
+        ([0, 1, 2].map(low), [0, 1, 2].map(high))
+    }
+
+    /// Only a seed inside the box of the mesh becomes a vertex: the filters' bounds hold there.
+    fn position(&mut self, seed: u32) -> Result<Position, Error> {
+        let (given, p) = (self.seeds[seed as usize], self.scaled[seed as usize]);
+        let exact = p.map(|x| scale(x, -self.exponent)) == given;
+        if exact && p.iter().all(|&x| in_range(x)) {
+            return self.points.push(p).map(Position::Vertex);
+        }
+        Ok(Position::Fine(given))
+    }
+
+    /// Looks whether the closed tetrahedron has the seed; true if the seed is done with.
+    fn visit(&self, t: u32, position: &Position, place: &mut Place) -> bool {
+        let own = self.components.of[t as usize];
+        let mut strictly = true;
+        let mut on_facet = false;
+        for code in 4 * t..4 * t + 4 {
+            let [x, y, z] = self.mesh.face(code);
+            let sign = match position {
+                Position::Vertex(p) => self.points.orient3d(*p, x, y, z),
+                Position::Fine(p) => self.points.orient3d_of(p, self.exponent, [x, y, z]),
+            };
+            match sign {
+                Sign::Negative => return false,
+                Sign::Zero => {
+                    strictly = false;
+                    let beyond = self.components.of[(self.mesh.across(code) >> 2) as usize];
+                    on_facet |=
+                        self.mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0 && beyond != own;
+                }
+                Sign::Positive => {}
+            }
+        }
+        match *place {
+            Place::In(other) if other != own => *place = Place::OnFacet,
+            Place::Outside => *place = Place::In(own),
+            _ => {}
+        }
+        if on_facet {
+            *place = Place::OnFacet;
+        }
+        strictly || *place == Place::OnFacet
+    }
+}

@@ -1,0 +1,253 @@
+//! What a caller should know about a mesh that was made all the same. No C types here: `ffi` translates.
+use crate::error::Element;
+use crate::progress::Observer;
+use std::fmt;
+
+/// What a warning is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum WarningKind {
+    /// An edge of one facet only, on a part of the surface that encloses nothing: there it leaks. The elements are the ends.
+    OpenEdge,
+    /// A part of a facet bounds no tetrahedron.
+    UnmeshedFacet,
+    /// A part of a segment is an edge of no tetrahedron.
+    UnmeshedSegment,
+    /// A point is a corner of no tetrahedron, and equals no other point.
+    UnmeshedPoint,
+    /// A point equals an earlier one, which is used instead. The elements are the point and the earlier one.
+    EqualPoints,
+    /// A region seed lies in a region that has an earlier seed, whose attribute is used. The elements are both seeds.
+    RepeatedSeed,
+    /// A hole seed lies outside the domain: it has no effect.
+    HoleOutside,
+    /// A region has a volume bound, which is kept, but makes no tetrahedron smaller: there is no refinement yet.
+    UnusedVolume,
+    /// A polygon is not planar by more than rounding; it was triangulated.
+    NonPlanarFacet,
+    /// A file's format cannot hold a value as it is.
+    LostValue,
+}
+
+impl WarningKind {
+    /// How many kinds there are.
+    pub const COUNT: usize = 10;
+
+    /// All kinds, in the order in which they are listed.
+    pub const ALL: [WarningKind; WarningKind::COUNT] = [
+        WarningKind::OpenEdge,
+        WarningKind::UnmeshedFacet,
+        WarningKind::UnmeshedSegment,
+        WarningKind::UnmeshedPoint,
+        WarningKind::EqualPoints,
+        WarningKind::RepeatedSeed,
+        WarningKind::HoleOutside,
+        WarningKind::UnusedVolume,
+        WarningKind::NonPlanarFacet,
+        WarningKind::LostValue,
+    ];
+
+    /// The kind in words, as reports print it.
+    pub fn name(self) -> &'static str {
+        match self {
+            WarningKind::OpenEdge => "open edge",
+            WarningKind::UnmeshedFacet => "unmeshed facet",
+            WarningKind::UnmeshedSegment => "unmeshed segment",
+            WarningKind::UnmeshedPoint => "unmeshed point",
+            WarningKind::EqualPoints => "equal points",
+            WarningKind::RepeatedSeed => "repeated region seed",
+            WarningKind::HoleOutside => "hole seed outside",
+            WarningKind::UnusedVolume => "unused region volume",
+            WarningKind::NonPlanarFacet => "non-planar facet",
+            WarningKind::LostValue => "value lost in a file",
+        }
+    }
+
+    /// What one or several warnings of the kind say, after their number.
+    fn sentence(self, one: bool) -> &'static str {
+        let texts = match self {
+            WarningKind::OpenEdge => [
+                "open edge: the surface there encloses nothing and is not meshed; close it, or keep the hull",
+                "open edges: the surface there encloses nothing and is not meshed; close it, or keep the hull",
+            ],
+            WarningKind::UnmeshedFacet => {
+                ["part of a facet bounds no tetrahedron", "parts of facets bound no tetrahedron"]
+            }
+            WarningKind::UnmeshedSegment => [
+                "part of a segment is an edge of no tetrahedron",
+                "parts of segments are edges of no tetrahedron",
+            ],
+            WarningKind::UnmeshedPoint => ["point is in no tetrahedron", "points are in no tetrahedron"],
+            WarningKind::EqualPoints => [
+                "point equals an earlier one, which is used instead",
+                "points equal earlier ones, which are used instead",
+            ],
+            WarningKind::RepeatedSeed => [
+                "region seed lies in a region that has an earlier seed, whose attribute is used",
+                "region seeds lie in regions that have an earlier seed, whose attribute is used",
+            ],
+            WarningKind::HoleOutside => [
+                "hole seed lies outside the domain and has no effect",
+                "hole seeds lie outside the domain and have no effect",
+            ],
+            WarningKind::UnusedVolume => [
+                "region has a volume bound, which has no effect yet",
+                "regions have a volume bound, which has no effect yet",
+            ],
+            WarningKind::NonPlanarFacet => [
+                "polygon is not planar; it was triangulated",
+                "polygons are not planar; they were triangulated",
+            ],
+            WarningKind::LostValue => [
+                "value cannot be held by the file's format",
+                "values cannot be held by the file's format",
+            ],
+        };
+        texts[usize::from(!one)]
+    }
+}
+
+/// One warning: kind, the one or two elements involved, and a point where it is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Warning {
+    /// The kind.
+    pub kind: WarningKind,
+    /// The element that it is about.
+    pub first: Element,
+    /// The other element of a pair.
+    pub second: Option<Element>,
+    /// A point at or near it (rounded).
+    pub point: Option<[f64; 3]>,
+}
+
+/// Warnings, with a limit to how many of a kind are listed; all are counted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Warnings {
+    list: Vec<Warning>,
+    counts: [u64; WarningKind::COUNT],
+}
+
+impl Warnings {
+    /// Counts a warning, and lists it unless `limit` others of its kind are listed or memory is short.
+    pub fn push(&mut self, warning: Warning, limit: usize) {
+        let count = &mut self.counts[warning.kind as usize];
+        // Those of a kind that are listed come first: none was listed after one that was not.
+        let listed = *count < limit as u64;
+        *count += 1;
+        if listed && self.list.try_reserve(1).is_ok() {
+            self.list.push(warning);
+        }
+    }
+
+    /// Adds the warnings of another list after these.
+    pub fn append(&mut self, other: &Warnings) {
+        for (count, more) in self.counts.iter_mut().zip(other.counts) {
+            *count += more;
+        }
+        if self.list.try_reserve(other.list.len()).is_ok() {
+            self.list.extend_from_slice(&other.list);
+        }
+    }
+
+    /// Those that are listed, in the order in which they were found.
+    pub fn list(&self) -> &[Warning] {
+        &self.list
+    }
+
+    /// How many there are of a kind, listed or not.
+    pub fn count(&self, kind: WarningKind) -> u64 {
+        self.counts[kind as usize]
+    }
+
+    /// How many there are in all, listed or not.
+    pub fn total(&self) -> u64 {
+        self.counts.iter().sum()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.total() == 0
+    }
+
+    /// Those of one kind that are listed.
+    pub fn of(&self, kind: WarningKind) -> impl Iterator<Item = &Warning> {
+        self.list.iter().filter(move |warning| warning.kind == kind)
+    }
+
+    /// One line in English about the warnings of a kind: how many, what to do, and where the first one is; none if there
+    /// are none.
+    pub fn line(&self, kind: WarningKind) -> Option<String> {
+        let count = self.count(kind);
+        let text = format!("{count} {}", kind.sentence(count == 1));
+        match self.of(kind).next() {
+            _ if count == 0 => None,
+            Some(first) if count == 1 => Some(format!("{text} ({})", Place(first))),
+            Some(first) => Some(format!("{text} (first: {})", Place(first))),
+            None => Some(text),
+        }
+    }
+
+    /// Hands one line per kind to the observer's log.
+    pub fn log(&self, observer: &mut dyn Observer) {
+        for line in WarningKind::ALL.into_iter().filter_map(|kind| self.line(kind)) {
+            observer.log(&format!("warning: {line}"));
+        }
+    }
+}
+
+/// The elements and the place of a warning.
+struct Place<'a>(&'a Warning);
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.0.first)?;
+        if let Some(second) = self.0.second {
+            write!(f, " and {second}")?;
+        }
+        if let Some([x, y, z]) = self.0.point {
+            write!(f, " at ({x}, {y}, {z})")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.kind.name(), Place(self))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn warning(kind: WarningKind, point: u32) -> Warning {
+        Warning { kind, first: Element::Point(point), second: None, point: Some([0.5, 0.0, 1.0]) }
+    }
+
+    #[test]
+    fn kinds_are_numbered_in_the_order_of_the_list() {
+        for (i, kind) in WarningKind::ALL.into_iter().enumerate() {
+            assert_eq!(kind as usize, i);
+        }
+    }
+
+    #[test]
+    fn a_kind_that_fills_its_part_of_the_list_hides_no_other() {
+        let mut warnings = Warnings::default();
+        for i in 0..100 {
+            warnings.push(warning(WarningKind::EqualPoints, i), 3);
+        }
+        warnings.push(warning(WarningKind::OpenEdge, 7), 3);
+        assert_eq!(warnings.count(WarningKind::EqualPoints), 100);
+        assert_eq!(warnings.of(WarningKind::EqualPoints).count(), 3);
+        assert_eq!(warnings.of(WarningKind::OpenEdge).count(), 1);
+        assert_eq!((warnings.total(), warnings.list().len()), (101, 4));
+        let lines: Vec<String> = WarningKind::ALL.iter().filter_map(|&k| warnings.line(k)).collect();
+        assert_eq!(lines.len(), 2);
+        assert!(lines[0].starts_with("1 open edge:") && lines[0].ends_with("(point 7 at (0.5, 0, 1))"));
+        assert_eq!(
+            lines[1],
+            "100 points equal earlier ones, which are used instead (first: point 0 at (0.5, 0, 1))"
+        );
+    }
+}
