@@ -11,7 +11,7 @@ int main(void)
     memcpy(xyz + 24, xyz, 6 * sizeof *xyz);
     OK(delotet_plc_new(xyz, 10, &plc, &error));
     OK(delotet_plc_add_triangles(plc, BOX, BOX_MARKERS, 12, &error));
-    CHECK(delotet_options_set_max_defects(options, 0) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_max_defects(options, 0, &error));
     mesh = mesh_with(plc, options);
     CHECK(delotet_mesh_warnings(mesh).count == 0);
     CHECK(delotet_mesh_warning_count(mesh, DELOTET_WARNING_KIND_EQUAL_POINTS) == 2);

@@ -35,8 +35,8 @@ int main(void)
     CHECK(delotet_mesh_warnings(NULL).count == 0 && delotet_mesh_warnings(NULL).first == NULL);
     delotet_mesh_free(mesh);
 
-    CHECK(delotet_options_set_max_defects(options, 1) == DELOTET_STATUS_OK);
-    CHECK(delotet_options_set_log(options, log_line, &lines) == DELOTET_STATUS_OK);
+    OK(delotet_options_set_max_defects(options, 1, &error));
+    OK(delotet_options_set_log(options, log_line, &lines, &error));
     mesh = mesh_with(plc, options);
     CHECK(delotet_mesh_warnings(mesh).count == 1 && lines == 1);
     delotet_mesh_free(mesh);

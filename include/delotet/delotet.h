@@ -350,6 +350,52 @@ typedef enum DelotetDefectKind {
 } DelotetDefectKind;
 
 /**
+ * What a warning is about.
+ */
+typedef enum DelotetWarningKind {
+    /**
+     * An edge of one facet only, on a part of the surface that encloses nothing: there it leaks. The elements are the ends.
+     */
+    DELOTET_WARNING_KIND_OPEN_EDGE = 1,
+    /**
+     * A part of a facet bounds no tetrahedron.
+     */
+    DELOTET_WARNING_KIND_UNMESHED_FACET = 2,
+    /**
+     * A part of a segment is an edge of no tetrahedron.
+     */
+    DELOTET_WARNING_KIND_UNMESHED_SEGMENT = 3,
+    /**
+     * A point is a corner of no tetrahedron, and equals no other point.
+     */
+    DELOTET_WARNING_KIND_UNMESHED_POINT = 4,
+    /**
+     * A point equals an earlier one, which is used instead. The elements are the point and the earlier one.
+     */
+    DELOTET_WARNING_KIND_EQUAL_POINTS = 5,
+    /**
+     * A region seed lies in a region that has an earlier seed, whose attribute is used. The elements are both seeds.
+     */
+    DELOTET_WARNING_KIND_REPEATED_SEED = 6,
+    /**
+     * A hole seed lies outside the domain: it has no effect.
+     */
+    DELOTET_WARNING_KIND_HOLE_OUTSIDE = 7,
+    /**
+     * A region has a volume bound, which is kept, but makes no tetrahedron smaller: there is no refinement yet.
+     */
+    DELOTET_WARNING_KIND_UNUSED_VOLUME = 8,
+    /**
+     * A polygon is not planar by more than rounding; it was triangulated.
+     */
+    DELOTET_WARNING_KIND_NON_PLANAR_FACET = 9,
+    /**
+     * A file's format cannot hold a value as it is.
+     */
+    DELOTET_WARNING_KIND_LOST_VALUE = 10,
+} DelotetWarningKind;
+
+/**
  * A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
  */
 typedef struct DelotetError DelotetError;
