@@ -312,7 +312,7 @@ typedef enum DelotetDefectKind {
      */
     DELOTET_DEFECT_KIND_SEED_OUTSIDE = 15,
     /**
-     * An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
+     * A facet has an edge that no other facet shares, where closed surfaces are required.
      */
     DELOTET_DEFECT_KIND_OPEN_EDGE = 16,
     /**
@@ -348,52 +348,6 @@ typedef enum DelotetDefectKind {
      */
     DELOTET_DEFECT_KIND_HULL_OFF_FACETS = 24,
 } DelotetDefectKind;
-
-/**
- * What a warning is about.
- */
-typedef enum DelotetWarningKind {
-    /**
-     * An edge of one facet only, on a part of the surface that encloses nothing: there it leaks. The elements are the ends.
-     */
-    DELOTET_WARNING_KIND_OPEN_EDGE = 1,
-    /**
-     * A part of a facet bounds no tetrahedron.
-     */
-    DELOTET_WARNING_KIND_UNMESHED_FACET = 2,
-    /**
-     * A part of a segment is an edge of no tetrahedron.
-     */
-    DELOTET_WARNING_KIND_UNMESHED_SEGMENT = 3,
-    /**
-     * A point is a corner of no tetrahedron, and equals no other point.
-     */
-    DELOTET_WARNING_KIND_UNMESHED_POINT = 4,
-    /**
-     * A point equals an earlier one, which is used instead. The elements are the point and the earlier one.
-     */
-    DELOTET_WARNING_KIND_EQUAL_POINTS = 5,
-    /**
-     * A region seed lies in a region that has an earlier seed, whose attribute is used. The elements are both seeds.
-     */
-    DELOTET_WARNING_KIND_REPEATED_SEED = 6,
-    /**
-     * A hole seed lies outside the domain: it has no effect.
-     */
-    DELOTET_WARNING_KIND_HOLE_OUTSIDE = 7,
-    /**
-     * A region has a volume bound, which is kept, but makes no tetrahedron smaller: there is no refinement yet.
-     */
-    DELOTET_WARNING_KIND_UNUSED_VOLUME = 8,
-    /**
-     * A polygon is not planar by more than rounding; it was triangulated.
-     */
-    DELOTET_WARNING_KIND_NON_PLANAR_FACET = 9,
-    /**
-     * A file's format cannot hold a value as it is.
-     */
-    DELOTET_WARNING_KIND_LOST_VALUE = 10,
-} DelotetWarningKind;
 
 /**
  * A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
@@ -487,7 +441,7 @@ typedef uint32_t DelotetPreserve;
 typedef int32_t (*DelotetProgressFn)(void *user_data, enum DelotetPhase phase, double fraction);
 
 /**
- * Receives a line of text about the run: "warning: ..." and one line per kind of warning at its end; `message` is UTF-8 and valid during the call of the callback only. Called on the
+ * Receives a line of text about the run; `message` is UTF-8 and valid during the call of the callback only. Called on the
  * thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
  */
 typedef void (*DelotetLogFn)(void *user_data, const char *message);
@@ -539,6 +493,92 @@ typedef struct DelotetMarkersView {
 } DelotetMarkersView;
 
 /**
+ * A segment of the input.
+ */
+typedef struct DelotetSegment {
+    /**
+     * The ends.
+     */
+    uint32_t ends[2];
+    /**
+     * The marker.
+     */
+    int32_t marker;
+} DelotetSegment;
+
+/**
+ * Borrowed segments; NULL and 0 if there are none.
+ */
+typedef struct DelotetSegmentsView {
+    /**
+     * The first of `count` segments; DELOTET_AT(DelotetSegment, view, i) is the i-th.
+     */
+    const struct DelotetSegment *first;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
+} DelotetSegmentsView;
+
+/**
+ * A region seed of the input.
+ */
+typedef struct DelotetRegionSeed {
+    /**
+     * x y z of a point inside the region.
+     */
+    double point[3];
+    /**
+     * The attribute that the tetrahedra there get.
+     */
+    double attribute;
+    /**
+     * The largest volume of a tetrahedron there; 0 if there is no bound.
+     */
+    double max_volume;
+} DelotetRegionSeed;
+
+/**
+ * Borrowed region seeds; NULL and 0 if there are none.
+ */
+typedef struct DelotetRegionSeedsView {
+    /**
+     * The first of `count` seeds; DELOTET_AT(DelotetRegionSeed, view, i) is the i-th.
+     */
+    const struct DelotetRegionSeed *first;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
+} DelotetRegionSeedsView;
+
+/**
+ * Borrowed rows of indices; NULL and zeros if there are none.
+ */
+typedef struct DelotetIndexRowsView {
+    /**
+     * #rows by `width` indices.
+     */
+    const uint32_t *data;
+    /**
+     * How many rows.
+     */
+    size_t count;
+    /**
+     * How many indices per row.
+     */
+    size_t width;
+} DelotetIndexRowsView;
+
+/**
  * Borrowed indices; NULL and 0 if there are none.
  */
 typedef struct DelotetIndicesView {
@@ -551,6 +591,11 @@ typedef struct DelotetIndicesView {
      */
     size_t count;
 } DelotetIndicesView;
+
+/**
+ * How the rings of a facet bound it: one of the DELOTET_FACET_RULE_ constants.
+ */
+typedef uint32_t DelotetFacetRule;
 
 /**
  * Borrowed quadruples of indices, one per tetrahedron; NULL and 0 if there are none.
@@ -619,9 +664,8 @@ typedef struct DelotetSubface {
      */
     int32_t marker;
     /**
-     * The tetrahedra on both sides. The first is that of the lower region (by its index), within one region that of the lower index;
-     * the second is DELOTET_INVALID_INDEX on the boundary. `(b - a) x (c - a)` points from the first to the second: from the
-     * lower region to the higher, and outward on the boundary.
+     * The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
+     * `(b - a) x (c - a)` points from the first to the second: outward on the boundary.
      */
     uint32_t tets[2];
 } DelotetSubface;
@@ -873,58 +917,6 @@ typedef struct DelotetStats {
 } DelotetStats;
 
 /**
- * One warning: kind, the one or two elements involved, and a point where it is seen.
- */
-typedef struct DelotetWarning {
-    /**
-     * The kind: a DelotetWarningKind, in 32 bits with any compiler.
-     */
-    uint32_t kind;
-    /**
-     * What `first` counts: a DelotetElement.
-     */
-    uint32_t first_element;
-    /**
-     * Index of the element that it is about.
-     */
-    uint32_t first;
-    /**
-     * What `second` counts: a DelotetElement; DELOTET_ELEMENT_NONE if only one element is involved.
-     */
-    uint32_t second_element;
-    /**
-     * Index of the other element of a pair, or DELOTET_INVALID_INDEX.
-     */
-    uint32_t second;
-    /**
-     * 1 if `point` is set, else 0.
-     */
-    uint32_t has_point;
-    /**
-     * x y z of a point at or near it (rounded); zeros if there is none.
-     */
-    double point[3];
-} DelotetWarning;
-
-/**
- * Borrowed warnings; NULL and 0 if there are none.
- */
-typedef struct DelotetWarningsView {
-    /**
-     * The first of `count` warnings; DELOTET_AT(DelotetWarning, view, i) is the i-th.
-     */
-    const struct DelotetWarning *first;
-    /**
-     * How many.
-     */
-    size_t count;
-    /**
-     * Bytes from one to the next.
-     */
-    size_t stride;
-} DelotetWarningsView;
-
-/**
  * A face of the mesh.
  */
 typedef struct DelotetFace {
@@ -933,8 +925,7 @@ typedef struct DelotetFace {
      */
     uint32_t corners[3];
     /**
-     * The tetrahedra on both sides, the smaller index first, but of a subface in its order; the second is DELOTET_INVALID_INDEX on the
-     * boundary.
+     * The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
      */
     uint32_t tets[2];
     /**
@@ -1006,24 +997,6 @@ typedef struct DelotetEdgesView {
 } DelotetEdgesView;
 
 /**
- * Borrowed rows of indices; NULL and zeros if there are none.
- */
-typedef struct DelotetIndexRowsView {
-    /**
-     * #rows by `width` indices.
-     */
-    const uint32_t *data;
-    /**
-     * How many rows.
-     */
-    size_t count;
-    /**
-     * How many indices per row.
-     */
-    size_t width;
-} DelotetIndexRowsView;
-
-/**
  * In which order the six mid-edge nodes follow the four corners of a tetrahedron: one of the DELOTET_NODE_ORDER_ constants.
  */
 typedef uint32_t DelotetNodeOrder;
@@ -1080,6 +1053,16 @@ typedef struct DelotetSecondOrderView {
 #define DELOTET_PRESERVE_OUTER 1
 
 /**
+ * The first ring is the outer boundary, the others are holes in it (delotet_plc_add_facet; all facets of one ring).
+ */
+#define DELOTET_FACET_RULE_RINGS 0
+
+/**
+ * TetGen's rule: holes are where hole seeds are (delotet_plc_add_facet_with_hole_seeds).
+ */
+#define DELOTET_FACET_RULE_SEEDS 1
+
+/**
  * VTK, Abaqus and CalculiX (C3D10), Nastran: nodes on the edges 01 12 02 03 13 23.
  */
 #define DELOTET_NODE_ORDER_VTK 0
@@ -1127,12 +1110,6 @@ const char *delotet_element_name(uint32_t element);
  */
 DELOTET_API
 const char *delotet_defect_kind_name(uint32_t kind);
-
-/**
- * Name of a kind of warning, such as "DELOTET_WARNING_KIND_OPEN_EDGE"; "unknown" for other numbers. Static: never NULL, never freed.
- */
-DELOTET_API
-const char *delotet_warning_kind_name(uint32_t kind);
 
 /**
  * Name of a phase, such as "DELOTET_PHASE_FACETS"; "unknown" for other numbers. Static: never NULL, never freed.
@@ -1225,7 +1202,7 @@ enum DelotetStatus delotet_options_set_validate(struct DelotetOptions *options,
                                                 struct DelotetError **out_error);
 
 /**
- * How many defects an error lists at most, and how many warnings of a kind a mesh. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
+ * How many defects an error lists at most. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1382,6 +1359,29 @@ enum DelotetStatus delotet_plc_new(const double *xyz,
                                    struct DelotetError **out_error);
 
 /**
+ * A copy of a PLC with all that it has.
+ * `out_plc`: the copy, owned by the caller: free with delotet_plc_free; NULL on failure. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_clone(const struct DelotetPlc *plc,
+                                     struct DelotetPlc **out_plc,
+                                     struct DelotetError **out_error);
+
+/**
+ * Adds points after those that the PLC has. Their attributes and markers are 0, where the points have any.
+ * `xyz`: #points by 3 doubles; copied. `out_first`: NULL, or receives the index of the first new point (the others follow).
+ * Errors: INVALID_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_add_points(struct DelotetPlc *plc,
+                                          const double *xyz,
+                                          size_t count,
+                                          uint32_t *out_first,
+                                          struct DelotetError **out_error);
+
+/**
  * Sets the attributes of all points (replacing earlier ones): fields that are carried to the mesh, linear at Steiner points.
  * `attributes`: #points by `attribute_count` doubles; copied. `attribute_count` 0 removes them.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
@@ -1402,6 +1402,36 @@ DELOTET_MUST_USE
 enum DelotetStatus delotet_plc_set_point_markers(struct DelotetPlc *plc,
                                                  const int32_t *markers,
                                                  struct DelotetError **out_error);
+
+/**
+ * Sets the markers of all segments (replacing earlier ones).
+ * `markers`: #segments integers; copied; NULL sets all to 0. Errors: INVALID_ARGUMENT.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_segment_markers(struct DelotetPlc *plc,
+                                                   const int32_t *markers,
+                                                   struct DelotetError **out_error);
+
+/**
+ * Sets the markers of all facets (replacing earlier ones).
+ * `markers`: #facets integers; copied; NULL sets all to 0. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_facet_markers(struct DelotetPlc *plc,
+                                                 const int32_t *markers,
+                                                 struct DelotetError **out_error);
+
+/**
+ * Sets the marker of one facet. Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_facet_marker(struct DelotetPlc *plc,
+                                                uint32_t facet,
+                                                int32_t marker,
+                                                struct DelotetError **out_error);
 
 /**
  * Adds a segment from point `a` to point `b`. Edges of facets need not be given, unless they carry a marker.
@@ -1518,9 +1548,7 @@ enum DelotetStatus delotet_plc_add_region(struct DelotetPlc *plc,
 
 /**
  * Looks for defects: non-finite points, elements without extent, self-intersections, unusable polygons. All of them are listed
- * in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel. A surface that
- * encloses nothing fails too, with its open edges, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; where other parts
- * enclose something, the log gets a warning.
+ * in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel.
  * Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -1528,6 +1556,11 @@ DELOTET_MUST_USE
 enum DelotetStatus delotet_plc_check(const struct DelotetPlc *plc,
                                      const struct DelotetOptions *options,
                                      struct DelotetError **out_error);
+
+/**
+ * Frees a PLC and all that was borrowed from it. NULL is ignored. Meshes made from it live on.
+ */
+DELOTET_API void delotet_plc_free(struct DelotetPlc *plc);
 
 /**
  * The points: #points by 3 doubles. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
@@ -1563,9 +1596,55 @@ DELOTET_API size_t delotet_plc_facet_count(const struct DelotetPlc *plc);
 DELOTET_API int32_t delotet_plc_facet_marker(const struct DelotetPlc *plc, uint32_t facet);
 
 /**
- * Frees a PLC and all that was borrowed from it. NULL is ignored. Meshes made from it live on.
+ * The segments. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
  */
-DELOTET_API void delotet_plc_free(struct DelotetPlc *plc);
+DELOTET_API struct DelotetSegmentsView delotet_plc_segments(const struct DelotetPlc *plc);
+
+/**
+ * The hole seeds: #holes by 3 doubles. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetPointsView delotet_plc_holes(const struct DelotetPlc *plc);
+
+/**
+ * The region seeds. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
+ */
+DELOTET_API struct DelotetRegionSeedsView delotet_plc_regions(const struct DelotetPlc *plc);
+
+/**
+ * The triangles that come first among the facets: #triangles by 3 indices, facets 0 to #triangles - 1. All facets, if only triangles
+ * were added, or up to the first other facet; those behind have delotet_plc_facet_ring, which works for all. Borrowed from `plc`:
+ * valid until it is changed or freed. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetIndexRowsView delotet_plc_triangles(const struct DelotetPlc *plc);
+
+/**
+ * How many rings (polygons) a facet has: 1 for triangles. 0 for NULL and for facets that do not exist.
+ */
+DELOTET_API size_t delotet_plc_facet_ring_count(const struct DelotetPlc *plc, uint32_t facet);
+
+/**
+ * The corners of a ring of a facet, in the order in which they were given. Borrowed from `plc`: valid until it is changed or freed.
+ * Empty for NULL and for rings that do not exist.
+ */
+DELOTET_API
+struct DelotetIndicesView delotet_plc_facet_ring(const struct DelotetPlc *plc,
+                                                 uint32_t facet,
+                                                 size_t ring);
+
+/**
+ * How the rings of a facet bound it. DELOTET_FACET_RULE_RINGS for NULL and for facets that do not exist.
+ */
+DELOTET_API DelotetFacetRule delotet_plc_facet_rule(const struct DelotetPlc *plc, uint32_t facet);
+
+/**
+ * The points in the holes of a facet: #holes by 3 doubles. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL,
+ * for facets that do not exist, and for facets without such seeds.
+ */
+DELOTET_API
+struct DelotetPointsView delotet_plc_facet_hole_seeds(const struct DelotetPlc *plc,
+                                                      uint32_t facet);
 
 /**
  * All points: the input points first, bit for bit and in input order, then the Steiner points. Borrowed from `mesh`: valid until
@@ -1640,37 +1719,15 @@ DELOTET_API struct DelotetIndicesView delotet_mesh_tet_regions(const struct Delo
 DELOTET_API struct DelotetRegionsView delotet_mesh_regions(const struct DelotetMesh *mesh);
 
 /**
- * The faces on facets, with facet, marker and both tetrahedra; pieces of facets that bound no tetrahedron are in
- * delotet_mesh_unmeshed_subfaces. Borrowed from `mesh`. Empty for NULL.
+ * The faces on facets, with facet, marker and both tetrahedra. Borrowed from `mesh`. Empty for NULL.
  */
-DELOTET_API
-struct DelotetSubfacesView delotet_mesh_subfaces(const struct DelotetMesh *mesh);
+DELOTET_API struct DelotetSubfacesView delotet_mesh_subfaces(const struct DelotetMesh *mesh);
 
 /**
  * The edges on segments and on edges of facets, with segment and marker. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetSubsegmentsView delotet_mesh_subsegments(const struct DelotetMesh *mesh);
-
-/**
- * Pieces of facets that bound no tetrahedron, since all around them was carved: a shell that leaks, a facet outside of the domain, a
- * wall in a hole. They are no faces of the mesh: both tetrahedra are DELOTET_INVALID_INDEX. Borrowed from `mesh`. Empty for NULL.
- */
-DELOTET_API
-struct DelotetSubfacesView delotet_mesh_unmeshed_subfaces(const struct DelotetMesh *mesh);
-
-/**
- * Pieces of segments and of edges of facets that are edges of no tetrahedron. Borrowed from `mesh`. Empty for NULL.
- */
-DELOTET_API
-struct DelotetSubsegmentsView delotet_mesh_unmeshed_subsegments(const struct DelotetMesh *mesh);
-
-/**
- * Points that no tetrahedron has, ascending: those that equal an earlier point (delotet_mesh_point_aliases), and those around which
- * all was carved. Borrowed from `mesh`. Empty for NULL.
- */
-DELOTET_API
-struct DelotetIndicesView delotet_mesh_unmeshed_points(const struct DelotetMesh *mesh);
 
 /**
  * The Steiner points in the order of the points, with the input edge and the segment they lie on, if any. Borrowed from `mesh`. Empty
@@ -1743,21 +1800,6 @@ enum DelotetStatus delotet_mesh_check_preserved_outer(const struct DelotetMesh *
  * Frees a mesh and all that was borrowed from it. NULL is ignored.
  */
 DELOTET_API void delotet_mesh_free(struct DelotetMesh *mesh);
-
-/**
- * What should be known about a mesh: leaks, parts of the input that are not meshed, seeds without effect. Of each kind at most as many
- * as delotet_options_set_max_defects allows; delotet_mesh_warning_count() counts all. The log gets a line per kind. Borrowed from
- * `mesh`. Empty for NULL.
- */
-DELOTET_API
-struct DelotetWarningsView delotet_mesh_warnings(const struct DelotetMesh *mesh);
-
-/**
- * How many warnings of a kind (a DelotetWarningKind) there are, listed or not. 0 for NULL and for other numbers.
- */
-DELOTET_API
-uint64_t delotet_mesh_warning_count(const struct DelotetMesh *mesh,
-                                    uint32_t kind);
 
 /**
  * Makes the mesh of a PLC.
@@ -1875,7 +1917,7 @@ enum DelotetStatus delotet_mesh_locate(const struct DelotetMesh *mesh,
                                        struct DelotetError **out_error);
 
 /**
- * Reads a PLC from a file; the extension names the format (src/doc/formats.md lists them).
+ * Reads a PLC from a file; the extension names the format (README lists them).
  * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
  * on failure.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
@@ -1887,7 +1929,18 @@ enum DelotetStatus delotet_plc_read(const char *path,
                                     struct DelotetError **out_error);
 
 /**
- * Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
+ * Writes a PLC to a file; the extension names the format (README lists the surface formats).
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
+ * NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_write(const struct DelotetPlc *plc,
+                                     const char *path,
+                                     struct DelotetError **out_error);
+
+/**
+ * Writes a mesh to a file; the extension names the format (README lists them). `plc` is the PLC that the mesh was made of: some
  * formats carry its markers and attributes.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
  */

@@ -50,6 +50,8 @@ using Phase = DelotetPhase;
 using Defect = DelotetDefect;
 using Warning = DelotetWarning;
 using WarningKind = DelotetWarningKind;
+using Segment = DelotetSegment;
+using RegionSeed = DelotetRegionSeed;
 using Region = DelotetRegion;
 using Subface = DelotetSubface;
 using Subsegment = DelotetSubsegment;
@@ -63,6 +65,7 @@ using Stats = DelotetStats;
 using Index = std::uint32_t;
 using Marker = std::int32_t;
 using Point = std::array<double, 3>;
+using Triangle = std::array<Index, 3>;
 using Tet = std::array<Index, 4>;
 using Tet10 = std::array<Index, 10>;
 
@@ -76,6 +79,9 @@ enum class Mode : std::uint32_t {
 };
 
 enum class Preserve : std::uint32_t { all = DELOTET_PRESERVE_ALL, outer = DELOTET_PRESERVE_OUTER };
+
+/// How the rings of a facet bound it.
+enum class FacetRule : std::uint32_t { rings = DELOTET_FACET_RULE_RINGS, seeds = DELOTET_FACET_RULE_SEEDS };
 
 enum class NodeOrder : std::uint32_t {
     vtk = DELOTET_NODE_ORDER_VTK,
@@ -423,6 +429,21 @@ template <class To, class From> Span<const To> rows(const From *data, std::size_
     return {reinterpret_cast<const To *>(data), count};
 }
 
+/// Views of C as spans and records.
+template <class View> Span<std::remove_pointer_t<decltype(View::data)>> span(View view) noexcept
+{
+    return {view.data, view.count};
+}
+template <class View>
+Records<std::remove_cv_t<std::remove_pointer_t<decltype(View::first)>>> records(View view) noexcept
+{
+    return {view.first, view.count, view.stride};
+}
+inline Span<const Point> points_of(DelotetPointsView view) noexcept
+{
+    return rows<Point>(view.data, view.count);
+}
+
 #if DELOTET_EXCEPTIONS
 /// Makes the throwing form of a call from the other.
 template <class Call> void require(Call &&call)
@@ -705,6 +726,22 @@ class Plc {
         plc.handle_.reset(handle);
         return status;
     }
+    /// A copy with all that this has.
+    Status clone(Plc &copy, Error &error) const noexcept
+    {
+        DelotetPlc *handle = nullptr;
+        const Status status =
+            detail::run(error, [&](DelotetError **e) { return delotet_plc_clone(get(), &handle, e); });
+        copy.handle_.reset(handle);
+        return status;
+    }
+    /// Adds points behind the others; `first` is the index of the first new one.
+    Status add_points(Span<const Point> points, Index &first, Error &error) noexcept
+    {
+        const double *xyz = points.empty() ? nullptr : points.data()->data();
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_add_points(get(), xyz, points.size(), &first, e); });
+    }
     /// `attributes`: #points rows of equal width.
     Status set_point_attributes(Span<const double> attributes, Error &error) noexcept
     {
@@ -721,6 +758,27 @@ class Plc {
             return detail::mismatch(error);
         return detail::run(
             error, [&](DelotetError **e) { return delotet_plc_set_point_markers(get(), markers.data(), e); });
+    }
+    /// One per segment, or none (all 0).
+    Status set_segment_markers(Span<const Marker> markers, Error &error) noexcept
+    {
+        if (!detail::fits(markers, segment_count()))
+            return detail::mismatch(error);
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_set_segment_markers(get(), markers.data(), e); });
+    }
+    /// One per facet, or none (all 0).
+    Status set_facet_markers(Span<const Marker> markers, Error &error) noexcept
+    {
+        if (!detail::fits(markers, facet_count()))
+            return detail::mismatch(error);
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_set_facet_markers(get(), markers.data(), e); });
+    }
+    Status set_facet_marker(Index facet, Marker marker, Error &error) noexcept
+    {
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_set_facet_marker(get(), facet, marker, e); });
     }
     Status add_segment(Index a, Index b, Marker marker, Error &error) noexcept
     {
@@ -797,6 +855,11 @@ class Plc {
             return delotet_plc_add_region(get(), seed.data(), attribute, max_volume, e);
         });
     }
+    /// Writes the PLC; the extension names the format.
+    Status write(const Path &path, Error &error) const noexcept
+    {
+        return detail::run(error, [&](DelotetError **e) { return delotet_plc_write(get(), path.c_str(), e); });
+    }
     /// Looks for defects.
     Status check(const Options &options, Error &error) const
     {
@@ -819,6 +882,38 @@ class Plc {
         detail::require([&](Error &e) { return read(path, plc, e); });
         return plc;
     }
+    Plc clone() const
+    {
+        Plc copy;
+        detail::require([&](Error &e) { return clone(copy, e); });
+        return copy;
+    }
+    /// Adds points behind the others. Returns the index of the first new one.
+    Index add_points(Span<const Point> points)
+    {
+        Index first = invalid_index;
+        detail::require([&](Error &e) { return add_points(points, first, e); });
+        return first;
+    }
+    void write(const Path &path) const
+    {
+        detail::require([&](Error &e) { return write(path, e); });
+    }
+    Plc &set_segment_markers(Span<const Marker> markers) &
+    {
+        return chain([&](Error &e) { return set_segment_markers(markers, e); });
+    }
+    Plc &&set_segment_markers(Span<const Marker> markers) && { return std::move(set_segment_markers(markers)); }
+    Plc &set_facet_markers(Span<const Marker> markers) &
+    {
+        return chain([&](Error &e) { return set_facet_markers(markers, e); });
+    }
+    Plc &&set_facet_markers(Span<const Marker> markers) && { return std::move(set_facet_markers(markers)); }
+    Plc &set_facet_marker(Index facet, Marker marker) &
+    {
+        return chain([&](Error &e) { return set_facet_marker(facet, marker, e); });
+    }
+    Plc &&set_facet_marker(Index facet, Marker marker) && { return std::move(set_facet_marker(facet, marker)); }
     Plc &set_point_attributes(Span<const double> attributes) &
     {
         return chain([&](Error &e) { return set_point_attributes(attributes, e); });
@@ -879,10 +974,43 @@ class Plc {
 
     Span<const Point> points() const & noexcept
     {
-        const DelotetPointsView view = delotet_plc_points(get());
-        return detail::rows<Point>(view.data, view.count);
+        return detail::points_of(delotet_plc_points(get()));
     }
     void points() const && = delete;
+    /// #points by `width` doubles.
+    DelotetDoublesView point_attributes() const & noexcept { return delotet_plc_point_attributes(get()); }
+    void point_attributes() const && = delete;
+    Span<const Marker> point_markers() const & noexcept { return detail::span(delotet_plc_point_markers(get())); }
+    void point_markers() const && = delete;
+    Records<Segment> segments() const & noexcept { return detail::records(delotet_plc_segments(get())); }
+    void segments() const && = delete;
+    Span<const Point> holes() const & noexcept { return detail::points_of(delotet_plc_holes(get())); }
+    void holes() const && = delete;
+    Records<RegionSeed> regions() const & noexcept { return detail::records(delotet_plc_regions(get())); }
+    void regions() const && = delete;
+    /// The triangles that come first among the facets.
+    Span<const Triangle> triangles() const & noexcept
+    {
+        const DelotetIndexRowsView view = delotet_plc_triangles(get());
+        return detail::rows<Triangle>(view.data, view.count);
+    }
+    void triangles() const && = delete;
+    std::size_t facet_ring_count(Index facet) const noexcept { return delotet_plc_facet_ring_count(get(), facet); }
+    /// The corners of a ring of a facet.
+    Span<const Index> facet_ring(Index facet, std::size_t ring = 0) const & noexcept
+    {
+        return detail::span(delotet_plc_facet_ring(get(), facet, ring));
+    }
+    void facet_ring(Index, std::size_t = 0) const && = delete;
+    FacetRule facet_rule(Index facet) const noexcept
+    {
+        return static_cast<FacetRule>(delotet_plc_facet_rule(get(), facet));
+    }
+    Span<const Point> facet_hole_seeds(Index facet) const & noexcept
+    {
+        return detail::points_of(delotet_plc_facet_hole_seeds(get(), facet));
+    }
+    void facet_hole_seeds(Index) const && = delete;
     std::size_t segment_count() const noexcept { return delotet_plc_segment_count(get()); }
     std::size_t facet_count() const noexcept { return delotet_plc_facet_count(get()); }
     Marker facet_marker(Index facet) const noexcept { return delotet_plc_facet_marker(get(), facet); }
@@ -915,37 +1043,37 @@ class Mesh {
     Mesh() noexcept = default;
     explicit Mesh(DelotetMesh *owned) noexcept : handle_(owned) {}
 
-    Span<const Point> points() const & noexcept { return points_of(delotet_mesh_points(get())); }
+    Span<const Point> points() const & noexcept { return detail::points_of(delotet_mesh_points(get())); }
     void points() const && = delete;
     std::size_t input_point_count() const noexcept { return delotet_mesh_input_point_count(get()); }
-    Span<const Index> crowded_points() const & noexcept { return span(delotet_mesh_crowded_points(get())); }
+    Span<const Index> crowded_points() const & noexcept { return detail::span(delotet_mesh_crowded_points(get())); }
     void crowded_points() const && = delete;
-    Span<const Index> replaced_tets() const & noexcept { return span(delotet_mesh_replaced_tets(get())); }
+    Span<const Index> replaced_tets() const & noexcept { return detail::span(delotet_mesh_replaced_tets(get())); }
     void replaced_tets() const && = delete;
-    Span<const Index> point_aliases() const & noexcept { return span(delotet_mesh_point_aliases(get())); }
+    Span<const Index> point_aliases() const & noexcept { return detail::span(delotet_mesh_point_aliases(get())); }
     void point_aliases() const && = delete;
     /// #points by `width` doubles.
     DelotetDoublesView point_attributes() const & noexcept { return delotet_mesh_point_attributes(get()); }
     void point_attributes() const && = delete;
-    Span<const Marker> point_markers() const & noexcept { return span(delotet_mesh_point_markers(get())); }
+    Span<const Marker> point_markers() const & noexcept { return detail::span(delotet_mesh_point_markers(get())); }
     void point_markers() const && = delete;
     Span<const Tet> tets() const & noexcept { return tets_of(delotet_mesh_tets(get())); }
     void tets() const && = delete;
     Span<const Tet> neighbors() const & noexcept { return tets_of(delotet_mesh_neighbors(get())); }
     void neighbors() const && = delete;
-    Span<const Index> tet_regions() const & noexcept { return span(delotet_mesh_tet_regions(get())); }
+    Span<const Index> tet_regions() const & noexcept { return detail::span(delotet_mesh_tet_regions(get())); }
     void tet_regions() const && = delete;
-    Records<Region> regions() const & noexcept { return records(delotet_mesh_regions(get())); }
+    Records<Region> regions() const & noexcept { return detail::records(delotet_mesh_regions(get())); }
     void regions() const && = delete;
-    Records<Subface> subfaces() const & noexcept { return records(delotet_mesh_subfaces(get())); }
+    Records<Subface> subfaces() const & noexcept { return detail::records(delotet_mesh_subfaces(get())); }
     void subfaces() const && = delete;
-    Records<Subsegment> subsegments() const & noexcept { return records(delotet_mesh_subsegments(get())); }
+    Records<Subsegment> subsegments() const & noexcept { return detail::records(delotet_mesh_subsegments(get())); }
     void subsegments() const && = delete;
-    Records<SteinerPoint> steiner_points() const & noexcept { return records(delotet_mesh_steiner_points(get())); }
+    Records<SteinerPoint> steiner_points() const & noexcept { return detail::records(delotet_mesh_steiner_points(get())); }
     void steiner_points() const && = delete;
-    Records<SteinerTerm> steiner_terms() const & noexcept { return records(delotet_mesh_steiner_terms(get())); }
+    Records<SteinerTerm> steiner_terms() const & noexcept { return detail::records(delotet_mesh_steiner_terms(get())); }
     void steiner_terms() const && = delete;
-    Records<FacetFlip> facet_flips() const & noexcept { return records(delotet_mesh_facet_flips(get())); }
+    Records<FacetFlip> facet_flips() const & noexcept { return detail::records(delotet_mesh_facet_flips(get())); }
     void facet_flips() const && = delete;
     Records<Subface> unmeshed_subfaces() const & noexcept { return records(delotet_mesh_unmeshed_subfaces(get())); }
     void unmeshed_subfaces() const && = delete;
@@ -1006,11 +1134,11 @@ class Mesh {
         return derive<DelotetIndexRowsView>(delotet_mesh_tet_edges, out, error);
     }
     void tet_edges(Span<const std::array<Index, 6>> &, Error &) const && = delete;
-    Status subface_edges(Span<const std::array<Index, 3>> &out, Error &error) const & noexcept
+    Status subface_edges(Span<const Triangle> &out, Error &error) const & noexcept
     {
         return derive<DelotetIndexRowsView>(delotet_mesh_subface_edges, out, error);
     }
-    void subface_edges(Span<const std::array<Index, 3>> &, Error &) const && = delete;
+    void subface_edges(Span<const Triangle> &, Error &) const && = delete;
     Status second_order(NodeOrder order, SecondOrder &out, Error &error) const & noexcept
     {
         DelotetSecondOrderView view = {};
@@ -1088,9 +1216,9 @@ class Mesh {
         return made<Span<const std::array<Index, 6>>>([&](auto &out, Error &e) { return tet_edges(out, e); });
     }
     void tet_edges() const && = delete;
-    Span<const std::array<Index, 3>> subface_edges() const &
+    Span<const Triangle> subface_edges() const &
     {
-        return made<Span<const std::array<Index, 3>>>([&](auto &out, Error &e) { return subface_edges(out, e); });
+        return made<Span<const Triangle>>([&](auto &out, Error &e) { return subface_edges(out, e); });
     }
     void subface_edges() const && = delete;
     SecondOrder second_order(NodeOrder order) const &
@@ -1123,19 +1251,6 @@ class Mesh {
     DelotetMesh *get() const noexcept { return handle_.get(); }
 
   private:
-    template <class View> static Span<std::remove_pointer_t<decltype(View::data)>> span(View view) noexcept
-    {
-        return {view.data, view.count};
-    }
-    template <class View>
-    static Records<std::remove_cv_t<std::remove_pointer_t<decltype(View::first)>>> records(View view) noexcept
-    {
-        return {view.first, view.count, view.stride};
-    }
-    static Span<const Point> points_of(DelotetPointsView view) noexcept
-    {
-        return detail::rows<Point>(view.data, view.count);
-    }
     static Span<const Tet> tets_of(DelotetTetsView view) noexcept { return detail::rows<Tet>(view.data, view.count); }
     template <class View, class T>
     Status derive(DelotetStatus (*call)(const DelotetMesh *, View *, DelotetError **), Span<const T> &out,

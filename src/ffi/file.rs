@@ -45,10 +45,24 @@ pub unsafe extern "C" fn delotet_plc_read(
         guard(out_error, || {
             let out = Out::new(out_plc, "out_plc")?;
             let plc = files::read(&path_of(path)?)?;
-            out.put(DelotetPlc { plc });
+            out.put(DelotetPlc::new(plc)?);
             Ok(())
         })
     }
+}
+
+/// Writes a PLC to a file; the extension names the format (src/doc/formats.md lists the surface formats).
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
+/// NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_write(
+    plc: *const DelotetPlc,
+    path: *const c_char,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a PLC that nothing changes meanwhile and a zero-terminated path.
+    unsafe { guard(out_error, || files::write_surface(&path_of(path)?, &get(plc, "plc")?.plc)) }
 }
 
 /// Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
@@ -80,6 +94,10 @@ mod files {
         crate::io::read(path)
     }
 
+    pub(super) fn write_surface(path: &Path, plc: &Plc) -> Result<(), Error> {
+        crate::io::write_surface(path, plc)
+    }
+
     pub(super) fn write(path: &Path, mesh: &TetMesh, plc: &Plc) -> Result<(), Error> {
         crate::io::write(path, mesh, plc, &crate::io::WriteOptions::default())
     }
@@ -96,6 +114,10 @@ mod files {
     }
 
     pub(super) fn read(_: &Path) -> Result<Plc, Error> {
+        Err(absent())
+    }
+
+    pub(super) fn write_surface(_: &Path, _: &Plc) -> Result<(), Error> {
         Err(absent())
     }
 

@@ -20,6 +20,8 @@ mod guard;
 pub mod mesh;
 pub mod options;
 pub mod plc;
+mod plc_edit;
+pub mod plc_view;
 pub mod query;
 pub mod run;
 mod slice;

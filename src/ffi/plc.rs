@@ -1,129 +1,20 @@
 //! The input: a PLC that grows by calls. Arrays are copied.
 use super::error::DelotetError;
-use super::guard::{free, get, get_mut, guard, invalid, read, Out};
+use super::guard::{free, get, get_mut, guard, invalid, set, Out};
 use super::options::{settings, DelotetOptions};
+use super::plc_edit::times;
 use super::slice::{array, optional};
 use super::status::DelotetStatus;
-use super::view::{DelotetDoublesView, DelotetMarkersView, DelotetPointsView};
-use crate::error::{Defect, DefectKind, Element, Error, Status};
-use crate::plc::{Facet, Interior, Plc, RegionSeed, Segment};
-use crate::INVALID;
+use super::view::DelotetRegionSeed;
+use crate::error::Error;
+use crate::plc::{copied, Facet, Interior, Plc, RegionSeed};
 
 /// A piecewise linear complex: points, segments, facets, hole seeds and region seeds. Indices of points, segments and facets
 /// are 0-based, in the order of addition.
 pub struct DelotetPlc {
     pub(super) plc: Plc,
-}
-
-impl DelotetPlc {
-    /// The first corner that refers to no point, as an error.
-    fn check_corners(&self, corners: &[u32], element: impl Fn(usize) -> Element) -> Result<(), Error> {
-        let points = self.plc.points.len();
-        match corners.iter().position(|&corner| corner as usize >= points) {
-            None => Ok(()),
-            Some(place) => Err(Error::with_defect(
-                Status::IndexOutOfRange,
-                format!("point {} does not exist: the PLC has {points} points", corners[place]),
-                Defect {
-                    kind: DefectKind::IndexOutOfRange,
-                    first: element(place),
-                    second: Some(Element::Point(corners[place])),
-                    point: None,
-                },
-            )),
-        }
-    }
-
-    fn check_room(&self, count: usize, present: usize) -> Result<(), Error> {
-        match present.checked_add(count).is_some_and(|sum| sum < INVALID as usize) {
-            true => Ok(()),
-            false => Err(Error::new(Status::TooLarge, "more elements than 32-bit indices can address")),
-        }
-    }
-
-    fn add_segments(&mut self, ends: &[u32], markers: Option<&[i32]>) -> Result<(), Error> {
-        let first = self.plc.segments.len();
-        self.check_room(ends.len() / 2, first)?;
-        self.check_corners(ends, |place| Element::Segment((first + place / 2) as u32))?;
-        self.plc.segments.try_reserve(ends.len() / 2)?;
-        for (index, pair) in ends.chunks_exact(2).enumerate() {
-            let marker = markers.map_or(0, |markers| markers[index]);
-            self.plc.segments.push(Segment { ends: [pair[0], pair[1]], marker });
-        }
-        Ok(())
-    }
-
-    /// Triangles stay in their compact list while no general facet precedes them: facets keep the order of addition.
-    fn add_triangles(&mut self, corners: &[u32], markers: Option<&[i32]>) -> Result<(), Error> {
-        let (first, count) = (self.plc.facet_count(), corners.len() / 3);
-        self.check_room(count, first)?;
-        self.check_corners(corners, |place| Element::Facet((first + place / 3) as u32))?;
-        if !self.plc.facets.is_empty() {
-            let ends: Vec<usize> = (1..=count).map(|end| 3 * end).collect();
-            return self.add_polygons(corners, &ends, markers);
-        }
-        self.plc.triangles.try_reserve(count)?;
-        let marked = markers.is_some() || !self.plc.triangle_markers.is_empty();
-        if marked {
-            self.plc.triangle_markers.try_reserve(first + count - self.plc.triangle_markers.len())?;
-            self.plc.triangle_markers.resize(first, 0);
-        }
-        self.plc.triangles.extend(corners.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]));
-        match markers {
-            Some(markers) => self.plc.triangle_markers.extend_from_slice(markers),
-            None if marked => self.plc.triangle_markers.resize(first + count, 0),
-            None => {}
-        }
-        Ok(())
-    }
-
-    /// One facet per polygon.
-    fn add_polygons(
-        &mut self,
-        corners: &[u32],
-        ends: &[usize],
-        markers: Option<&[i32]>,
-    ) -> Result<(), Error> {
-        let first = self.plc.facet_count();
-        self.check_room(ends.len(), first)?;
-        self.check_corners(corners, |place| {
-            Element::Facet((first + ends.partition_point(|&end| end <= place)) as u32)
-        })?;
-        self.plc.facets.try_reserve(ends.len())?;
-        let mut start = 0;
-        for (index, &end) in ends.iter().enumerate() {
-            let polygons = split(&corners[start..], &[end - start])?;
-            start = end;
-            let marker = markers.map_or(0, |markers| markers[index]);
-            self.plc.facets.push(Facet { polygons, marker, ..Facet::default() });
-        }
-        Ok(())
-    }
-
-    fn add_facet(&mut self, corners: &[u32], ends: &[usize], facet: Facet) -> Result<(), Error> {
-        let index = self.plc.facet_count();
-        self.check_room(1, index)?;
-        self.check_corners(corners, |_| Element::Facet(index as u32))?;
-        let polygons = split(corners, ends)?;
-        self.plc.facets.try_reserve(1)?;
-        self.plc.facets.push(Facet { polygons, ..facet });
-        Ok(())
-    }
-}
-
-/// Cuts the corner list of a facet into its polygons.
-fn split(corners: &[u32], ends: &[usize]) -> Result<Vec<Vec<u32>>, Error> {
-    let mut polygons = Vec::new();
-    polygons.try_reserve_exact(ends.len())?;
-    let mut start = 0;
-    for &end in ends {
-        let mut polygon = Vec::new();
-        polygon.try_reserve_exact(end - start)?;
-        polygon.extend_from_slice(&corners[start..end]);
-        polygons.push(polygon);
-        start = end;
-    }
-    Ok(polygons)
+    /// The region seeds as C sees them.
+    pub(super) seeds: Vec<DelotetRegionSeed>,
 }
 
 /// The corner list that belongs to a list of ends, which must ascend.
@@ -136,18 +27,6 @@ unsafe fn corner_list<'a>(corners: *const u32, ends: &[usize]) -> Result<&'a [u3
     }
     // SAFETY: the caller promises the length.
     unsafe { array(corners, ends.last().copied().unwrap_or(0), "corners") }
-}
-
-/// `count` rows of `width`, or an error if that overflows.
-fn times(count: usize, width: usize) -> Result<usize, Error> {
-    count.checked_mul(width).ok_or_else(|| invalid("the count does not fit into memory"))
-}
-
-fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, Error> {
-    let mut copy = Vec::new();
-    copy.try_reserve_exact(list.len())?;
-    copy.extend_from_slice(list);
-    Ok(copy)
 }
 
 /// A new PLC with these points and nothing else.
@@ -169,11 +48,55 @@ pub unsafe extern "C" fn delotet_plc_new(
         guard(out_error, || {
             let out = Out::new(out_plc, "out_plc")?;
             let points = array(xyz.cast::<[f64; 3]>(), point_count, "xyz")?;
-            let mut handle = DelotetPlc { plc: Plc::default() };
-            handle.check_room(point_count, 0)?;
-            handle.plc.points = copied(points)?;
+            let mut handle = DelotetPlc::new(Plc::default())?;
+            handle.add_points(points)?;
             out.put(handle);
             Ok(())
+        })
+    }
+}
+
+/// A copy of a PLC with all that it has.
+/// `out_plc`: the copy, owned by the caller: free with delotet_plc_free; NULL on failure. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_clone(
+    plc: *const DelotetPlc,
+    out_plc: *mut *mut DelotetPlc,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a PLC that nothing changes meanwhile, and NULL or valid out-parameters.
+    unsafe {
+        guard(out_error, || {
+            let out = Out::new(out_plc, "out_plc")?;
+            out.put(DelotetPlc::new(get(plc, "plc")?.plc.try_clone()?)?);
+            Ok(())
+        })
+    }
+}
+
+/// Adds points after those that the PLC has. Their attributes and markers are 0, where the points have any.
+/// `xyz`: #points by 3 doubles; copied. `out_first`: NULL, or receives the index of the first new point (the others follow).
+/// Errors: INVALID_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_add_points(
+    plc: *mut DelotetPlc,
+    xyz: *const f64,
+    count: usize,
+    out_first: *mut u32,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a PLC that nothing else uses, an array of that size, and NULL or valid out-parameters.
+    unsafe {
+        guard(out_error, || {
+            let plc = get_mut(plc, "plc")?;
+            let first = plc.plc.points.len() as u32;
+            plc.add_points(array(xyz.cast::<[f64; 3]>(), count, "xyz")?)?;
+            if out_first.is_null() {
+                return Ok(());
+            }
+            set(out_first, first, "out_first")
         })
     }
 }
@@ -218,6 +141,59 @@ pub unsafe extern "C" fn delotet_plc_set_point_markers(
             Ok(())
         })
     }
+}
+
+/// Sets the markers of all segments (replacing earlier ones).
+/// `markers`: #segments integers; copied; NULL sets all to 0. Errors: INVALID_ARGUMENT.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_set_segment_markers(
+    plc: *mut DelotetPlc,
+    markers: *const i32,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a PLC that nothing else uses and an array of that size.
+    unsafe {
+        guard(out_error, || {
+            let segments = &mut get_mut(plc, "plc")?.plc.segments;
+            let markers = optional(markers, segments.len(), "markers")?;
+            for (index, segment) in segments.iter_mut().enumerate() {
+                segment.marker = markers.map_or(0, |markers| markers[index]);
+            }
+            Ok(())
+        })
+    }
+}
+
+/// Sets the markers of all facets (replacing earlier ones).
+/// `markers`: #facets integers; copied; NULL sets all to 0. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_set_facet_markers(
+    plc: *mut DelotetPlc,
+    markers: *const i32,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a PLC that nothing else uses and an array of that size.
+    unsafe {
+        guard(out_error, || {
+            let plc = get_mut(plc, "plc")?;
+            plc.set_facet_markers(optional(markers, plc.plc.facet_count(), "markers")?)
+        })
+    }
+}
+
+/// Sets the marker of one facet. Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_set_facet_marker(
+    plc: *mut DelotetPlc,
+    facet: u32,
+    marker: i32,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a PLC that nothing else uses.
+    unsafe { guard(out_error, || get_mut(plc, "plc")?.set_facet_marker(facet, marker)) }
 }
 
 /// Adds a segment from point `a` to point `b`. Edges of facets need not be given, unless they carry a marker.
@@ -398,11 +374,8 @@ pub unsafe extern "C" fn delotet_plc_add_region(
             if attribute.is_nan() || max_volume.is_nan() {
                 return Err(invalid("attribute or max_volume is not a number"));
             }
-            let regions = &mut get_mut(plc, "plc")?.plc.regions;
-            regions.try_reserve(1)?;
             let max_volume = (max_volume > 0.0).then_some(max_volume);
-            regions.push(RegionSeed { point, attribute, max_volume });
-            Ok(())
+            get_mut(plc, "plc")?.add_region(RegionSeed { point, attribute, max_volume })
         })
     }
 }
@@ -427,54 +400,6 @@ pub unsafe extern "C" fn delotet_plc_check(
             Ok(())
         })
     }
-}
-
-/// The points: #points by 3 doubles. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
-#[no_mangle]
-pub unsafe extern "C" fn delotet_plc_points(plc: *const DelotetPlc) -> DelotetPointsView {
-    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
-    unsafe { read(plc, DelotetPointsView::new(&[]), |plc| DelotetPointsView::new(&plc.plc.points)) }
-}
-
-/// The attributes of the points: #points by `width` doubles. Borrowed from `plc`: valid until it is changed or freed. Empty for
-/// NULL and without attributes.
-#[no_mangle]
-pub unsafe extern "C" fn delotet_plc_point_attributes(plc: *const DelotetPlc) -> DelotetDoublesView {
-    let view = |list: &[f64], width| DelotetDoublesView::new(list, width);
-    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
-    unsafe { read(plc, view(&[], 0), |plc| view(&plc.plc.point_attributes, plc.plc.point_attribute_count)) }
-}
-
-/// The markers of the points: one each, or none at all. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
-#[no_mangle]
-pub unsafe extern "C" fn delotet_plc_point_markers(plc: *const DelotetPlc) -> DelotetMarkersView {
-    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
-    unsafe { read(plc, DelotetMarkersView::new(&[]), |plc| DelotetMarkersView::new(&plc.plc.point_markers)) }
-}
-
-/// How many segments. 0 for NULL.
-#[no_mangle]
-pub unsafe extern "C" fn delotet_plc_segment_count(plc: *const DelotetPlc) -> usize {
-    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
-    unsafe { read(plc, 0, |plc| plc.plc.segments.len()) }
-}
-
-/// How many facets: triangles and others. 0 for NULL.
-#[no_mangle]
-pub unsafe extern "C" fn delotet_plc_facet_count(plc: *const DelotetPlc) -> usize {
-    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
-    unsafe { read(plc, 0, |plc| plc.plc.facet_count()) }
-}
-
-/// The marker of a facet; 0 for NULL and for facets that do not exist.
-#[no_mangle]
-pub unsafe extern "C" fn delotet_plc_facet_marker(plc: *const DelotetPlc, facet: u32) -> i32 {
-    let marker = |plc: &Plc| match (facet as usize) < plc.facet_count() {
-        true => plc.facet_marker(facet as usize),
-        false => 0,
-    };
-    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
-    unsafe { read(plc, 0, |plc| marker(&plc.plc)) }
 }
 
 /// Frees a PLC and all that was borrowed from it. NULL is ignored. Meshes made from it live on.

@@ -3,6 +3,7 @@
 //! are passed by value and therefore frozen. Records have the layout of the Rust types behind them, which is asserted here.
 use crate::mesh_query::{Edge, Face};
 use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, Subface, Subsegment};
+use crate::plc::{RegionSeed, Segment};
 use std::mem::offset_of;
 
 /// The index that means "none": no neighbour, no parent, not found. Valid indices are smaller. (`delotet.h.in` defines it for C,
@@ -103,6 +104,61 @@ pub struct DelotetTetsView {
     pub count: usize,
 }
 view!(DelotetTetsView, u32, [u32; 4]);
+
+/// A segment of the input.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSegment {
+    /// The ends.
+    pub ends: [u32; 2],
+    /// The marker.
+    pub marker: i32,
+}
+
+/// Borrowed segments; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetSegmentsView {
+    /// The first of `count` segments; DELOTET_AT(DelotetSegment, view, i) is the i-th.
+    pub first: *const DelotetSegment,
+    /// How many.
+    pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
+}
+records!(DelotetSegmentsView, DelotetSegment, Segment);
+
+/// A region seed of the input.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DelotetRegionSeed {
+    /// x y z of a point inside the region.
+    pub point: [f64; 3],
+    /// The attribute that the tetrahedra there get.
+    pub attribute: f64,
+    /// The largest volume of a tetrahedron there; 0 if there is no bound.
+    pub max_volume: f64,
+}
+
+/// Borrowed region seeds; NULL and 0 if there are none.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct DelotetRegionSeedsView {
+    /// The first of `count` seeds; DELOTET_AT(DelotetRegionSeed, view, i) is the i-th.
+    pub first: *const DelotetRegionSeed,
+    /// How many.
+    pub count: usize,
+    /// Bytes from one to the next.
+    pub stride: usize,
+}
+records!(DelotetRegionSeedsView, DelotetRegionSeed, DelotetRegionSeed);
+
+impl From<&RegionSeed> for DelotetRegionSeed {
+    fn from(seed: &RegionSeed) -> Self {
+        let max_volume = seed.max_volume.unwrap_or(0.0);
+        DelotetRegionSeed { point: seed.point, attribute: seed.attribute, max_volume }
+    }
+}
 
 /// A region of the mesh: tetrahedra that are connected through unconstrained faces and share a seed (or have none).
 #[repr(C)]
@@ -366,6 +422,7 @@ macro_rules! same_layout {
         $(const _: () = assert!(offset_of!($c, $c_field) == offset_of!($rust, $field));)*
     };
 }
+same_layout!(DelotetSegment, Segment, ends = ends, marker = marker);
 same_layout!(DelotetSubface, Subface, corners = corners, facet = facet, marker = marker, tets = tets);
 same_layout!(DelotetSubsegment, Subsegment, ends = ends, segment = segment, marker = marker);
 same_layout!(DelotetSteinerPoint, SteinerPoint, ends = ends, t = t, segment = segment, exact = exact);

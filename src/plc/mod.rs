@@ -3,6 +3,8 @@
 //! Si & Gärtner 2011, section 2: a PLC is a set of vertices, segments and facets such that the intersection of any two is a
 //! union of others of the set. We are more lenient on input: a vertex exactly on a segment or facet splits it.
 
+use crate::error::Error;
+
 pub mod attributes;
 pub mod duplicates;
 pub mod intersect;
@@ -46,6 +48,7 @@ pub struct Facet {
 
 /// A segment between two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 pub struct Segment {
     /// The ends.
     pub ends: [u32; 2],
@@ -135,6 +138,38 @@ impl Plc {
         self.triangles.len() + self.facets.len()
     }
 
+    /// A copy; unlike `clone` it reports that memory ran out.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    pub fn try_clone(&self) -> Result<Plc, Error> {
+        // By name, so that a field that is added cannot be forgotten here.
+        let Plc {
+            points,
+            point_attribute_count,
+            point_attributes,
+            point_markers,
+            segments,
+            triangles,
+            triangle_markers,
+            facets,
+            holes,
+            regions,
+        } = self;
+        Ok(Plc {
+            points: copied(points)?,
+            point_attribute_count: *point_attribute_count,
+            point_attributes: copied(point_attributes)?,
+            point_markers: copied(point_markers)?,
+            segments: copied(segments)?,
+            triangles: copied(triangles)?,
+            triangle_markers: copied(triangle_markers)?,
+            facets: each(facets, Facet::try_clone)?,
+            holes: copied(holes)?,
+            regions: copied(regions)?,
+        })
+    }
+
     /// The marker of a facet (general numbering).
     pub fn facet_marker(&self, facet: usize) -> i32 {
         match facet.checked_sub(self.triangles.len()) {
@@ -142,4 +177,30 @@ impl Plc {
             Some(general) => self.facets[general].marker,
         }
     }
+}
+
+impl Facet {
+    fn try_clone(&self) -> Result<Facet, Error> {
+        let Facet { polygons, holes, interior, marker } = self;
+        let polygons = each(polygons, |polygon| copied(polygon))?;
+        Ok(Facet { polygons, holes: copied(holes)?, interior: *interior, marker: *marker })
+    }
+}
+
+/// A copy of a list, or an error if memory ran out.
+pub(crate) fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, Error> {
+    let mut copy = Vec::new();
+    copy.try_reserve_exact(list.len())?;
+    copy.extend_from_slice(list);
+    Ok(copy)
+}
+
+/// A list of what `make` makes of each element.
+fn each<T, R>(list: &[T], mut make: impl FnMut(&T) -> Result<R, Error>) -> Result<Vec<R>, Error> {
+    let mut made = Vec::new();
+    made.try_reserve_exact(list.len())?;
+    for element in list {
+        made.push(make(element)?);
+    }
+    Ok(made)
 }

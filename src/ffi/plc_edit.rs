@@ -1,0 +1,195 @@
+//! How a PLC grows and changes: what the functions of `plc` do, in safe code. What fails changes nothing.
+use super::guard::invalid;
+use super::plc::DelotetPlc;
+use super::view::DelotetRegionSeed;
+use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::plc::{Facet, Plc, RegionSeed, Segment};
+use crate::INVALID;
+
+impl DelotetPlc {
+    /// A handle for a PLC.
+    pub(super) fn new(plc: Plc) -> Result<DelotetPlc, Error> {
+        let mut seeds = Vec::new();
+        seeds.try_reserve_exact(plc.regions.len())?;
+        seeds.extend(plc.regions.iter().map(DelotetRegionSeed::from));
+        Ok(DelotetPlc { plc, seeds })
+    }
+
+    /// The first corner that refers to no point, as an error.
+    fn check_corners(&self, corners: &[u32], element: impl Fn(usize) -> Element) -> Result<(), Error> {
+        let points = self.plc.points.len();
+        match corners.iter().position(|&corner| corner as usize >= points) {
+            None => Ok(()),
+            Some(place) => Err(Error::with_defect(
+                Status::IndexOutOfRange,
+                match corners[place] {
+                    INVALID => format!(
+                        "{} has a corner that is negative or no 32-bit index; the PLC has {points} points",
+                        element(place)
+                    ),
+                    corner => format!("point {corner} does not exist: the PLC has {points} points"),
+                },
+                Defect {
+                    kind: DefectKind::IndexOutOfRange,
+                    first: element(place),
+                    second: Some(Element::Point(corners[place])),
+                    point: None,
+                },
+            )),
+        }
+    }
+
+    fn check_room(&self, count: usize, present: usize) -> Result<(), Error> {
+        match present.checked_add(count).is_some_and(|sum| sum < INVALID as usize) {
+            true => Ok(()),
+            false => Err(Error::new(Status::TooLarge, "more elements than 32-bit indices can address")),
+        }
+    }
+
+    /// Attributes and markers of new points are 0, where points have any.
+    pub(super) fn add_points(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
+        self.check_room(points.len(), self.plc.points.len())?;
+        let count = self.plc.points.len() + points.len();
+        let plc = &mut self.plc;
+        let width = plc.point_attribute_count;
+        plc.points.try_reserve(points.len())?;
+        plc.point_attributes.try_reserve(times(points.len(), width)?)?;
+        if !plc.point_markers.is_empty() {
+            plc.point_markers.try_reserve(points.len())?;
+            plc.point_markers.resize(count, 0);
+        }
+        plc.points.extend_from_slice(points);
+        plc.point_attributes.resize(count * width, 0.0);
+        Ok(())
+    }
+
+    pub(super) fn add_region(&mut self, seed: RegionSeed) -> Result<(), Error> {
+        self.plc.regions.try_reserve(1)?;
+        self.seeds.try_reserve(1)?;
+        self.seeds.push(DelotetRegionSeed::from(&seed));
+        self.plc.regions.push(seed);
+        Ok(())
+    }
+
+    pub(super) fn set_facet_markers(&mut self, markers: Option<&[i32]>) -> Result<(), Error> {
+        let plc = &mut self.plc;
+        let marker = |facet: usize| markers.map_or(0, |markers| markers[facet]);
+        let triangles = plc.triangles.len();
+        plc.triangle_markers.try_reserve_exact(triangles.saturating_sub(plc.triangle_markers.len()))?;
+        plc.triangle_markers.clear();
+        plc.triangle_markers.extend((0..triangles).map(marker));
+        for (index, facet) in plc.facets.iter_mut().enumerate() {
+            facet.marker = marker(triangles + index);
+        }
+        Ok(())
+    }
+
+    pub(super) fn set_facet_marker(&mut self, facet: u32, marker: i32) -> Result<(), Error> {
+        let (index, triangles) = (facet as usize, self.plc.triangles.len());
+        if index >= self.plc.facet_count() {
+            let message = format!("facet {facet} does not exist: the PLC has {}", self.plc.facet_count());
+            return Err(Error::new(Status::IndexOutOfRange, message));
+        }
+        match index.checked_sub(triangles) {
+            Some(general) => self.plc.facets[general].marker = marker,
+            None => {
+                let markers = &mut self.plc.triangle_markers;
+                markers.try_reserve_exact(triangles.saturating_sub(markers.len()))?;
+                markers.resize(triangles, 0);
+                markers[index] = marker;
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn add_segments(&mut self, ends: &[u32], markers: Option<&[i32]>) -> Result<(), Error> {
+        let first = self.plc.segments.len();
+        self.check_room(ends.len() / 2, first)?;
+        self.check_corners(ends, |place| Element::Segment((first + place / 2) as u32))?;
+        self.plc.segments.try_reserve(ends.len() / 2)?;
+        for (index, pair) in ends.chunks_exact(2).enumerate() {
+            let marker = markers.map_or(0, |markers| markers[index]);
+            self.plc.segments.push(Segment { ends: [pair[0], pair[1]], marker });
+        }
+        Ok(())
+    }
+
+    /// Triangles stay in their compact list while no general facet precedes them: facets keep the order of addition.
+    pub(super) fn add_triangles(&mut self, corners: &[u32], markers: Option<&[i32]>) -> Result<(), Error> {
+        let (first, count) = (self.plc.facet_count(), corners.len() / 3);
+        self.check_room(count, first)?;
+        self.check_corners(corners, |place| Element::Facet((first + place / 3) as u32))?;
+        if !self.plc.facets.is_empty() {
+            let mut ends: Vec<usize> = Vec::new();
+            ends.try_reserve_exact(count)?;
+            ends.extend((1..=count).map(|end| 3 * end));
+            return self.add_polygons(corners, &ends, markers);
+        }
+        self.plc.triangles.try_reserve(count)?;
+        let marked = markers.is_some() || !self.plc.triangle_markers.is_empty();
+        if marked {
+            self.plc.triangle_markers.try_reserve(first + count - self.plc.triangle_markers.len())?;
+            self.plc.triangle_markers.resize(first, 0);
+        }
+        self.plc.triangles.extend(corners.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]));
+        match markers {
+            Some(markers) => self.plc.triangle_markers.extend_from_slice(markers),
+            None if marked => self.plc.triangle_markers.resize(first + count, 0),
+            None => {}
+        }
+        Ok(())
+    }
+
+    /// One facet per polygon.
+    pub(super) fn add_polygons(
+        &mut self,
+        corners: &[u32],
+        ends: &[usize],
+        markers: Option<&[i32]>,
+    ) -> Result<(), Error> {
+        let first = self.plc.facet_count();
+        self.check_room(ends.len(), first)?;
+        self.check_corners(corners, |place| {
+            Element::Facet((first + ends.partition_point(|&end| end <= place)) as u32)
+        })?;
+        self.plc.facets.try_reserve(ends.len())?;
+        let mut start = 0;
+        for (index, &end) in ends.iter().enumerate() {
+            let polygons = split(&corners[start..], &[end - start])?;
+            start = end;
+            let marker = markers.map_or(0, |markers| markers[index]);
+            self.plc.facets.push(Facet { polygons, marker, ..Facet::default() });
+        }
+        Ok(())
+    }
+
+    pub(super) fn add_facet(&mut self, corners: &[u32], ends: &[usize], facet: Facet) -> Result<(), Error> {
+        let index = self.plc.facet_count();
+        self.check_room(1, index)?;
+        self.check_corners(corners, |_| Element::Facet(index as u32))?;
+        let polygons = split(corners, ends)?;
+        self.plc.facets.try_reserve(1)?;
+        self.plc.facets.push(Facet { polygons, ..facet });
+        Ok(())
+    }
+}
+
+/// Cuts the corner list of a facet into its polygons.
+fn split(corners: &[u32], ends: &[usize]) -> Result<Vec<Vec<u32>>, Error> {
+    let mut polygons = Vec::new();
+    polygons.try_reserve_exact(ends.len())?;
+    let mut start = 0;
+    for &end in ends {
+        let mut polygon = Vec::new();
+        polygon.try_reserve_exact(end - start)?;
+        polygon.extend_from_slice(&corners[start..end]);
+        polygons.push(polygon);
+        start = end;
+    }
+    Ok(polygons)
+}
+
+/// `count` rows of `width`, or an error if that overflows.
+pub(super) fn times(count: usize, width: usize) -> Result<usize, Error> {
+    count.checked_mul(width).ok_or_else(|| invalid("the count does not fit into memory"))
+}
