@@ -14,6 +14,8 @@ fn main() {
         println!("cargo::rerun-if-env-changed={name}");
     }
     println!("cargo::rerun-if-changed=src/build.rs");
+    // For the tests, which call the compiler of this target.
+    println!("cargo::rustc-env=DELOTET_TARGET={}", var("TARGET"));
     let (major, minor) = (var("CARGO_PKG_VERSION_MAJOR"), var("CARGO_PKG_VERSION_MINOR"));
     let version = if major == "0" { format!("0.{minor}") } else { major };
     // cargo-c sets SONAME and install name itself.

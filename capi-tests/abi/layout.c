@@ -43,13 +43,14 @@ AT(DelotetPointsView, count, 8);
 AT(DelotetDoublesView, width, 16);
 AT(DelotetSecondOrderView, tets, 16);
 AT(DelotetSecondOrderView, tet_count, 24);
-SIZE(DelotetStats, 272);
+SIZE(DelotetStats, 280);
 AT(DelotetStats, steiner, 8);
 AT(DelotetStats, seconds, 64);
 AT(DelotetStats, preserve_missing_edges, 192);
 AT(DelotetStats, preserve_interior, 248);
 AT(DelotetStats, preserve_on_internal_facets, 256);
 AT(DelotetStats, replaced, 264);
+AT(DelotetStats, peak_resident_bytes, 272);
 #endif
 
 SIZE(DelotetDefect, 48);

@@ -1,12 +1,27 @@
-# Compares the symbols that a shared library defines with a list. Variables: NM, LIBRARY, EXPECTED.
+# Compares the symbols that a shared library defines with a list, and their versions, if it has any, with its SONAME's: one version for
+# all. Variables: NM, LIBRARY, EXPECTED.
 cmake_minimum_required(VERSION 3.18)
 execute_process(COMMAND "${NM}" -D --defined-only "${LIBRARY}" OUTPUT_VARIABLE _output COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" _lines "${_output}")
 set(_symbols "")
+set(_versions "")
 foreach(_line IN LISTS _lines)
     string(REGEX REPLACE "^.* " "" _symbol "${_line}")
+    if(_symbol MATCHES "^libdelotet\\.so\\.[0-9.]+(@@.*)?$")
+        continue() # The version itself.
+    endif()
+    if(_symbol MATCHES "@")
+        string(REGEX MATCH "@.*$" _version "${_symbol}")
+        list(APPEND _versions "${_version}")
+    endif()
+    string(REGEX REPLACE "@.*$" "" _symbol "${_symbol}")
     list(APPEND _symbols "${_symbol}")
 endforeach()
+list(REMOVE_DUPLICATES _versions)
+list(LENGTH _versions _count)
+if(_count GREATER 1 OR (_count EQUAL 1 AND NOT _versions MATCHES "^@@libdelotet\\.so\\.[0-9]+(\\.[0-9]+)?$"))
+    message(SEND_ERROR "symbol versions: ${_versions}")
+endif()
 list(SORT _symbols)
 file(STRINGS "${EXPECTED}" _expected)
 list(SORT _expected)

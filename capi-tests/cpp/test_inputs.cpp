@@ -133,6 +133,10 @@ static void read_back()
     CHECK(caught<delotet::Exception>([&] { plc.set_facet_markers(std::vector<Marker>(3)); }).status() ==
           DELOTET_STATUS_INVALID_ARGUMENT);
 
+    plc.set_marker_name(-1, std::string("lid")).set_marker_name(54, "floor");
+    CHECK(plc.marker_name_count() == 2 && plc.named_marker(1) == 54 && plc.marker_name(7) == nullptr);
+    CHECK(std::strcmp(plc.marker_name(plc.facet_marker(5)), "lid") == 0);
+
     const Plc copy = plc.clone();
     plc = Plc();
     CHECK(plc.facet_count() == 0 && copy.facet_count() == 14 && copy.points().size() == 9 && copy.facet_marker(5) == -1);

@@ -914,6 +914,11 @@ typedef struct DelotetStats {
      * Tetrahedra that took the place of ones that no doubles made positive (delotet_mesh_replaced_tets).
      */
     uint64_t replaced;
+    /**
+     * Largest resident memory of the process up to the end of the run in bytes, with all that the host holds; 0 where the system
+     * does not tell.
+     */
+    uint64_t peak_resident_bytes;
 } DelotetStats;
 
 /**
@@ -1434,6 +1439,17 @@ enum DelotetStatus delotet_plc_set_facet_marker(struct DelotetPlc *plc,
                                                 struct DelotetError **out_error);
 
 /**
+ * Names a facet marker: files call groups by such names. `name`: UTF-8, zero-terminated; its first line is copied; NULL or "" takes
+ * the name away. Errors: INVALID_ARGUMENT (also if `name` is not UTF-8), OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_marker_name(struct DelotetPlc *plc,
+                                               int32_t marker,
+                                               const char *name,
+                                               struct DelotetError **out_error);
+
+/**
  * Adds a segment from point `a` to point `b`. Edges of facets need not be given, unless they carry a marker.
  * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
  */
@@ -1645,6 +1661,29 @@ DELOTET_API DelotetFacetRule delotet_plc_facet_rule(const struct DelotetPlc *plc
 DELOTET_API
 struct DelotetPointsView delotet_plc_facet_hole_seeds(const struct DelotetPlc *plc,
                                                       uint32_t facet);
+
+/**
+ * How many facet markers have names: those of the groups, solids, materials or colours of a file, and those set by
+ * delotet_plc_set_marker_name. 0 for NULL.
+ */
+DELOTET_API
+size_t delotet_plc_marker_name_count(const struct DelotetPlc *plc);
+
+/**
+ * The name of a facet marker, UTF-8, zero-terminated; NULL if it has none, and for NULL. Borrowed from `plc`: valid until it is
+ * changed or freed.
+ */
+DELOTET_API
+const char *delotet_plc_marker_name(const struct DelotetPlc *plc,
+                                    int32_t marker);
+
+/**
+ * The markers that have names, ascending: number `index` of them. 0 for NULL and for indices of delotet_plc_marker_name_count and
+ * above.
+ */
+DELOTET_API
+int32_t delotet_plc_named_marker(const struct DelotetPlc *plc,
+                                 size_t index);
 
 /**
  * All points: the input points first, bit for bit and in input order, then the Steiner points. Borrowed from `mesh`: valid until

@@ -204,33 +204,34 @@ template <class T> class Records {
     std::size_t size_ = 0, stride_ = sizeof(T);
 };
 
-/// The name of a file, as an argument: made of a C string, std::string or std::filesystem::path. Borrows the text.
-class Path {
+/// A text or the name of a file, as an argument: made of a C string, std::string or std::filesystem::path. Borrows it.
+class Text {
   public:
-    Path(const char *text) noexcept : text_(text) {}
-    template <class Text,
-              std::enable_if_t<std::is_same_v<decltype(std::declval<const Text &>().c_str()), const char *>, int> = 0>
-    Path(const Text &text) noexcept : text_(text.c_str())
+    Text(const char *text) noexcept : text_(text) {}
+    template <class String,
+              std::enable_if_t<std::is_same_v<decltype(std::declval<const String &>().c_str()), const char *>, int> = 0>
+    Text(const String &text) noexcept : text_(text.c_str())
     {
     }
     /// std::filesystem::path on Windows, where its own characters are wide: the library takes UTF-8.
-    template <class Text,
-              std::enable_if_t<std::is_same_v<decltype(std::declval<const Text &>().c_str()), const wchar_t *>, int> = 0,
-              class Narrow = decltype(std::declval<const Text &>().u8string())>
-    Path(const Text &text)
+    template <class String,
+              std::enable_if_t<std::is_same_v<decltype(std::declval<const String &>().c_str()), const wchar_t *>, int> = 0,
+              class Narrow = decltype(std::declval<const String &>().u8string())>
+    Text(const String &text)
     {
         const Narrow narrow = text.u8string();
         owned_.assign(narrow.begin(), narrow.end());
         text_ = owned_.c_str();
     }
-    Path(const Path &) = delete;
-    Path &operator=(const Path &) = delete;
+    Text(const Text &) = delete;
+    Text &operator=(const Text &) = delete;
     const char *c_str() const noexcept { return text_; }
 
   private:
     const char *text_ = nullptr;
     std::string owned_;
 };
+using Path = Text;
 
 namespace detail {
 
@@ -759,6 +760,12 @@ class Plc {
         return detail::run(
             error, [&](DelotetError **e) { return delotet_plc_set_point_markers(get(), markers.data(), e); });
     }
+    /// Names a facet marker; an empty name takes its name away.
+    Status set_marker_name(Marker marker, const Text &name, Error &error) noexcept
+    {
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_set_marker_name(get(), marker, name.c_str(), e); });
+    }
     /// One per segment, or none (all 0).
     Status set_segment_markers(Span<const Marker> markers, Error &error) noexcept
     {
@@ -899,6 +906,11 @@ class Plc {
     {
         detail::require([&](Error &e) { return write(path, e); });
     }
+    Plc &set_marker_name(Marker marker, const Text &name) &
+    {
+        return chain([&](Error &e) { return set_marker_name(marker, name, e); });
+    }
+    Plc &&set_marker_name(Marker marker, const Text &name) && { return std::move(set_marker_name(marker, name)); }
     Plc &set_segment_markers(Span<const Marker> markers) &
     {
         return chain([&](Error &e) { return set_segment_markers(markers, e); });
@@ -995,6 +1007,12 @@ class Plc {
         return detail::rows<Triangle>(view.data, view.count);
     }
     void triangles() const && = delete;
+    /// The name of a facet marker, from the groups of a file or set; NULL if it has none.
+    const char *marker_name(Marker marker) const & noexcept { return delotet_plc_marker_name(get(), marker); }
+    void marker_name(Marker) const && = delete;
+    /// How many markers have names, and the i-th of them, ascending.
+    std::size_t marker_name_count() const noexcept { return delotet_plc_marker_name_count(get()); }
+    Marker named_marker(std::size_t i) const noexcept { return delotet_plc_named_marker(get(), i); }
     std::size_t facet_ring_count(Index facet) const noexcept { return delotet_plc_facet_ring_count(get(), facet); }
     /// The corners of a ring of a facet.
     Span<const Index> facet_ring(Index facet, std::size_t ring = 0) const & noexcept
@@ -1075,16 +1093,16 @@ class Mesh {
     void steiner_terms() const && = delete;
     Records<FacetFlip> facet_flips() const & noexcept { return detail::records(delotet_mesh_facet_flips(get())); }
     void facet_flips() const && = delete;
-    Records<Subface> unmeshed_subfaces() const & noexcept { return records(delotet_mesh_unmeshed_subfaces(get())); }
+    Records<Subface> unmeshed_subfaces() const & noexcept { return detail::records(delotet_mesh_unmeshed_subfaces(get())); }
     void unmeshed_subfaces() const && = delete;
     Records<Subsegment> unmeshed_subsegments() const & noexcept
     {
-        return records(delotet_mesh_unmeshed_subsegments(get()));
+        return detail::records(delotet_mesh_unmeshed_subsegments(get()));
     }
     void unmeshed_subsegments() const && = delete;
-    Span<const Index> unmeshed_points() const & noexcept { return span(delotet_mesh_unmeshed_points(get())); }
+    Span<const Index> unmeshed_points() const & noexcept { return detail::span(delotet_mesh_unmeshed_points(get())); }
     void unmeshed_points() const && = delete;
-    Records<Warning> warnings() const & noexcept { return records(delotet_mesh_warnings(get())); }
+    Records<Warning> warnings() const & noexcept { return detail::records(delotet_mesh_warnings(get())); }
     void warnings() const && = delete;
     /// How many warnings of a kind there are, listed or not.
     std::uint64_t warning_count(WarningKind kind) const noexcept

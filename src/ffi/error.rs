@@ -3,7 +3,8 @@ use super::guard::{free, read};
 use super::status::{DelotetDefectKind, DelotetElement, DelotetStatus};
 use super::view::records;
 use crate::error::{Defect, Error};
-use std::ffi::{c_char, CString};
+use libc::c_char;
+use std::ffi::CString;
 
 /// A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
 pub struct DelotetError {

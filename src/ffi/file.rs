@@ -5,7 +5,8 @@ use super::mesh::DelotetMesh;
 use super::plc::DelotetPlc;
 use super::status::DelotetStatus;
 use crate::error::Error;
-use std::ffi::{c_char, CStr};
+use libc::c_char;
+use std::ffi::CStr;
 use std::path::PathBuf;
 
 /// The path behind a C string: any bytes on Unix, UTF-8 elsewhere.

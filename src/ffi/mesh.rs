@@ -18,6 +18,7 @@ pub struct DelotetMesh {
     pub(super) data: PointData,
     regions: Vec<DelotetRegion>,
     pub(super) warnings: Vec<DelotetWarning>,
+    peak_resident: u64,
     pub(super) derived: Derived,
 }
 
@@ -55,7 +56,8 @@ impl DelotetMesh {
         let mut warnings = Vec::new();
         warnings.try_reserve_exact(mesh.warnings.list().len())?;
         warnings.extend(mesh.warnings.list().iter().map(DelotetWarning::from));
-        Ok(DelotetMesh { mesh, data, regions, warnings, derived: Derived::default() })
+        let peak_resident = super::memory::peak_resident().unwrap_or(0);
+        Ok(DelotetMesh { mesh, data, regions, warnings, peak_resident, derived: Derived::default() })
     }
 }
 
@@ -259,12 +261,15 @@ pub struct DelotetStats {
     pub preserve_on_internal_facets: u64,
     /// Tetrahedra that took the place of ones that no doubles made positive (delotet_mesh_replaced_tets).
     pub replaced: u64,
+    /// Largest resident memory of the process up to the end of the run in bytes, with all that the host holds; 0 where the system
+    /// does not tell.
+    pub peak_resident_bytes: u64,
 }
 const _: () = assert!(Phase::COUNT <= 16);
 
 impl DelotetStats {
-    fn new(mesh: &TetMesh) -> DelotetStats {
-        let statistics = &mesh.statistics;
+    fn new(mesh: &DelotetMesh) -> DelotetStats {
+        let statistics = &mesh.mesh.statistics;
         let mut seconds = [0.0; 16];
         seconds[..Phase::COUNT].copy_from_slice(&statistics.seconds);
         DelotetStats {
@@ -287,6 +292,7 @@ impl DelotetStats {
             preserve_interior: statistics.preserve.interior,
             preserve_on_internal_facets: statistics.preserve.on_internal_facets,
             replaced: statistics.replaced,
+            peak_resident_bytes: mesh.peak_resident,
         }
     }
 
@@ -321,7 +327,7 @@ pub unsafe extern "C" fn delotet_mesh_stats(
 ) -> DelotetStatus {
     // SAFETY: the caller passes a mesh that is alive, a struct of which `struct_size` bytes may be written, and NULL or a valid
     // out-parameter.
-    unsafe { guard(out_error, || DelotetStats::new(&get(mesh, "mesh")?.mesh).write(stats)) }
+    unsafe { guard(out_error, || DelotetStats::new(get(mesh, "mesh")?).write(stats)) }
 }
 
 /// What the checks compare.

@@ -17,6 +17,7 @@
 pub mod error;
 pub mod file;
 mod guard;
+pub mod memory;
 pub mod mesh;
 pub mod options;
 pub mod plc;

@@ -5,7 +5,8 @@ use super::status::{DelotetPhase, DelotetStatus};
 use crate::error::Error;
 use crate::options::{Mode, Options, Preserve};
 use crate::progress::{Observer, Phase};
-use std::ffi::{c_char, c_void, CString};
+use libc::{c_char, c_void};
+use std::ffi::CString;
 use std::ops::ControlFlow;
 
 /// What is made of the input: one of the DELOTET_MODE_ constants.

@@ -8,6 +8,8 @@ use super::status::DelotetStatus;
 use super::view::DelotetRegionSeed;
 use crate::error::Error;
 use crate::plc::{copied, Facet, Interior, Plc, RegionSeed};
+use libc::c_char;
+use std::ffi::{CStr, CString};
 
 /// A piecewise linear complex: points, segments, facets, hole seeds and region seeds. Indices of points, segments and facets
 /// are 0-based, in the order of addition.
@@ -15,6 +17,8 @@ pub struct DelotetPlc {
     pub(super) plc: Plc,
     /// The region seeds as C sees them.
     pub(super) seeds: Vec<DelotetRegionSeed>,
+    /// The names of facet markers as C sees them, in the order of the PLC's.
+    pub(super) names: Vec<CString>,
 }
 
 /// The corner list that belongs to a list of ends, which must ascend.
@@ -194,6 +198,26 @@ pub unsafe extern "C" fn delotet_plc_set_facet_marker(
 ) -> DelotetStatus {
     // SAFETY: the caller passes a PLC that nothing else uses.
     unsafe { guard(out_error, || get_mut(plc, "plc")?.set_facet_marker(facet, marker)) }
+}
+
+/// Names a facet marker: files call groups by such names. `name`: UTF-8, zero-terminated; its first line is copied; NULL or "" takes
+/// the name away. Errors: INVALID_ARGUMENT (also if `name` is not UTF-8), OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_set_marker_name(
+    plc: *mut DelotetPlc,
+    marker: i32,
+    name: *const c_char,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a PLC that nothing else uses, and NULL or a zero-terminated text.
+    unsafe {
+        guard(out_error, || {
+            let plc = get_mut(plc, "plc")?;
+            let name = if name.is_null() { c"" } else { CStr::from_ptr(name) };
+            plc.set_marker_name(marker, name.to_str().map_err(|_| invalid("name is not UTF-8"))?)
+        })
+    }
 }
 
 /// Adds a segment from point `a` to point `b`. Edges of facets need not be given, unless they carry a marker.

@@ -3,8 +3,9 @@ use super::guard::invalid;
 use super::plc::DelotetPlc;
 use super::view::DelotetRegionSeed;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
-use crate::plc::{Facet, Plc, RegionSeed, Segment};
+use crate::plc::{name_line, Facet, Plc, RegionSeed, Segment};
 use crate::INVALID;
+use std::ffi::CString;
 
 impl DelotetPlc {
     /// A handle for a PLC.
@@ -12,7 +13,27 @@ impl DelotetPlc {
         let mut seeds = Vec::new();
         seeds.try_reserve_exact(plc.regions.len())?;
         seeds.extend(plc.regions.iter().map(DelotetRegionSeed::from));
-        Ok(DelotetPlc { plc, seeds })
+        let mut names = Vec::new();
+        names.try_reserve_exact(plc.names.len())?;
+        for name in &plc.names {
+            names.push(c_text(&name.name)?);
+        }
+        Ok(DelotetPlc { plc, seeds, names })
+    }
+
+    pub(super) fn set_marker_name(&mut self, marker: i32, name: &str) -> Result<(), Error> {
+        let text = c_text(name_line(name))?;
+        self.names.try_reserve(1)?;
+        let place = |plc: &Plc| plc.names.binary_search_by_key(&marker, |name| name.marker);
+        let before = place(&self.plc);
+        self.plc.set_marker_name(marker, name)?;
+        match (before, place(&self.plc)) {
+            (Ok(at), Ok(_)) => self.names[at] = text,
+            (Ok(at), Err(_)) => drop(self.names.remove(at)),
+            (Err(_), Ok(at)) => self.names.insert(at, text),
+            (Err(_), Err(_)) => {}
+        }
+        Ok(())
     }
 
     /// The first corner that refers to no point, as an error.
@@ -192,4 +213,12 @@ fn split(corners: &[u32], ends: &[usize]) -> Result<Vec<Vec<u32>>, Error> {
 /// `count` rows of `width`, or an error if that overflows.
 pub(super) fn times(count: usize, width: usize) -> Result<usize, Error> {
     count.checked_mul(width).ok_or_else(|| invalid("the count does not fit into memory"))
+}
+
+/// A text for C; zero bytes in it become blanks.
+fn c_text(text: &str) -> Result<CString, Error> {
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(text.len() + 1)?;
+    bytes.extend(text.bytes().map(|byte| if byte == 0 { b' ' } else { byte }));
+    CString::new(bytes).map_err(|_| invalid("a text contains a zero byte"))
 }

@@ -3,6 +3,7 @@ use super::guard::read;
 use super::plc::DelotetPlc;
 use super::view::*;
 use crate::plc::{Facet, Interior, Plc};
+use libc::c_char;
 
 /// How the rings of a facet bound it: one of the DELOTET_FACET_RULE_ constants.
 pub type DelotetFacetRule = u32;
@@ -160,4 +161,33 @@ pub unsafe extern "C" fn delotet_plc_facet_hole_seeds(
     };
     // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
     unsafe { read(plc, DelotetPointsView::new(&[]), seeds) }
+}
+
+/// How many facet markers have names: those of the groups, solids, materials or colours of a file, and those set by
+/// delotet_plc_set_marker_name. 0 for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_plc_marker_name_count(plc: *const DelotetPlc) -> usize {
+    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
+    unsafe { read(plc, 0, |plc| plc.names.len()) }
+}
+
+/// The name of a facet marker, UTF-8, zero-terminated; NULL if it has none, and for NULL. Borrowed from `plc`: valid until it is
+/// changed or freed.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_plc_marker_name(plc: *const DelotetPlc, marker: i32) -> *const c_char {
+    let name = |plc: &DelotetPlc| match plc.plc.names.binary_search_by_key(&marker, |name| name.marker) {
+        Ok(at) => plc.names.get(at).map_or(std::ptr::null(), |name| name.as_ptr()),
+        Err(_) => std::ptr::null(),
+    };
+    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
+    unsafe { read(plc, std::ptr::null(), name) }
+}
+
+/// The markers that have names, ascending: number `index` of them. 0 for NULL and for indices of delotet_plc_marker_name_count and
+/// above.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_plc_named_marker(plc: *const DelotetPlc, index: usize) -> i32 {
+    let marker = |plc: &DelotetPlc| plc.plc.names.get(index).map_or(0, |name| name.marker);
+    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
+    unsafe { read(plc, 0, marker) }
 }

@@ -3,7 +3,7 @@
 use crate::error::{DefectKind, Element, Status};
 use crate::progress::Phase;
 use crate::warning::WarningKind;
-use std::ffi::c_char;
+use libc::c_char;
 
 /// Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 stopped or not possible within the
 /// caller's limits; 40-49 resources; 50-59 files; 60-69 checks; 90 a bug of the library.

@@ -1,5 +1,5 @@
 //! Version of the loaded library.
-use std::ffi::c_char;
+use libc::c_char;
 
 /// The text that `delotet_version_string` hands out.
 static VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");

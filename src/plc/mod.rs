@@ -3,8 +3,6 @@
 //! Si & Gärtner 2011, section 2: a PLC is a set of vertices, segments and facets such that the intersection of any two is a
 //! union of others of the set. We are more lenient on input: a vertex exactly on a segment or facet splits it.
 
-use crate::error::Error;
-
 pub mod attributes;
 pub mod duplicates;
 pub mod intersect;
@@ -117,7 +115,7 @@ impl Plc {
     /// # Errors
     /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
     pub fn set_marker_name(&mut self, marker: i32, name: &str) -> Result<(), Error> {
-        let line = name.trim().lines().next().unwrap_or_default().trim_end();
+        let line = name_line(name);
         let mut kept = String::new();
         kept.try_reserve_exact(line.len())?;
         kept.push_str(line);
@@ -155,6 +153,7 @@ impl Plc {
             facets,
             holes,
             regions,
+            names,
         } = self;
         Ok(Plc {
             points: copied(points)?,
@@ -167,6 +166,7 @@ impl Plc {
             facets: each(facets, Facet::try_clone)?,
             holes: copied(holes)?,
             regions: copied(regions)?,
+            names: each(names, MarkerName::try_clone)?,
         })
     }
 
@@ -176,6 +176,20 @@ impl Plc {
             None => self.triangle_markers.get(facet).copied().unwrap_or(0),
             Some(general) => self.facets[general].marker,
         }
+    }
+}
+
+/// What is kept of a name.
+pub(crate) fn name_line(name: &str) -> &str {
+    name.trim().lines().next().unwrap_or_default().trim_end()
+}
+
+impl MarkerName {
+    fn try_clone(&self) -> Result<MarkerName, Error> {
+        let mut name = String::new();
+        name.try_reserve_exact(self.name.len())?;
+        name.push_str(&self.name);
+        Ok(MarkerName { marker: self.marker, name })
     }
 }
 
