@@ -67,6 +67,7 @@ fn a_cube_in_every_mesh_format() {
             "regions",
             "status",
             "peak_bytes",
+            "peak_resident_bytes",
             "total",
             "audit",
         ] {

@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 
 /// In the order in which the header explains them.
-const SOURCES: [&str; 12] =
-    ["version", "status", "view", "error", "options", "plc", "plc_view", "mesh", "warning", "run", "query", "file"];
+const SOURCES: [&str; 12] = [
+    "version", "status", "view", "error", "options", "plc", "plc_view", "mesh", "warning", "run", "query",
+    "file",
+];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

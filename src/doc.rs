@@ -5,7 +5,7 @@
 macro_rules! pages {
     ($($name:ident $text:literal)*) => {
         $(
-            #[doc = "[figures]: crate::doc::figures\n[formats]: crate::doc::formats\n[guarantees]: crate::doc::guarantees"]
+            #[doc = "[api]: crate::doc::api\n[figures]: crate::doc::figures\n[formats]: crate::doc::formats\n[guarantees]: crate::doc::guarantees"]
             #[doc = "[install]: crate::doc::install\n[method]: crate::doc::method\n[options]: crate::doc::options"]
             #[doc = "[rust]: crate::doc::rust\n[tetgen]: crate::doc::tetgen\n[vocabulary]: crate::doc::vocabulary\n"]
             #[doc = include_str!($text)]
@@ -15,6 +15,7 @@ macro_rules! pages {
 }
 
 pages! {
+    api "doc/api.md"
     figures "doc/figures.md"
     formats "doc/formats.md"
     guarantees "doc/guarantees.md"

@@ -312,7 +312,7 @@ typedef enum DelotetDefectKind {
      */
     DELOTET_DEFECT_KIND_SEED_OUTSIDE = 15,
     /**
-     * A facet has an edge that no other facet shares, where closed surfaces are required.
+     * An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
      */
     DELOTET_DEFECT_KIND_OPEN_EDGE = 16,
     /**
@@ -348,6 +348,52 @@ typedef enum DelotetDefectKind {
      */
     DELOTET_DEFECT_KIND_HULL_OFF_FACETS = 24,
 } DelotetDefectKind;
+
+/**
+ * What a warning is about.
+ */
+typedef enum DelotetWarningKind {
+    /**
+     * An edge of one facet only, on a part of the surface that encloses nothing: there it leaks. The elements are the ends.
+     */
+    DELOTET_WARNING_KIND_OPEN_EDGE = 1,
+    /**
+     * A part of a facet bounds no tetrahedron.
+     */
+    DELOTET_WARNING_KIND_UNMESHED_FACET = 2,
+    /**
+     * A part of a segment is an edge of no tetrahedron.
+     */
+    DELOTET_WARNING_KIND_UNMESHED_SEGMENT = 3,
+    /**
+     * A point is a corner of no tetrahedron, and equals no other point.
+     */
+    DELOTET_WARNING_KIND_UNMESHED_POINT = 4,
+    /**
+     * A point equals an earlier one, which is used instead. The elements are the point and the earlier one.
+     */
+    DELOTET_WARNING_KIND_EQUAL_POINTS = 5,
+    /**
+     * A region seed lies in a region that has an earlier seed, whose attribute is used. The elements are both seeds.
+     */
+    DELOTET_WARNING_KIND_REPEATED_SEED = 6,
+    /**
+     * A hole seed lies outside the domain: it has no effect.
+     */
+    DELOTET_WARNING_KIND_HOLE_OUTSIDE = 7,
+    /**
+     * A region has a volume bound, which is kept, but makes no tetrahedron smaller: there is no refinement yet.
+     */
+    DELOTET_WARNING_KIND_UNUSED_VOLUME = 8,
+    /**
+     * A polygon is not planar by more than rounding; it was triangulated.
+     */
+    DELOTET_WARNING_KIND_NON_PLANAR_FACET = 9,
+    /**
+     * A file's format cannot hold a value as it is.
+     */
+    DELOTET_WARNING_KIND_LOST_VALUE = 10,
+} DelotetWarningKind;
 
 /**
  * A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
@@ -441,7 +487,7 @@ typedef uint32_t DelotetPreserve;
 typedef int32_t (*DelotetProgressFn)(void *user_data, enum DelotetPhase phase, double fraction);
 
 /**
- * Receives a line of text about the run; `message` is UTF-8 and valid during the call of the callback only. Called on the
+ * Receives a line of text about the run: "warning: ..." and one line per kind of warning at its end; `message` is UTF-8 and valid during the call of the callback only. Called on the
  * thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
  */
 typedef void (*DelotetLogFn)(void *user_data, const char *message);
@@ -664,8 +710,9 @@ typedef struct DelotetSubface {
      */
     int32_t marker;
     /**
-     * The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
-     * `(b - a) x (c - a)` points from the first to the second: outward on the boundary.
+     * The tetrahedra on both sides. The first is that of the lower region (by its index), within one region that of the lower index;
+     * the second is DELOTET_INVALID_INDEX on the boundary. `(b - a) x (c - a)` points from the first to the second: from the
+     * lower region to the higher, and outward on the boundary.
      */
     uint32_t tets[2];
 } DelotetSubface;
@@ -922,6 +969,58 @@ typedef struct DelotetStats {
 } DelotetStats;
 
 /**
+ * One warning: kind, the one or two elements involved, and a point where it is seen.
+ */
+typedef struct DelotetWarning {
+    /**
+     * The kind: a DelotetWarningKind, in 32 bits with any compiler.
+     */
+    uint32_t kind;
+    /**
+     * What `first` counts: a DelotetElement.
+     */
+    uint32_t first_element;
+    /**
+     * Index of the element that it is about.
+     */
+    uint32_t first;
+    /**
+     * What `second` counts: a DelotetElement; DELOTET_ELEMENT_NONE if only one element is involved.
+     */
+    uint32_t second_element;
+    /**
+     * Index of the other element of a pair, or DELOTET_INVALID_INDEX.
+     */
+    uint32_t second;
+    /**
+     * 1 if `point` is set, else 0.
+     */
+    uint32_t has_point;
+    /**
+     * x y z of a point at or near it (rounded); zeros if there is none.
+     */
+    double point[3];
+} DelotetWarning;
+
+/**
+ * Borrowed warnings; NULL and 0 if there are none.
+ */
+typedef struct DelotetWarningsView {
+    /**
+     * The first of `count` warnings; DELOTET_AT(DelotetWarning, view, i) is the i-th.
+     */
+    const struct DelotetWarning *first;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * Bytes from one to the next.
+     */
+    size_t stride;
+} DelotetWarningsView;
+
+/**
  * A face of the mesh.
  */
 typedef struct DelotetFace {
@@ -930,7 +1029,8 @@ typedef struct DelotetFace {
      */
     uint32_t corners[3];
     /**
-     * The tetrahedra on both sides, the smaller index first; the second is DELOTET_INVALID_INDEX on the boundary.
+     * The tetrahedra on both sides, the smaller index first, but of a subface in its order; the second is DELOTET_INVALID_INDEX on the
+     * boundary.
      */
     uint32_t tets[2];
     /**
@@ -1117,6 +1217,12 @@ DELOTET_API
 const char *delotet_defect_kind_name(uint32_t kind);
 
 /**
+ * Name of a kind of warning, such as "DELOTET_WARNING_KIND_OPEN_EDGE"; "unknown" for other numbers. Static: never NULL, never freed.
+ */
+DELOTET_API
+const char *delotet_warning_kind_name(uint32_t kind);
+
+/**
  * Name of a phase, such as "DELOTET_PHASE_FACETS"; "unknown" for other numbers. Static: never NULL, never freed.
  */
 DELOTET_API
@@ -1207,7 +1313,7 @@ enum DelotetStatus delotet_options_set_validate(struct DelotetOptions *options,
                                                 struct DelotetError **out_error);
 
 /**
- * How many defects an error lists at most. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
+ * How many defects an error lists at most, and how many warnings of a kind a mesh. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1564,7 +1670,9 @@ enum DelotetStatus delotet_plc_add_region(struct DelotetPlc *plc,
 
 /**
  * Looks for defects: non-finite points, elements without extent, self-intersections, unusable polygons. All of them are listed
- * in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel.
+ * in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel. A surface that
+ * encloses nothing fails too, with its open edges, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; where other parts
+ * enclose something, the log gets a warning.
  * Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -1758,15 +1866,37 @@ DELOTET_API struct DelotetIndicesView delotet_mesh_tet_regions(const struct Delo
 DELOTET_API struct DelotetRegionsView delotet_mesh_regions(const struct DelotetMesh *mesh);
 
 /**
- * The faces on facets, with facet, marker and both tetrahedra. Borrowed from `mesh`. Empty for NULL.
+ * The faces on facets, with facet, marker and both tetrahedra; pieces of facets that bound no tetrahedron are in
+ * delotet_mesh_unmeshed_subfaces. Borrowed from `mesh`. Empty for NULL.
  */
-DELOTET_API struct DelotetSubfacesView delotet_mesh_subfaces(const struct DelotetMesh *mesh);
+DELOTET_API
+struct DelotetSubfacesView delotet_mesh_subfaces(const struct DelotetMesh *mesh);
 
 /**
  * The edges on segments and on edges of facets, with segment and marker. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetSubsegmentsView delotet_mesh_subsegments(const struct DelotetMesh *mesh);
+
+/**
+ * Pieces of facets that bound no tetrahedron, since all around them was carved: a shell that leaks, a facet outside of the domain, a
+ * wall in a hole. They are no faces of the mesh: both tetrahedra are DELOTET_INVALID_INDEX. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetSubfacesView delotet_mesh_unmeshed_subfaces(const struct DelotetMesh *mesh);
+
+/**
+ * Pieces of segments and of edges of facets that are edges of no tetrahedron. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetSubsegmentsView delotet_mesh_unmeshed_subsegments(const struct DelotetMesh *mesh);
+
+/**
+ * Points that no tetrahedron has, ascending: those that equal an earlier point (delotet_mesh_point_aliases), and those around which
+ * all was carved. Borrowed from `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetIndicesView delotet_mesh_unmeshed_points(const struct DelotetMesh *mesh);
 
 /**
  * The Steiner points in the order of the points, with the input edge and the segment they lie on, if any. Borrowed from `mesh`. Empty
@@ -1839,6 +1969,21 @@ enum DelotetStatus delotet_mesh_check_preserved_outer(const struct DelotetMesh *
  * Frees a mesh and all that was borrowed from it. NULL is ignored.
  */
 DELOTET_API void delotet_mesh_free(struct DelotetMesh *mesh);
+
+/**
+ * What should be known about a mesh: leaks, parts of the input that are not meshed, seeds without effect. Of each kind at most as many
+ * as delotet_options_set_max_defects allows; delotet_mesh_warning_count() counts all. The log gets a line per kind. Borrowed from
+ * `mesh`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetWarningsView delotet_mesh_warnings(const struct DelotetMesh *mesh);
+
+/**
+ * How many warnings of a kind (a DelotetWarningKind) there are, listed or not. 0 for NULL and for other numbers.
+ */
+DELOTET_API
+uint64_t delotet_mesh_warning_count(const struct DelotetMesh *mesh,
+                                    uint32_t kind);
 
 /**
  * Makes the mesh of a PLC.
@@ -1956,7 +2101,7 @@ enum DelotetStatus delotet_mesh_locate(const struct DelotetMesh *mesh,
                                        struct DelotetError **out_error);
 
 /**
- * Reads a PLC from a file; the extension names the format (README lists them).
+ * Reads a PLC from a file; the extension names the format (src/doc/formats.md lists them).
  * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
  * on failure.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
@@ -1968,7 +2113,7 @@ enum DelotetStatus delotet_plc_read(const char *path,
                                     struct DelotetError **out_error);
 
 /**
- * Writes a PLC to a file; the extension names the format (README lists the surface formats).
+ * Writes a PLC to a file; the extension names the format (src/doc/formats.md lists the surface formats).
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
  * NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
  */
@@ -1979,7 +2124,7 @@ enum DelotetStatus delotet_plc_write(const struct DelotetPlc *plc,
                                      struct DelotetError **out_error);
 
 /**
- * Writes a mesh to a file; the extension names the format (README lists them). `plc` is the PLC that the mesh was made of: some
+ * Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
  * formats carry its markers and attributes.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
  */

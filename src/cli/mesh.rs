@@ -136,6 +136,7 @@ fn statistics(mesh: &TetMesh, total: f64) -> Value {
         "hull_kept": mesh.hull_kept,
         "warnings": report::warning_counts(&mesh.warnings),
         "peak_bytes": s.peak_bytes,
+        "peak_resident_bytes": delotet::ffi::memory::peak_resident(),
         "preserve": {
             "missing_edges": s.preserve.missing_edges,
             "missing_faces": s.preserve.missing_faces,

@@ -1,5 +1,5 @@
 //! Errors for people (stderr) and for programs (JSON).
-use delotet::{Defect, Element, Error, TetMesh, Warning, WarningKind, Warnings};
+use delotet::{Defect, Element, Error, Status, TetMesh, Warning, WarningKind, Warnings};
 use serde_json::{json, Value};
 use std::io::Write;
 use std::path::Path;
@@ -11,6 +11,10 @@ const SHOWN: usize = 10;
 pub fn print(error: &Error) {
     let mut err = std::io::stderr().lock();
     let _ = writeln!(err, "error: {}", error.message);
+    if let (Status::OutOfMemory, Some(limit)) = (error.status, delotet::ffi::memory::limit()) {
+        let _ =
+            writeln!(err, "  this process may have {} MB of address space (ulimit -v)", limit / 1_000_000);
+    }
     for defect in error.defects.iter().take(SHOWN) {
         let _ = writeln!(err, "  {defect}");
     }

@@ -49,6 +49,9 @@ pub fn print_mesh(output: &Path, mesh: &TetMesh, total: f64) {
         print_line("dihedrals", format_args!("{least:.3}° to {most:.3}°"));
     }
     print_line("time", times(&s.seconds, total));
+    if let Some(peak) = delotet::ffi::memory::peak_resident() {
+        print_line("memory", format_args!("{} MB at most", grouped(peak.div_ceil(1_000_000))));
+    }
     print_line("written", output.display());
 }
 
