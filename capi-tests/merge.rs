@@ -1,5 +1,7 @@
 //! Facet merging from end to end: flips are made, told, applied by the checker, and save Steiner points.
-use delotet::{check_mesh, tetrahedralize, DefectKind, FacetFlip, Options, Plc, Silent, TetMesh};
+use delotet::{
+    check_mesh, check_preserved, tetrahedralize, DefectKind, FacetFlip, Mode, Options, Plc, Silent, TetMesh,
+};
 
 /// A closed tube of `n` planar strips up to rounding, each cut into slivers by a fan from one corner and one from the opposite one. Single
 /// precision, the axis along no axis of coordinates. Strips alternate between two markers in pairs.
@@ -112,4 +114,87 @@ fn a_flip_keeps_the_numbers_of_the_facets() {
     let flipped = merged.facet_flips.iter().flat_map(|f| f.facets);
     let flipped: std::collections::BTreeSet<u32> = flipped.collect();
     assert!(whole.filter(|s| flipped.contains(&s.facet)).count() > 10);
+}
+
+/// Three tubes one in another, each smaller by twice `gap` than the next and turned, so that no facet is planar and none of them is far
+/// from another one: Steiner points lie at parameters that no double holds.
+fn nested_tubes(n: u32, m: u32, gap: f64, turns: u32) -> Plc {
+    let outer = Plc { triangle_markers: Vec::new(), ..tube(n, m) };
+    let count = outer.points.len() as u32;
+    let center = [0, 1, 2].map(|k| outer.points.iter().map(|p| p[k]).sum::<f64>() / f64::from(count));
+    let mut plc = Plc::default();
+    for shell in 0..3 {
+        let size = 1.0 - 2.0 * f64::from(shell) * gap;
+        for p in &outer.points {
+            let mut p: [f64; 3] = std::array::from_fn(|k| center[k] + size * (p[k] - center[k]));
+            for _ in 0..turns {
+                let [x, y, z] = p;
+                p = [0.36 * x - 0.8 * y + 0.48 * z, 0.48 * x + 0.6 * y + 0.64 * z, 0.6 * z - 0.8 * x];
+            }
+            plc.points.push(p);
+        }
+        plc.triangles.extend(outer.triangles.iter().map(|t| t.map(|v| v + shell * count)));
+    }
+    plc
+}
+
+/// No flip is followed by another one that takes it back at once, as far as its two facets are concerned.
+fn assert_net(mesh: &TetMesh) {
+    let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+    let flips = &mesh.facet_flips;
+    for (i, first) in flips.iter().enumerate() {
+        let touches = |f: &&FacetFlip| f.facets.iter().any(|g| first.facets.contains(g));
+        let Some(next) = flips[i + 1..].iter().find(touches) else { continue };
+        let same_pair = sorted(next.facets) == sorted(first.facets);
+        let back = sorted(next.old) == sorted(first.new) && sorted(next.new) == sorted(first.old);
+        assert!(!(same_pair && back), "{first:?} and {next:?}");
+    }
+}
+
+#[test]
+fn merging_never_takes_more_points_and_passes_the_check() {
+    let (mut fewer, mut fine) = (0, 0);
+    for (n, m) in [(3, 1), (3, 2), (4, 2)] {
+        for gap in [1e-5, 1e-6, 1e-7, 1e-9] {
+            for turns in [1, 2] {
+                let plc = nested_tubes(n, m, gap, turns);
+                let (strict, merged) = (mesh(&plc, None), mesh(&plc, Some(179.9)));
+                let what = format!("{n} strips of {m}, gap {gap}, turned {turns} times");
+                assert!(merged.steiner.len() <= strict.steiner.len(), "{what}");
+                fine += merged.steiner_terms.len();
+                check_mesh(&plc, &merged, true, 10).unwrap_or_else(|e| panic!("{what}: {e}"));
+                assert_net(&merged);
+                fewer += usize::from(merged.steiner.len() < strict.steiner.len());
+            }
+        }
+    }
+    assert!(fewer >= 12 && fine > 100, "{fewer} of 24, {fine} terms");
+}
+
+#[test]
+fn merging_does_not_refuse_what_is_meshed_without_it() {
+    // Within this limit without merging only: 214 points, with it 604.
+    let plc = nested_tubes(3, 2, 1e-9, 1);
+    let options = Options { steiner_limit: Some(300), ..Options::default() };
+    let strict = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+    let merging = Options { merge_facets: Some(179.9), ..options };
+    let merged = tetrahedralize(&plc, &merging, &mut Silent).unwrap();
+    assert_eq!(merged.facet_flips, []);
+    assert_eq!((merged.points, merged.tets), (strict.points, strict.tets));
+}
+
+#[test]
+fn merging_keeps_its_promises_in_preserved_surfaces() {
+    for (n, m, gap) in [(3, 1, 1e-5), (3, 2, 1e-3), (4, 2, 1e-3)] {
+        let plc = nested_tubes(n, m, gap, 1);
+        for keep_hull in [false, true] {
+            let options = Options { mode: Mode::Preserve, keep_hull, ..Options::default() };
+            let strict = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+            let merging = Options { merge_facets: Some(179.9), ..options };
+            let merged = tetrahedralize(&plc, &merging, &mut Silent).unwrap();
+            assert!(merged.steiner.len() <= strict.steiner.len());
+            check_preserved(&plc, &merged, 10).unwrap();
+            assert_net(&merged);
+        }
+    }
 }

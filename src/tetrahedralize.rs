@@ -1,29 +1,28 @@
 //! The pipeline: prepare → Delaunay → segments → facets → regions → rounding → output → audit. The only place that knows the
 //! order.
 use crate::check::audit;
+use crate::constrain::edge_key;
 use crate::constrain::facet::FacetRecovery;
 use crate::constrain::segment::{Recovery, Segments};
 use crate::constrain::subface::{Subfaces, Triangles};
 use crate::delaunay::order::{insertion_order, Order};
 use crate::delaunay::Delaunay;
-use crate::error::{Error, Status};
+use crate::error::{Element, Error, Status};
 use crate::mesh::flag;
-use crate::mesh::star::StarSearch;
 use crate::options::{Mode, Options};
 use crate::output::{Statistics, TetMesh};
-use crate::plc::merge::{Guide, Merger};
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
-use crate::predicates::Points;
+use crate::predicates::{scale, Points};
 use crate::progress::{report, Observer, Phase};
 use crate::region::{components, label, Components, Regions, Seeds};
 use crate::rounding::{round, Kept};
 use crate::warning::Warnings;
 use crate::INVALID;
-use rustc_hash::FxHashMap;
 use std::time::Instant;
 
 mod assemble;
+mod merge;
 mod preserve;
 mod unmeshed;
 mod warn;
@@ -35,7 +34,7 @@ mod warn;
 /// valid PLC does not.
 pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<TetMesh, Error> {
     let (statistics, warnings) = (Statistics::default(), Warnings::default());
-    let mut run = Run { clock: Instant::now(), statistics, warnings, observer };
+    let mut run = Run { clock: Instant::now(), statistics, warnings, unmerged_at_least: 0, observer };
     let outcome = run.mesh(plc, options);
     match &outcome {
         Ok(mesh) => mesh.warnings.log(run.observer),
@@ -47,27 +46,22 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
 /// How often segments are recovered anew because Steiner points have no valid position in doubles.
 const MOST_ATTEMPTS: u32 = 6;
 
-/// Attempts at merging facets from scratch before all new edges beside the input's surface are given up.
-const MERGE_ATTEMPTS: usize = 3;
-/// How often an attempt is mended: new edges that would need Steiner points are flipped back.
-const MENDINGS: usize = 16;
-
-/// Per segment whether merging has made it beside the input's surface.
-fn edges_beside(surface: &Surface) -> Result<Vec<bool>, Error> {
-    let mut beside = Vec::new();
-    beside.try_reserve_exact(surface.segments.len())?;
-    beside.extend(surface.segments.iter().map(|edge| surface.edges_beside.binary_search(edge).is_ok()));
-    Ok(beside)
-}
-
-/// The edges that have Steiner points.
-fn split_edges(surface: &Surface, segments: &Segments) -> Result<Vec<[u32; 2]>, Error> {
-    let mut split = Vec::new();
-    split.try_reserve(segments.steiner_segment.len())?;
-    split.extend(segments.steiner_segment.iter().map(|&s| surface.segments[s as usize]));
-    split.sort_unstable();
-    split.dedup();
-    Ok(split)
+/// The engine's segments in an error become the caller's: an edge of facets is named by the first facet that has it. So is the place.
+fn in_terms_of_input(mut error: Error, segments: &Segments, input_of: &[u32], surface: &Surface) -> Error {
+    for defect in &mut error.defects {
+        let Element::Segment(s) = defect.first else { continue };
+        let [a, b] = segments.ends[s as usize].map(|v| input_of[v as usize]);
+        let found = surface.segments.binary_search(&edge_key(a, b));
+        let parent = found.map_or(INVALID, |s| surface.segment_parent[s]);
+        let facet = || surface.triangles.iter().position(|t| t.contains(&a) && t.contains(&b));
+        defect.first = match parent {
+            INVALID => facet().map_or(Element::Point(a), |t| Element::Facet(surface.triangle_facet[t])),
+            parent => Element::Segment(parent),
+        };
+        let at = surface.points[a as usize].map(|x| scale(x, -surface.scale));
+        defect.point = defect.point.or(Some(at));
+    }
+    error
 }
 
 /// Clock, counts and the caller's observer.
@@ -75,6 +69,8 @@ struct Run<'a> {
     clock: Instant,
     statistics: Statistics,
     warnings: Warnings,
+    /// So many Steiner points are certain to be needed without merging.
+    unmerged_at_least: u64,
     observer: &'a mut dyn Observer,
 }
 
@@ -161,15 +157,10 @@ impl Run<'_> {
                 self.delaunay(&mut engine, options.worker_threads())?;
                 assemble::delaunay(engine, plc, alias)?
             }
-            Mode::Constrained => {
-                let mut engine = Engine::new(prepared.surface(), options)?;
-                self.delaunay(&mut engine, options.worker_threads())?;
-                let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
-                let mesh = self.constrain(plc, &surface, options, segments, &mut engine)?;
-                drop(engine);
-                mesh
-            }
-            Mode::Preserve => self.preserve(plc, options, prepared)?,
+            Mode::Constrained | Mode::Preserve => match options.merge_facets {
+                None => self.mesh_surface(plc, options, prepared)?,
+                Some(_) => self.merged_or_not(plc, options, prepared)?,
+            },
         };
         self.audit(plc, options, &mut mesh)?;
         unmeshed::set_apart(&mut mesh)?;
@@ -199,6 +190,17 @@ impl Run<'_> {
         Ok(prepared)
     }
 
+    /// Meshes in the modes that keep facets, with merging or without.
+    fn mesh_surface(&mut self, plc: &Plc, options: &Options, prepared: Prepared) -> Result<TetMesh, Error> {
+        if options.mode == Mode::Preserve {
+            return self.preserve(plc, options, prepared);
+        }
+        let mut engine = Engine::new(prepared.surface(), options)?;
+        self.delaunay(&mut engine, options.worker_threads())?;
+        let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
+        self.constrain(plc, &surface, options, segments, &mut engine)
+    }
+
     /// Makes segments and patches of the surface and recovers the segments.
     fn connect_and_recover(
         &mut self,
@@ -209,94 +211,13 @@ impl Run<'_> {
     ) -> Result<(Surface, Segments), Error> {
         engine.delaunay.index_vertices(engine.points.len())?;
         if let Some(degrees) = options.merge_facets {
-            return self.merge_and_recover(plc, options, degrees, prepared, engine);
+            return self.merge_and_compare(plc, options, degrees, prepared, engine);
         }
         let surface = prepared.connect(plc, self.observer)?;
         self.lap(Phase::Validate);
         let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
-        self.recover_segments(&mut segments, options, engine)?;
+        self.recover_segments(&mut segments, &surface, options, engine)?;
         Ok((surface, segments))
-    }
-
-    /// The same with merging. Steiner points on an edge that merging has made beside the input's surface would lie beside it too. So
-    /// such edges are not split; those that turn out to be missing are flipped back, as often as that helps, and then
-    /// avoided from the start. In the last attempt there is no such edge at all.
-    ///
-    /// Steiner points that an earlier state took stay. Recovery from the start once more would save 46 of 354,660 on the eleven models
-    /// that take longest, and costs a tenth to a sixth of the instructions.
-    fn merge_and_recover(
-        &mut self,
-        plc: &Plc,
-        options: &Options,
-        degrees: f64,
-        prepared: Prepared,
-        engine: &mut Engine,
-    ) -> Result<(Surface, Segments), Error> {
-        let mut avoid: Vec<[u32; 2]> = Vec::new();
-        for attempt in 0..=MERGE_ATTEMPTS {
-            let avoid_all = attempt == MERGE_ATTEMPTS;
-            let mut prepared = prepared.clone();
-            let mut merger = prepared.merger(plc, degrees)?;
-            let mut trial = engine.clone();
-            let mut segments: Option<Segments> = None;
-            for _ in 0..MENDINGS {
-                self.merge(&mut merger, &mut trial, (&avoid, avoid_all))?;
-                let surface = merger.surface();
-                let ends = trial.map(&surface.segments)?;
-                let mut current = match segments.take() {
-                    None => Segments::new(&trial.points, ends)?,
-                    Some(earlier) => earlier.exchange(&trial.points, ends)?,
-                };
-                current.deferred = edges_beside(surface)?;
-                self.recover_segments(&mut current, options, &mut trial)?;
-                if current.waiting.is_empty() {
-                    *engine = trial;
-                    return Ok((prepared.into_surface(), current));
-                }
-                let known = avoid.len();
-                avoid.try_reserve(current.waiting.len())?;
-                avoid.extend(current.waiting.iter().map(|&s| surface.segments[s as usize]));
-                avoid.sort_unstable();
-                avoid.dedup();
-                if avoid.len() == known {
-                    break;
-                }
-                let split = split_edges(surface, &current)?;
-                merger.keep(&split)?;
-                segments = Some(current);
-            }
-        }
-        Err(Error::internal("merging did not end"))
-    }
-
-    /// Flips edges of the surface, steered by the edges of the triangulation, and finds its segments and patches.
-    fn merge(
-        &mut self,
-        merger: &mut Merger,
-        engine: &mut Engine,
-        (avoid, avoid_all): (&[[u32; 2]], bool),
-    ) -> Result<(), Error> {
-        let Engine { delaunay, engine_of, .. } = engine;
-        let mut search = StarSearch::default();
-        // Every edge is asked for many times. Looked up only, never iterated.
-        let mut known: FxHashMap<[u32; 2], bool> = FxHashMap::default();
-        let mut is_edge = |[a, b]: [u32; 2]| {
-            let key = [a.min(b), a.max(b)];
-            if let Some(&answer) = known.get(&key) {
-                return answer;
-            }
-            let [a, b] = key.map(|v| engine_of[v as usize]);
-            let start = delaunay.vertex_tet[a as usize];
-            let answer = search.find_edge(&mut delaunay.mesh, a, b, start).is_some();
-            if known.try_reserve(1).is_ok() {
-                known.insert(key, answer);
-            }
-            answer
-        };
-        merger.run(Some(&mut Guide { is_edge: &mut is_edge, avoid, avoid_all }), self.observer)?;
-        report(self.observer, Phase::Validate, 1.0)?;
-        self.lap(Phase::Validate);
-        Ok(())
     }
 
     /// Takes note of what the kernel's arrays hold now.
@@ -360,7 +281,7 @@ impl Run<'_> {
                 engine.delaunay.index_vertices(engine.points.len())?;
                 segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
                 segments.careful = careful.clone();
-                self.recover_segments(&mut segments, options, engine)?;
+                self.recover_segments(&mut segments, surface, options, engine)?;
                 continue;
             }
             let mut mesh = assemble::mesh(
@@ -390,21 +311,36 @@ impl Run<'_> {
     fn recover_segments(
         &mut self,
         segments: &mut Segments,
+        surface: &Surface,
         options: &Options,
         engine: &mut Engine,
     ) -> Result<(), Error> {
+        self.recover_fewer(segments, surface, options, engine, None).map(|_| ())
+    }
+
+    /// The same, given up with `false` as soon as it is certain to take `enough` Steiner points.
+    fn recover_fewer(
+        &mut self,
+        segments: &mut Segments,
+        surface: &Surface,
+        options: &Options,
+        engine: &mut Engine,
+        enough: Option<u64>,
+    ) -> Result<bool, Error> {
         report(self.observer, Phase::Segments, 0.0)?;
         let observer = &mut *self.observer;
         let mut best = 0.0f64;
         let limit = options.steiner_limit.unwrap_or(100_000 + 100 * segments.ends.len() as u64);
-        Recovery::new(&mut engine.delaunay, &mut engine.points, segments, Some(limit)).run(
-            &mut |done, known| {
-                best = best.max(done as f64 / known.max(1) as f64);
-                report(observer, Phase::Segments, best)
-            },
-        )?;
+        let mut recovery = Recovery::new(&mut engine.delaunay, &mut engine.points, segments, Some(limit));
+        recovery.enough = enough;
+        let done = recovery.run(&mut |done, known| {
+            best = best.max(done as f64 / known.max(1) as f64);
+            report(observer, Phase::Segments, best)
+        });
+        drop(recovery);
+        let done = done.map_err(|e| in_terms_of_input(e, segments, &engine.input_of, surface))?;
         self.lap(Phase::Segments);
-        Ok(())
+        Ok(done)
     }
 
     fn recover_facets(

@@ -176,6 +176,7 @@ impl Segments {
         }
         new.doubtful = Some(doubtful);
         new.steiner_t = self.steiner_t;
+        new.fine = self.fine;
         new.split_pieces()?;
         Ok(new)
     }
@@ -270,6 +271,8 @@ pub struct Recovery<'a> {
     pub segments: &'a mut Segments,
     /// Most Steiner points allowed.
     pub limit: Option<u64>,
+    /// Recovery ends early where it is certain that it takes as many Steiner points as this.
+    pub enough: Option<u64>,
     /// Missing pieces by length (the bits of a non-negative double are in its order), then by number.
     queue: BinaryHeap<(u64, Reverse<u32>)>,
     /// Scratch space of [`present`](super::present).
@@ -290,14 +293,15 @@ impl<'a> Recovery<'a> {
             points,
             segments,
             limit,
+            enough: None,
             queue: Default::default(),
             search: StarSearch::default(),
             ring: Vec::new(),
         }
     }
 
-    /// Makes every segment a union of edges. `tick` gets the numbers of pieces done and known.
-    pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<(), Error> {
+    /// Makes every segment a union of edges. `tick` gets the numbers of pieces done and known. False if it ended early.
+    pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<bool, Error> {
         if let Some(doubtful) = self.segments.doubtful.take() {
             for piece in doubtful {
                 if !self.mark_edge(self.segments.pieces[piece as usize].ends)? {
@@ -313,7 +317,13 @@ impl<'a> Recovery<'a> {
         let missing = (self.queue.len() + self.segments.waiting.len()) as u64;
         self.segments.missing = self.segments.missing.max(missing);
         let mut steps = 0usize;
-        while let Some((_, Reverse(piece))) = self.queue.pop() {
+        loop {
+            // A missing piece stays missing until it is split, so each takes a point of its own at least.
+            let certain = self.segments.steiner_t.len() + self.queue.len();
+            if self.enough.is_some_and(|enough| certain as u64 >= enough) {
+                return Ok(false);
+            }
+            let Some((_, Reverse(piece))) = self.queue.pop() else { return Ok(true) };
             steps += 1;
             if steps % 1024 == 0 {
                 tick(steps, steps + self.queue.len())?;
@@ -321,7 +331,6 @@ impl<'a> Recovery<'a> {
             // An edge that is missing once stays so: whatever sphere through its ends is chosen, some vertex spoils it.
             self.split(piece)?;
         }
-        Ok(())
     }
 
     /// Puts a missing piece in its place in the queue.

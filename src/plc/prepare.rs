@@ -3,7 +3,8 @@
 //! Indices and coordinates first, since nothing else can be looked at while they are wrong; then equal points, facets one by
 //! one, then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
 use super::duplicates::first_equal;
-use super::intersect::{find_intersections, IntersectInput, Intersections};
+use super::intersect::{find_named_intersections, IntersectInput, Intersections, Names};
+use super::merge::net::net_flips;
 use super::merge::Merger;
 use super::open::{open_shells, OpenEdge};
 use super::patch::{connect, FixedEdge};
@@ -13,7 +14,7 @@ use super::surface::Surface;
 use super::{Facet, Interior, Plc};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::options::{Mode, Options};
-use crate::predicates::{range_scale, scale};
+use crate::predicates::{far_from_most, range_scale, scale};
 use crate::progress::{report, Observer, Phase};
 use crate::warning::{Warning, WarningKind, Warnings};
 use crate::INVALID;
@@ -129,9 +130,13 @@ impl Prepared {
         Merger::new(&mut self.surface, std::mem::take(&mut self.fixed), plc, degrees)
     }
 
-    /// The surface when merging is done.
-    pub fn into_surface(self) -> Surface {
-        self.surface
+    /// The surface when merging is done, with flips and their undoing left out.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`].
+    pub fn into_surface(mut self) -> Result<Surface, Error> {
+        self.surface.facet_flips = net_flips(&self.surface.facet_flips)?;
+        Ok(self.surface)
     }
 }
 
@@ -144,7 +149,7 @@ pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Res
     let mut prepared = check_and_split(plc, options, observer)?;
     let Some(degrees) = options.merge_facets else { return prepared.connect(plc, observer) };
     prepared.merger(plc, degrees)?.run(None, observer)?;
-    Ok(prepared.into_surface())
+    prepared.into_surface()
 }
 
 /// The first part of [`prepare`]: everything that does not depend on the Delaunay tetrahedralization.
@@ -168,9 +173,18 @@ pub fn check_and_split(plc: &Plc, options: &Options, observer: &mut dyn Observer
         if defects.is_empty() {
             let may_join = |f: u32, g: u32| f == g || marker(f) == marker(g);
             let crossings = split(&mut surface, &mut fixed.edges, &found, may_join)?;
-            for (edge, triangle) in crossings {
+            let pair = |&(edge, triangle): &(u32, u32)| {
                 let facet = Element::Facet(surface.triangle_facet[triangle as usize]);
-                defects.push(DefectKind::SegmentSegment, fixed.owner[edge as usize], Some(facet), None);
+                let owner = fixed.owner[edge as usize];
+                [owner.min(facet), owner.max(facet)]
+            };
+            let mut pairs: Vec<[Element; 2]> = Vec::new();
+            pairs.try_reserve_exact(crossings.len())?;
+            pairs.extend(crossings.iter().map(pair));
+            pairs.sort_unstable();
+            pairs.dedup();
+            for [first, second] in pairs {
+                defects.push(DefectKind::SegmentSegment, first, Some(second), None);
             }
         }
     } else {
@@ -224,7 +238,7 @@ fn intersect(
 ) -> Result<Intersections, Error> {
     let given = fixed.edges.len();
     let mut part = Part { observer: &mut *observer, from: 0.3, to: 0.8 };
-    let mut found = contacts(surface, fixed, defects.limit, &mut part)?;
+    let mut found = contacts(surface, fixed, given, defects.limit, &mut part)?;
     let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
     let mut known: Vec<[u32; 2]> = Vec::new();
     known.try_reserve_exact(given)?;
@@ -235,32 +249,21 @@ fn intersect(
     }
     if fixed.edges.len() > given {
         let mut part = Part { observer, from: 0.8, to: 0.9 };
-        found = contacts(surface, fixed, defects.limit, &mut part)?;
+        found = contacts(surface, fixed, given, defects.limit, &mut part)?;
     }
-    let owner = |element: Element| match element {
-        Element::Segment(i) => fixed.owner[i as usize],
-        other => other,
-    };
-    let is_edge = |element: Element| matches!(element, Element::Segment(i) if i as usize >= given);
     for d in &found.defects {
         let point = d.point.map(|p| p.map(|x| scale(x, -surface.scale)));
-        let facets = is_edge(d.first) || d.second.is_some_and(is_edge);
-        let (first, second) = (owner(d.first), d.second.map(owner));
-        let kind = match (first, second) {
-            (Element::Facet(_), Some(Element::Facet(_))) if facets => DefectKind::FacetFacet,
-            (Element::Facet(_), Some(Element::Segment(_))) if facets => DefectKind::SegmentFacet,
-            _ => d.kind,
-        };
-        defects.push(kind, first, second, point);
+        defects.push(d.kind, d.first, d.second, point);
     }
     defects.count += found.defect_count - found.defects.len().min(found.defect_count);
     Ok(found)
 }
 
-/// All contacts of facets, fixed edges and vertices.
+/// All contacts of facets, fixed edges and vertices. From number `given` on, fixed edges are edges of facets in the interior of others.
 fn contacts(
     surface: &Surface,
     fixed: &Fixed,
+    given: usize,
     max_defects: usize,
     observer: &mut dyn Observer,
 ) -> Result<Intersections, Error> {
@@ -277,7 +280,9 @@ fn contacts(
         triangle_facet: &surface.triangle_facet,
         segments: &segments,
     };
-    find_intersections(&input, max_defects, observer)
+    let names = Names { owners: &fixed.owner, edges_from: given };
+    // One at least is asked for: its kind makes the status.
+    find_named_intersections(&input, names, max_defects.max(1), observer)
 }
 
 /// Reports every defect of a PLC; of the options, `max_defects` counts, and `keep_hull` and `mode`, which allow open surfaces.
@@ -390,13 +395,11 @@ fn scale_points(plc: &Plc, surface: &mut Surface, defects: &mut Defects) -> Resu
     surface.points.try_reserve_exact(plc.points.len())?;
     match range_scale(&plc.points) {
         Ok(k) => surface.scale = k,
-        Err(point) => {
-            defects.push(
-                DefectKind::CoordinateRange,
-                Element::Point(point as u32),
-                None,
-                plc.points.get(point).copied(),
-            );
+        Err(_) => {
+            for i in far_from_most(&plc.points) {
+                let point = plc.points[i];
+                defects.push(DefectKind::CoordinateRange, Element::Point(i as u32), None, Some(point));
+            }
             return std::mem::replace(defects, Defects::new(0)).into_result();
         }
     }

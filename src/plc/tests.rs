@@ -573,7 +573,7 @@ fn facets_that_meet_in_a_t() {
     assert_eq!(error.defects[0].kind, DefectKind::FacetFacet);
     assert_eq!(
         (error.defects[0].first, error.defects[0].second),
-        (Element::Facet(1), Some(Element::Facet(0)))
+        (Element::Facet(0), Some(Element::Facet(1)))
     );
     plc.points.push([0., 0.75, 0.]);
     let s = run(&plc).unwrap();
@@ -740,4 +740,49 @@ fn names_of_markers_are_sorted_unique_and_one_line() {
     let names: Vec<(i32, &str)> = plc.names.iter().map(|n| (n.marker, n.name.as_str())).collect();
     assert_eq!(names, [(-3, "inlet"), (7, "right wall")]);
     assert_eq!((plc.marker_name(7), plc.marker_name(0)), (Some("right wall"), None));
+}
+
+fn limited_check(plc: &Plc, max_defects: usize) -> Result<(), Error> {
+    check(plc, &Options { max_defects, ..Options::default() }, &mut Silent).map(|_| ())
+}
+
+#[test]
+fn a_pair_of_elements_is_one_defect() {
+    // A square with an edge inside, crossed by a triangle there: the triangles of both cross, and the edge pierces.
+    let mut plc = Plc {
+        points: vec![[0., 0., 0.], [4., 0., 0.], [4., 4., 0.], [0., 4., 0.], [1., 1., 0.], [3., 3., 0.]],
+        ..Plc::default()
+    };
+    plc.facets = vec![Facet {
+        polygons: vec![vec![0, 1, 2, 3], vec![4, 5]],
+        interior: Interior::Seeds,
+        ..Facet::default()
+    }];
+    plc.points.extend([[1.0, 3.0, -1.0], [3.0, 1.0, -1.0], [2.0, 2.0, 2.0]]);
+    plc.triangles = vec![[6, 7, 8]];
+    let error = limited_check(&plc, 100).unwrap_err();
+    assert_eq!((error.defects.len(), error.defect_count), (1, 1), "{:?}", error.defects);
+    let defect = error.defects[0];
+    assert_eq!(defect.kind, DefectKind::FacetFacet);
+    assert_eq!((defect.first, defect.second), (Element::Facet(0), Some(Element::Facet(1))));
+    // The same with a limit that leaves nothing to list.
+    let error = limited_check(&plc, 0).unwrap_err();
+    assert_eq!((error.defects.len(), error.defect_count), (0, 1));
+}
+
+#[test]
+fn the_point_far_from_most_is_out_of_range() {
+    // What is small beside one far point is not at fault.
+    let mut plc = Plc { points: vec![[0.1, 0.2, 0.3]; 6], ..Plc::default() };
+    plc.points[4] = [0.0, -1e200, 0.0];
+    let error = limited_check(&plc, 100).unwrap_err();
+    assert_eq!(error.status, Status::CoordinateRange);
+    let points: Vec<_> = error.defects.iter().map(|d| (d.first, d.point)).collect();
+    assert_eq!(points, [(Element::Point(4), Some(plc.points[4]))]);
+    // Nor is what is large beside tiny points; all of these are named.
+    plc.points[4] = [1e-200, 0.0, 0.0];
+    plc.points[1] = [0.0, 0.0, -1e-300];
+    let error = limited_check(&plc, 100).unwrap_err();
+    let points: Vec<_> = error.defects.iter().map(|d| d.first).collect();
+    assert_eq!(points, [Element::Point(1), Element::Point(4)]);
 }

@@ -24,7 +24,7 @@ pub use expansion::Expansion;
 pub(crate) use insphere::Glance;
 pub use orient::{dot_sign, Plane};
 pub use points::Points;
-pub use range::{in_range, is_parameter, range_scale, scale, to_range};
+pub use range::{far_from_most, in_range, is_parameter, range_scale, scale, to_range};
 
 /// The sign of a determinant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

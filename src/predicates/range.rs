@@ -75,7 +75,7 @@ pub fn is_parameter(t: &Expansion) -> bool {
 /// The power of two `k` such that all points times `2^k` are in the exact range; 0 if they are already.
 ///
 /// # Errors
-/// The index of the first point that has a coordinate which is not finite, or is too small beside the largest one.
+/// The index of the first point that has a coordinate which is not finite, or else the first one at fault (see [`far_from_most`]).
 pub fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
     let mut highest = i32::MIN;
     let mut inside = true;
@@ -94,9 +94,38 @@ pub fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
     let k = TARGET_EXPONENT - highest;
     let fits = |x: f64| lowest_exponent(x).is_none_or(|e| e + k >= LOWEST_EXPONENT);
     match points.iter().position(|p| !p.iter().all(|&x| fits(x))) {
-        Some(i) => Err(i),
+        Some(i) => Err(far_from_most(points).next().unwrap_or(i)),
         None => Ok(k),
     }
+}
+
+/// The points at fault where a set spans too many orders of magnitude: those outside of the range that holds the most points. (Of a
+/// model with one point far away, this is that point; the tiny bits of the others are not at fault.) Coordinates must be finite.
+pub fn far_from_most(points: &[[f64; 3]]) -> impl Iterator<Item = usize> + '_ {
+    /// From the lowest bit in range to the highest.
+    const SPAN: i32 = TARGET_EXPONENT - LOWEST_EXPONENT;
+    /// Ranges begin at exponents from here on.
+    const FIRST: i32 = -1074 - SPAN;
+    const COUNT: usize = (1024 - FIRST) as usize;
+    // The ranges that hold a point begin in an interval, maybe an empty one.
+    let starts = |p: &[f64; 3]| {
+        let lowest = p.iter().filter_map(|&x| lowest_exponent(x)).min().unwrap_or(1023);
+        let highest = p.iter().filter_map(|&x| highest_exponent(x)).max().unwrap_or(-1074);
+        (highest - SPAN).max(FIRST)..=lowest
+    };
+    let mut change = [0i64; COUNT + 1];
+    for range in points.iter().map(starts).filter(|range| !range.is_empty()) {
+        change[(range.start() - FIRST) as usize] += 1;
+        change[(range.end() - FIRST) as usize + 1] -= 1;
+    }
+    let (mut held, mut best) = (0, (0, FIRST));
+    for (start, change) in (FIRST..).zip(change) {
+        held += change;
+        if held >= best.0 {
+            best = (held, start);
+        }
+    }
+    (0..points.len()).filter(move |&i| !starts(&points[i]).contains(&best.1))
 }
 
 /// `x 2^k`, rounded once; exact where the result is a double, subnormal ones included.

@@ -4,7 +4,7 @@
 //! points on the edges that resist ([`recover`](crate::preserve::recover)). Where that is given up, and where the hull is kept or facets are
 //! merged, from the constrained Delaunay tetrahedralization, which always exists. Either way what is on the surface is
 //! taken away again ([`from_constrained`]).
-use super::{assemble, warn, Engine, Run};
+use super::{assemble, in_terms_of_input, warn, Engine, Run};
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::{Subfaces, Triangles};
@@ -149,7 +149,7 @@ impl Run<'_> {
         let all_edges = edges_of(surface)?;
         let edges = engine.map(&all_edges)?;
         let corners = engine.map(&surface.triangles)?;
-        let Engine { delaunay, points, .. } = &mut engine;
+        let Engine { delaunay, points, input_of, .. } = &mut engine;
         let observer = &mut *self.observer;
         let mut recovery = Recovery::new(delaunay, points, rounds);
         let missing = recovery.edges(&edges, &mut |f| report(observer, Phase::Segments, f))?;
@@ -159,7 +159,9 @@ impl Run<'_> {
         kept.extend(edges.iter().zip(&relaxed.keep).filter(|e| *e.1).map(|e| *e.0));
         let mut segments = Segments::new(recovery.points, kept)?;
         segments.missing = recovery.missing_edges;
-        let split = recovery.split_missing(&mut segments, &mut |f| report(observer, Phase::Segments, f))?;
+        let split = recovery
+            .split_missing(&mut segments, &mut |f| report(observer, Phase::Segments, f))
+            .map_err(|e| in_terms_of_input(e, &segments, input_of, surface))?;
         self.lap(Phase::Segments);
         if !split {
             return Ok(None);

@@ -582,3 +582,29 @@ fn interfaces_point_from_the_lower_region_to_the_higher() {
         }
     }
 }
+
+#[test]
+fn without_validation_errors_name_the_elements_of_the_caller() {
+    // Two segments of one length that cross in their middles: the mesh cannot have both.
+    let mut plc = cube(4.0);
+    plc.points.extend([[1.0, 1.0, 2.0], [3.0, 3.0, 2.0], [1.0, 3.0, 2.0], [3.0, 1.0, 2.0]]);
+    plc.points.extend([[0.5, 0.5, 0.5], [0.5, 0.5, 1.0]]);
+    let segment = |a, b| Segment { ends: [a, b], marker: 0 };
+    plc.segments = vec![segment(12, 13), segment(8, 9), segment(10, 11)];
+    let blind = Options { validate: false, ..Options::default() };
+    let error = run(&plc, &blind).unwrap_err();
+    assert_eq!(error.status, Status::SelfIntersection);
+    let defect = error.defects[0];
+    assert!([Element::Segment(1), Element::Segment(2)].contains(&defect.first), "{defect}");
+    assert!(plc.points[8..12].contains(&defect.point.unwrap()), "{defect}");
+    // Edges of triangles instead: the facets are named.
+    plc.segments.clear();
+    plc.points.extend([[2.0, 2.0, 3.9], [2.0, 2.0, 0.1]]);
+    plc.triangles = vec![[8, 9, 14], [10, 11, 15]];
+    for mode in [Mode::Constrained, Mode::Preserve] {
+        let error = run(&plc, &Options { mode, ..blind.clone() }).unwrap_err();
+        assert_eq!(error.status, Status::SelfIntersection);
+        let defect = error.defects[0];
+        assert!([Element::Facet(0), Element::Facet(1)].contains(&defect.first), "{mode:?}: {defect}");
+    }
+}

@@ -1,14 +1,17 @@
 //! Gathers contacts: sorted lists without duplicates, one defect per pair of elements, no more listed than allowed.
 use super::locate_point::Triangle;
-use super::Intersections;
+use super::{Intersections, Names};
 use crate::error::{Defect, DefectKind, Element, Error};
 
-/// What makes two findings one defect. For a segment across a triangle's edge the edge counts, not the facet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct DefectKey {
-    first: Element,
-    second: Element,
-    kind: DefectKind,
+/// Of several findings about one pair of elements the one listed: what says most comes first.
+fn rank(kind: DefectKind) -> u32 {
+    match kind {
+        DefectKind::DuplicateFacet => 0,
+        DefectKind::FacetFacet => 1,
+        DefectKind::Overlap => 2,
+        DefectKind::SegmentFacet => 3,
+        _ => 4,
+    }
 }
 
 /// A proper crossing of an input segment with an edge of a triangle.
@@ -24,12 +27,13 @@ struct EdgeCrossing {
 }
 
 /// The growing result.
-pub(super) struct Collector {
+pub(super) struct Collector<'a> {
     found: Intersections,
+    names: Names<'a>,
     max_defects: usize,
-    /// One key per defect; compacted when it has doubled.
-    keys: Vec<DefectKey>,
-    compacted_keys: usize,
+    /// The two elements of each defect, the smaller one first; compacted when it has doubled.
+    pairs: Vec<[Element; 2]>,
+    compacted_pairs: usize,
     /// The listed defects; cut to the first `max_defects` when it has grown well beyond.
     listed: Vec<Defect>,
     crossings: Vec<EdgeCrossing>,
@@ -41,13 +45,14 @@ pub(super) struct Collector {
 /// Lists shorter than this are not worth compacting.
 const COMPACT_FROM: usize = 1 << 12;
 
-impl Collector {
-    pub(super) fn new(max_defects: usize) -> Collector {
+impl<'a> Collector<'a> {
+    pub(super) fn new(names: Names<'a>, max_defects: usize) -> Collector<'a> {
         Collector {
             found: Intersections::default(),
+            names,
             max_defects,
-            keys: Vec::new(),
-            compacted_keys: 0,
+            pairs: Vec::new(),
+            compacted_pairs: 0,
             listed: Vec::new(),
             crossings: Vec::new(),
             segments: Vec::new(),
@@ -123,7 +128,7 @@ impl Collector {
 
     /// Whether there has been no contact at all, legal or not.
     pub(super) fn is_empty(&self) -> bool {
-        self.keys.is_empty()
+        self.pairs.is_empty()
             && self.crossings.is_empty()
             && self.segments.is_empty()
             && self.piercings.is_empty()
@@ -141,9 +146,12 @@ impl Collector {
         second: Element,
         point: [f64; 3],
     ) -> Result<(), Error> {
-        push(&mut self.keys, DefectKey { first, second, kind })?;
-        if self.keys.len() > COMPACT_FROM.max(2 * self.compacted_keys) {
-            self.compact_keys();
+        let kind = self.names.kind(kind, first, second);
+        let (x, y) = (self.names.of(first), self.names.of(second));
+        let (first, second) = (x.min(y), x.max(y));
+        push(&mut self.pairs, [first, second])?;
+        if self.pairs.len() > COMPACT_FROM.max(2 * self.compacted_pairs) {
+            self.compact_pairs();
         }
         push(&mut self.listed, Defect { kind, first, second: Some(second), point: Some(point) })?;
         if self.listed.len() > COMPACT_FROM.max(self.max_defects.saturating_mul(2)) {
@@ -152,17 +160,16 @@ impl Collector {
         Ok(())
     }
 
-    fn compact_keys(&mut self) {
-        self.keys.sort_unstable();
-        self.keys.dedup();
-        self.compacted_keys = self.keys.len();
+    fn compact_pairs(&mut self) {
+        self.pairs.sort_unstable();
+        self.pairs.dedup();
+        self.compacted_pairs = self.pairs.len();
     }
 
     fn compact_listed(&mut self) {
-        let key = |d: &Defect| (d.first, d.second, d.kind);
-        // Stable: of equal keys the first one found stays, with its point.
-        self.listed.sort_by_key(key);
-        self.listed.dedup_by_key(|d| key(d));
+        // Stable: of equal findings the first one stays, with its point.
+        self.listed.sort_by_key(|d| (d.first, d.second, rank(d.kind)));
+        self.listed.dedup_by_key(|d| (d.first, d.second));
         self.listed.truncate(self.max_defects);
     }
 
@@ -213,10 +220,10 @@ impl Collector {
         self.found.edge_in_facet.dedup_by_key(|x| x.0);
         self.resolve_crossings()?;
         self.resolve_segments()?;
-        self.compact_keys();
+        self.compact_pairs();
         self.compact_listed();
         let mut found = self.found;
-        found.defect_count = self.keys.len();
+        found.defect_count = self.pairs.len();
         found.defects = self.listed;
         Ok(found)
     }

@@ -123,7 +123,7 @@ fn touching_pairs(surface: &Surface) -> usize {
     let scene = Scene::new(&input, &elements, tree.order()).unwrap();
     let mut count = 0;
     let visited = tree.for_each_pair(|i, j, _| {
-        let mut collector = Collector::new(1);
+        let mut collector = Collector::new(Names::NONE, 1);
         scene.classify(i, j, &mut collector)?;
         let found = collector.finish()?;
         let touches =

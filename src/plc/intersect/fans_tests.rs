@@ -22,7 +22,7 @@ fn by_brute_force(model: &Model) -> Intersections {
         let (elements, _, _) = list_elements(input).unwrap();
         let order: Vec<u32> = (0..elements.len() as u32).collect();
         let scene = Scene::new(input, &elements, &order).unwrap();
-        let mut collector = Collector::new(usize::MAX);
+        let mut collector = Collector::new(Names::NONE, usize::MAX);
         for i in 0..elements.len() {
             for j in i + 1..elements.len() {
                 scene.classify(i, j, &mut collector).unwrap();

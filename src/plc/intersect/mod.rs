@@ -8,7 +8,7 @@
 //! Guigue & Devillers 2003 for the predicates).
 //!
 //! Invariant: the lists are sorted and free of duplicates, and depend on the input alone.
-use crate::error::{Defect, Error};
+use crate::error::{Defect, DefectKind, Element, Error};
 use crate::progress::{report, Observer, Phase};
 use boxtree::{Bounds, BoxTree, Frame};
 use collector::Collector;
@@ -48,6 +48,42 @@ pub struct IntersectInput<'a> {
     pub segments: &'a [[u32; 2]],
 }
 
+/// What segments are called in reports.
+#[derive(Clone, Copy, Debug)]
+pub struct Names<'a> {
+    /// The element that each segment comes from; by its index if there is none.
+    pub owners: &'a [Element],
+    /// Segments from this one on are edges of facets: what crosses one crosses the facet.
+    pub edges_from: usize,
+}
+
+impl Names<'_> {
+    /// Segments go by their index.
+    const NONE: Names<'static> = Names { owners: &[], edges_from: usize::MAX };
+
+    fn of(&self, element: Element) -> Element {
+        match element {
+            Element::Segment(i) => self.owners.get(i as usize).copied().unwrap_or(element),
+            other => other,
+        }
+    }
+
+    /// The kind of a defect in terms of the owners.
+    fn kind(&self, kind: DefectKind, first: Element, second: Element) -> DefectKind {
+        let is_edge = |element| matches!(element, Element::Segment(i) if i as usize >= self.edges_from);
+        if !is_edge(first) && !is_edge(second) {
+            return kind;
+        }
+        match (self.of(first), self.of(second)) {
+            (Element::Facet(_), Element::Facet(_)) => DefectKind::FacetFacet,
+            (Element::Segment(_), Element::Facet(_)) | (Element::Facet(_), Element::Segment(_)) => {
+                DefectKind::SegmentFacet
+            }
+            _ => kind,
+        }
+    }
+}
+
 /// What was found. The lists before the defects are legal contacts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Intersections {
@@ -62,7 +98,7 @@ pub struct Intersections {
     /// (edge of a triangle as sorted ends, its facet): it runs through the interior of another triangle, in its plane. Whether it
     /// crosses edges there is found when it is given as a segment.
     pub edge_in_facet: Vec<([u32; 2], u32)>,
-    /// Defects, at most as many as the caller allows: the first ones in the order of elements and kinds.
+    /// Defects, one per pair of elements, at most as many as the caller allows: the first ones in the order of elements.
     pub defects: Vec<Defect>,
     /// How many defects there are in all.
     pub defect_count: usize,
@@ -83,12 +119,25 @@ impl Intersections {
 /// How many candidate pairs are classified between two calls of the observer.
 const PAIRS_PER_REPORT: u32 = 1 << 14;
 
-/// Finds all contacts. A pair of facets, a segment and a facet, or a segment and an edge counts as one defect.
+/// Finds all contacts, with segments named by their index in reports. A pair of elements is one defect, however often they meet.
 ///
 /// # Errors
 /// `Cancelled` by the observer, `OutOfMemory`, `IndexOutOfRange` where an index refers to no point.
 pub fn find_intersections(
     input: &IntersectInput,
+    max_defects: usize,
+    observer: &mut dyn Observer,
+) -> Result<Intersections, Error> {
+    find_named_intersections(input, Names::NONE, max_defects, observer)
+}
+
+/// The same with the names to be used in reports.
+///
+/// # Errors
+/// As [`find_intersections`].
+pub fn find_named_intersections(
+    input: &IntersectInput,
+    names: Names,
     max_defects: usize,
     observer: &mut dyn Observer,
 ) -> Result<Intersections, Error> {
@@ -98,7 +147,7 @@ pub fn find_intersections(
     let tree = BoxTree::new(&bounds, fans)?;
     drop(bounds);
     let scene = Scene::new(input, &elements, tree.order())?;
-    let mut collector = Collector::new(max_defects);
+    let mut collector = Collector::new(names, max_defects);
     let mut countdown = PAIRS_PER_REPORT;
     tree.for_each_pair(|i, j, done| {
         countdown -= 1;

@@ -9,7 +9,7 @@ use super::boxtree::{BoxTree, Frame};
 use super::collector::Collector;
 use super::fans::Fans;
 use super::locate_point::Triangle;
-use super::{segment_triangle, triangle_triangle};
+use super::{segment_triangle, triangle_triangle, Names};
 use crate::error::Error;
 use crate::predicates::{orient3d, Sign};
 
@@ -95,7 +95,7 @@ impl Obstacles {
         let tet = Tetrahedron::new(points, [a, b, c, d]);
         let new = [[c, d, a], [c, d, b]].map(|corners| Triangle::new(points, old[0], old[0], corners));
         let bounds = self.frame.bounds(tet.corners.iter());
-        let mut collector = Collector::new(1);
+        let mut collector = Collector::new(Names::NONE, 1);
         let hit = self.tree.any(&bounds, &mut stack, |place| {
             match self.items[place] {
                 Item::Triangle(t) if old.contains(&t) => {}

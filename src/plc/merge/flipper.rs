@@ -279,7 +279,8 @@ impl<'a> Flipper<'a> {
         self.obstacles.allow_flip(points, candidate.triangles, candidate.vertices)
     }
 
-    /// Edge `ab` becomes `cd`; the triangle with `a` stays `t`, that with `b` is `u`.
+    /// Edge `ab` becomes `cd`; the triangle with `a` stays `t`, that with `b` is `u`, or the other way round where that gives both
+    /// facets the triangles they had before an earlier flip.
     pub(super) fn flip(&mut self, candidate: &Candidate) -> Result<(), Error> {
         let (pair @ [t, u], [a, b, c, d]) = (candidate.triangles, candidate.vertices);
         let record = Record {
@@ -287,22 +288,34 @@ impl<'a> Flipper<'a> {
             old_maker: self.edges.maker([a, b]).unwrap_or(INVALID),
             old_deviation: pair.iter().map(|&t| self.deviation[t as usize]).fold(0.0, f64::max),
         };
-        let (maker, deviation) = match self.undone(candidate) {
+        let undone = self.undone(candidate);
+        let (maker, deviation) = match undone {
             Some(k) => (self.records[k as usize].old_maker, self.records[k as usize].old_deviation),
             None => (self.records.len() as u32, record.deviation),
         };
         let surface = &mut *self.surface;
+        let facets = pair.map(|t| surface.triangle_facet[t as usize]);
+        let is_turned = undone.is_some_and(|k| {
+            let flip = surface.facet_flips[k as usize];
+            (flip.new[0] == a) != (flip.facets[0] == facets[0])
+        });
+        let (old, of_t, mut of_u) = match is_turned {
+            false => ([a, b], [c, a, d], [d, b, c]),
+            true => ([b, a], [d, b, c], [c, a, d]),
+        };
         let alike = sides(surface.triangles[u as usize]).contains(&[b, a]);
-        let with_b = if alike { [d, b, c] } else { [c, b, d] };
-        self.edges.flip([[a, b], [c, d]], pair, [[b, c], [a, d]], maker, self.records.len() as u32)?;
-        for (slot, corners) in [(t, [c, a, d]), (u, with_b)] {
+        if !alike {
+            of_u.swap(0, 2);
+        }
+        let [x, y] = old;
+        self.edges.flip([[a, b], [c, d]], pair, [[y, c], [x, d]], maker, self.records.len() as u32)?;
+        for (slot, corners) in [(t, of_t), (u, of_u)] {
             surface.triangles[slot as usize] = corners;
             self.deviation[slot as usize] = deviation;
             self.obstacles.replace(&surface.points, slot, corners);
         }
-        let facets = pair.map(|t| surface.triangle_facet[t as usize]);
         surface.facet_flips.try_reserve(1)?;
-        surface.facet_flips.push(FacetFlip { old: [a, b], new: [c, d], facets });
+        surface.facet_flips.push(FacetFlip { old, new: [c, d], facets });
         self.records.try_reserve(1)?;
         self.records.push(record);
         self.queue.try_reserve(4)?;

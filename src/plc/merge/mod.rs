@@ -24,6 +24,7 @@ use flipper::{Flipper, Rule};
 
 mod edges;
 mod flipper;
+pub(super) mod net;
 mod steer;
 #[cfg(test)]
 mod tests;
@@ -75,6 +76,11 @@ impl<'a> Merger<'a> {
     /// The surface as it is now.
     pub fn surface(&self) -> &Surface {
         self.flipper.surface
+    }
+
+    /// Whether any edge has been flipped, and be it back again.
+    pub fn is_flipped(&self) -> bool {
+        self.flipper.is_started()
     }
 
     /// Makes edges stay segments from now on.

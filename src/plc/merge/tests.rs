@@ -1,3 +1,4 @@
+use super::net::net_flips;
 use super::*;
 use crate::options::Options;
 use crate::output::FacetFlip;
@@ -50,6 +51,11 @@ fn sliver(z: f64) -> Plc {
         triangles: vec![[0, 1, 2], [1, 0, 3]],
         ..Plc::default()
     }
+}
+
+fn sorted(mut corners: [u32; 3]) -> [u32; 3] {
+    corners.sort_unstable();
+    corners
 }
 
 fn defects(surface: &Surface, segments: &[[u32; 2]]) -> usize {
@@ -201,13 +207,15 @@ fn missing_edges_beside_the_surface_are_taken_back() {
         let mut guide = Guide { is_edge, avoid: &[], avoid_all };
         let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &mut Silent).unwrap();
         prepared.merger(&plc, 179.9).unwrap().run(Some(&mut guide), &mut Silent).unwrap();
-        prepared.into_surface()
+        prepared.into_surface().unwrap()
     };
     let all = with(&mut |_| true, false);
     assert!(!all.edges_beside.is_empty());
     // Nothing is an edge: every new edge beside the surface goes again.
     let back = with(&mut |_| false, false);
-    assert!(back.facet_flips.len() > all.facet_flips.len());
+    // Only net flips are told.
+    assert!(back.facet_flips.len() < all.facet_flips.len());
+    assert!(net_flips(&back.facet_flips).unwrap() == back.facet_flips);
     // All are unwanted: they are not made.
     let none = with(&mut |_| true, true);
     assert!(none.facet_flips.len() < all.facet_flips.len());
@@ -229,10 +237,52 @@ fn merging_is_taken_up_again() {
     merger.keep(pinned).unwrap();
     let mut guide = Guide { is_edge: &mut |_| true, avoid: unwanted, avoid_all: false };
     merger.run(Some(&mut guide), &mut Silent).unwrap();
-    let surface = prepared.into_surface();
+    let surface = prepared.into_surface().unwrap();
     assert!(!surface.edges_beside.contains(&unwanted[0]));
     for edge in pinned {
         assert!(surface.segments.contains(edge), "{edge:?}");
     }
     assert_eq!(defects(&surface, &[]), 0);
+}
+
+#[test]
+fn flips_and_their_undoing_cancel() {
+    let flip = |old, new, facets| FacetFlip { old, new, facets };
+    let first = flip([0, 1], [2, 3], [0, 1]);
+    let far = flip([10, 11], [12, 13], [5, 6]);
+    let net = |list: &[FacetFlip]| net_flips(list).unwrap();
+    assert_eq!(net(&[first, far]), [first, far]);
+    // Facet 0 has vertex 2 again: told from either facet.
+    for back in [flip([2, 3], [0, 1], [0, 1]), flip([3, 2], [1, 0], [1, 0])] {
+        assert_eq!(net(&[first, far, back]), [far]);
+    }
+    // The two facets have changed places: that is no undoing.
+    let exchanged = flip([3, 2], [0, 1], [0, 1]);
+    assert_eq!(net(&[first, exchanged]), [first, exchanged]);
+    // One in between at facet 1 keeps both, unless it is taken back itself.
+    let between = flip([1, 3], [2, 4], [1, 2]);
+    let back = flip([2, 3], [0, 1], [0, 1]);
+    assert_eq!(net(&[first, between, back]), [first, between, back]);
+    assert_eq!(net(&[first, between, far, flip([2, 4], [1, 3], [1, 2]), back]), [far]);
+}
+
+#[test]
+fn what_is_flipped_back_is_as_it_was() {
+    // Every flip taken back: each facet has the triangle it was given.
+    let plc = tube(24, 9);
+    let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &mut Silent).unwrap();
+    let given: Vec<_> = prepared.surface().triangles.iter().map(|&t| sorted(t)).collect();
+    let mut merger = prepared.merger(&plc, 179.9).unwrap();
+    let flipper = &mut merger.flipper;
+    let mut guide = Guide { is_edge: &mut |_| true, avoid: &[], avoid_all: false };
+    flipper.run(Rule::Angles, &mut guide, 1, &mut Silent).unwrap();
+    let count = flipper.records.len();
+    assert!(count > 100);
+    for k in (0..count).rev() {
+        let candidate = flipper.candidate(flipper.surface.facet_flips[k].new).unwrap();
+        flipper.flip(&candidate).unwrap();
+    }
+    let surface = prepared.into_surface().unwrap();
+    assert_eq!(surface.facet_flips, []);
+    assert_eq!(surface.triangles.iter().map(|&t| sorted(t)).collect::<Vec<_>>(), given);
 }

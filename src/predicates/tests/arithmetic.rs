@@ -213,6 +213,12 @@ fn range_and_scale() {
         assert_eq!(scale(scale(x, k), -k), x);
     }
     assert_eq!(range_scale(&[[1e300, 0.0, 0.0], [0.0, 0.0, 1e-300]]), Err(1));
+    // The point far from most is at fault, and a point that spans too much by itself.
+    assert_eq!(range_scale(&[[1.0; 3], [1.0, 0.1, 1e300], [0.1; 3]]), Err(1));
+    assert_eq!(
+        far_from_most(&[[1.0; 3], [0.1, 1e300, 0.0], [1e300; 3], [0.0; 3], [2.0; 3]]).collect::<Vec<_>>(),
+        [1, 2]
+    );
     assert_eq!(scale(5e-324, 1074), 1.0);
     assert_eq!(scale(1.0, -1074), 5e-324);
     assert_eq!(scale(1.0 + f64::EPSILON, -1074), 5e-324);

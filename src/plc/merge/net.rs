@@ -1,0 +1,53 @@
+//! The flips that are left when those that take each other back are dropped.
+//!
+//! Flips of different triangles can change places in the list. So a flip and a later one that takes it back cancel if no flip between
+//! them that is still in the list touches one of the two triangles.
+use crate::error::{Error, Status};
+use crate::output::FacetFlip;
+use crate::INVALID;
+use rustc_hash::FxHashMap;
+
+/// The flips of a list without pairs that cancel, in their order.
+///
+/// # Errors
+/// [`Status::OutOfMemory`].
+pub fn net_flips(flips: &[FacetFlip]) -> Result<Vec<FacetFlip>, Error> {
+    // Per flip that was kept: itself, and the one before it at each of its facets.
+    let mut kept: Vec<(FacetFlip, [u32; 2])> = Vec::new();
+    kept.try_reserve_exact(flips.len())?;
+    let mut is_dropped: Vec<bool> = Vec::new();
+    is_dropped.try_reserve_exact(flips.len())?;
+    // The last flip kept at each facet. Looked up only, never iterated.
+    let mut last: FxHashMap<u32, u32> = FxHashMap::default();
+    for flip in flips {
+        last.try_reserve(2).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        let before = flip.facets.map(|facet| last.get(&facet).copied().unwrap_or(INVALID));
+        let [k, other] = before;
+        if k == other && kept.get(k as usize).is_some_and(|(earlier, _)| takes_back(earlier, flip)) {
+            let (earlier, before) = kept[k as usize];
+            is_dropped[k as usize] = true;
+            for (facet, flip) in earlier.facets.into_iter().zip(before) {
+                last.insert(facet, flip);
+            }
+            continue;
+        }
+        for facet in flip.facets {
+            last.insert(facet, kept.len() as u32);
+        }
+        kept.push((*flip, before));
+        is_dropped.push(false);
+    }
+    let mut net: Vec<FacetFlip> = Vec::new();
+    net.try_reserve_exact(is_dropped.iter().filter(|&&dropped| !dropped).count())?;
+    net.extend(kept.iter().zip(&is_dropped).filter(|x| !x.1).map(|x| x.0 .0));
+    Ok(net)
+}
+
+/// Whether the second of two flips of the same two facets makes the old edge again and gives each facet its own triangle: that
+/// with the first end of the old edge is the first facet's after a flip.
+fn takes_back(first: &FacetFlip, second: &FacetFlip) -> bool {
+    let same = |[a, b]: [u32; 2], [c, d]: [u32; 2]| [a, b] == [c, d] || [a, b] == [d, c];
+    // The apex, opposite the old edge, of the first facet before the first flip is `new[0]`.
+    let gets_apex = if second.facets[0] == first.facets[0] { second.old[0] } else { second.old[1] };
+    same(first.old, second.new) && same(first.new, second.old) && gets_apex == first.new[0]
+}
