@@ -1,4 +1,7 @@
 //! What can go wrong, with the elements at fault. No C types here: `ffi` translates.
+use crate::fallible;
+use std::borrow::Cow;
+use std::collections::TryReserveError;
 use std::fmt;
 
 /// The class of an outcome. The numbers are part of the C ABI: they are fixed for ever, gaps are left for growth.
@@ -140,32 +143,133 @@ pub struct Error {
     /// The class.
     pub status: Status,
     /// One line in English.
-    pub message: String,
+    pub message: Cow<'static, str>,
     /// The defects, at most as many as [`Options::max_defects`](crate::Options::max_defects) allows.
     pub defects: Vec<Defect>,
     /// How many defects were found in all (`defects` may hold fewer).
     pub defect_count: usize,
 }
 
-impl Error {
-    /// An error without defects.
-    pub fn new(status: Status, message: impl Into<String>) -> Self {
-        Error { status, message: message.into(), defects: Vec::new(), defect_count: 0 }
-    }
+/// The text of an error to be: a static one, or one made for it, unless memory ran out.
+#[derive(Debug)]
+pub struct Message(Result<Cow<'static, str>, TryReserveError>);
 
-    /// An error with one defect.
-    pub fn with_defect(status: Status, message: impl Into<String>, defect: Defect) -> Self {
-        Error { status, message: message.into(), defects: vec![defect], defect_count: 1 }
-    }
-
-    /// A failed invariant of the engine.
-    pub fn internal(message: impl Into<String>) -> Self {
-        Error::new(Status::Internal, message)
+impl From<&'static str> for Message {
+    fn from(text: &'static str) -> Self {
+        Message(Ok(Cow::Borrowed(text)))
     }
 }
 
-impl From<std::collections::TryReserveError> for Error {
-    fn from(_: std::collections::TryReserveError) -> Self {
+impl From<String> for Message {
+    fn from(text: String) -> Self {
+        Message(Ok(Cow::Owned(text)))
+    }
+}
+
+impl From<fmt::Arguments<'_>> for Message {
+    fn from(arguments: fmt::Arguments<'_>) -> Self {
+        Message(fallible::text(arguments).map(Cow::Owned))
+    }
+}
+
+impl Error {
+    /// An error without defects. If there is no memory for its text, then that is the error.
+    pub fn new(status: Status, message: impl Into<Message>) -> Self {
+        match message.into().0 {
+            Ok(message) => Error { status, message, defects: Vec::new(), defect_count: 0 },
+            Err(short) => short.into(),
+        }
+    }
+
+    /// An error with one defect.
+    pub fn with_defect(status: Status, message: impl Into<Message>, defect: Defect) -> Self {
+        let mut error = Error::new(status, message);
+        if error.status == status {
+            match fallible::push(&mut error.defects, defect) {
+                Ok(()) => error.defect_count = 1,
+                Err(short) => return short.into(),
+            }
+        }
+        error
+    }
+
+    /// An error with defects, of which there are `count` in all.
+    pub(crate) fn with_defects(status: Status, message: Message, defects: Vec<Defect>, count: usize) -> Self {
+        match message.0 {
+            Ok(message) => Error { status, message, defects, defect_count: count },
+            Err(short) => short.into(),
+        }
+    }
+
+    /// A failed invariant of the engine.
+    pub fn internal(message: impl Into<Message>) -> Self {
+        Error::new(Status::Internal, message)
+    }
+
+    /// The same error with `place` and a colon before its message. Out of memory stays as it is.
+    #[must_use]
+    pub fn at(self, place: fmt::Arguments<'_>) -> Self {
+        if self.status == Status::OutOfMemory {
+            return self;
+        }
+        match fallible::text(format_args!("{place}: {}", self.message)) {
+            Ok(message) => Error { message: Cow::Owned(message), ..self },
+            Err(short) => short.into(),
+        }
+    }
+}
+
+/// How many defects of each kind there are, in the order in which the kinds were first seen. Needs no memory of its own.
+#[derive(Clone, Debug)]
+pub(crate) struct KindCounts {
+    list: [Option<(DefectKind, usize)>; KindCounts::ROOM],
+}
+
+impl Default for KindCounts {
+    fn default() -> Self {
+        KindCounts { list: [None; KindCounts::ROOM] }
+    }
+}
+
+impl KindCounts {
+    /// More than there are kinds.
+    const ROOM: usize = 64;
+
+    /// Counts one more.
+    pub(crate) fn add(&mut self, kind: DefectKind) {
+        let place = self.list.iter_mut().find(|k| k.is_none_or(|k| k.0 == kind));
+        if let Some(place) = place {
+            *place = Some((kind, place.map_or(1, |k| k.1 + 1)));
+        }
+    }
+
+    /// Kinds and counts.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (DefectKind, usize)> + '_ {
+        self.list.iter().map_while(|&k| k)
+    }
+
+    /// `3 open edge, 1 overlap`, with `between` between count and name.
+    pub(crate) fn shown(&self, between: &'static str) -> impl fmt::Display + '_ {
+        ShownKinds { kinds: self, between }
+    }
+}
+
+struct ShownKinds<'a> {
+    kinds: &'a KindCounts,
+    between: &'static str,
+}
+
+impl fmt::Display for ShownKinds<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.kinds.iter().enumerate().try_for_each(|(i, (kind, count))| {
+            f.write_str(if i == 0 { "" } else { ", " })?;
+            write!(f, "{count}{}{}", self.between, kind.name())
+        })
+    }
+}
+
+impl From<TryReserveError> for Error {
+    fn from(_: TryReserveError) -> Self {
         Error::new(Status::OutOfMemory, "out of memory")
     }
 }

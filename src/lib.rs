@@ -18,7 +18,7 @@
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► plc, output
 //! main (the command line) ──► everything above through the public API
-//! doc: pages of text; error, options, progress, warning: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
+//! doc: pages of text; elementary, error, fallible, options, panics, progress, warning: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
 //! ```
 //!
 //! # Conventions
@@ -33,7 +33,9 @@ pub mod constrain;
 pub mod delaunay;
 #[cfg(any(doc, doctest))]
 pub mod doc;
+mod elementary;
 pub mod error;
+mod fallible;
 pub mod ffi;
 #[cfg(feature = "io")]
 pub mod io;
@@ -41,6 +43,7 @@ pub mod mesh;
 pub mod mesh_query;
 pub mod options;
 pub mod output;
+mod panics;
 pub mod plc;
 pub mod predicates;
 pub mod preserve;

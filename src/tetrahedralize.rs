@@ -8,6 +8,7 @@ use crate::constrain::subface::{Subfaces, Triangles};
 use crate::delaunay::order::{insertion_order, Order};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error, Status};
+use crate::fallible;
 use crate::mesh::flag;
 use crate::options::{Mode, Options};
 use crate::output::{Statistics, TetMesh};
@@ -97,19 +98,15 @@ impl Engine {
 
     /// The same, where the given points get the lowest ids; and the order in which to insert the vertices.
     fn numbered(surface: &Surface, options: &Options, first: &[u32]) -> Result<(Self, Vec<u32>), Error> {
-        let distinct: Vec<u32> = surface
-            .alias
-            .iter()
-            .enumerate()
-            .filter(|&(i, &a)| i as u32 == a)
-            .map(|(i, _)| i as u32)
-            .collect();
+        let mut distinct = Vec::new();
+        distinct.try_reserve_exact(surface.alias.len())?;
+        distinct.extend((0..).zip(&surface.alias).filter(|&(i, &a)| i == a).map(|(i, _): (u32, _)| i));
         let Order { ids: sorted, rounds } = if options.points_sorted {
             Order { ids: distinct, rounds: Vec::new() }
         } else {
-            insertion_order(&surface.points, &distinct)
+            insertion_order(&surface.points, &distinct)?
         };
-        let mut engine_of = vec![INVALID; surface.points.len()];
+        let mut engine_of = fallible::filled(INVALID, surface.points.len())?;
         for (engine, &input) in first.iter().enumerate() {
             engine_of[input as usize] = engine as u32;
         }
@@ -152,7 +149,7 @@ impl Run<'_> {
             Mode::Delaunay => {
                 let mut engine = Engine::new(prepared.surface(), options)?;
                 // The surface's copy of the points would lie beside the mesh at its largest.
-                let alias = prepared.surface().alias.clone();
+                let alias = fallible::copied(&prepared.surface().alias)?;
                 drop(prepared);
                 self.delaunay(&mut engine, options.worker_threads())?;
                 assemble::delaunay(engine, plc, alias)?
@@ -180,7 +177,7 @@ impl Run<'_> {
         let prepared = match options.mode {
             Mode::Constrained | Mode::Preserve => crate::plc::check_and_split(plc, options, self.observer)?,
             Mode::Delaunay => {
-                let points_only = Plc { points: plc.points.clone(), ..Plc::default() };
+                let points_only = Plc { points: fallible::copied(&plc.points)?, ..Plc::default() };
                 crate::plc::check_and_split(&points_only, options, self.observer)?
             }
         };
@@ -226,7 +223,7 @@ impl Run<'_> {
     }
 
     fn delaunay(&mut self, engine: &mut Engine, threads: usize) -> Result<(), Error> {
-        let mut order: Vec<u32> = (0..engine.points.len() as u32).collect();
+        let mut order = fallible::collect(0..engine.points.len() as u32)?;
         self.delaunay_in(engine, &mut order, threads)
     }
 
@@ -250,7 +247,7 @@ impl Run<'_> {
         mut segments: Segments,
         engine: &mut Engine,
     ) -> Result<TetMesh, Error> {
-        let mut careful = vec![0u8; surface.segments.len()];
+        let mut careful = fallible::filled(0u8, surface.segments.len())?;
         let mut attempt = 0;
         let mut fewest = usize::MAX;
         loop {
@@ -280,7 +277,7 @@ impl Run<'_> {
                 self.delaunay(engine, options.worker_threads())?;
                 engine.delaunay.index_vertices(engine.points.len())?;
                 segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
-                segments.careful = careful.clone();
+                segments.careful = fallible::copied(&careful)?;
                 self.recover_segments(&mut segments, surface, options, engine)?;
                 continue;
             }
@@ -398,9 +395,7 @@ impl Run<'_> {
     fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
         report(self.observer, Phase::Audit, 0.0)?;
         audit(plc, mesh, options.max_defects).map_err(|e| match e.status {
-            Status::CheckFailed => {
-                Error { status: Status::Internal, message: format!("audit: {}", e.message), ..e }
-            }
+            Status::CheckFailed => Error { status: Status::Internal, ..e.at(format_args!("audit")) },
             _ => e,
         })?;
         report(self.observer, Phase::Audit, 1.0)?;

@@ -79,7 +79,7 @@ fn fingerprint(delaunay: &Delaunay, order: &[u32]) -> (usize, u64) {
 /// The first part; a function of its own so that tools can find it.
 #[inline(never)]
 fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Order {
-    insertion_order(points, ids)
+    insertion_order(points, ids).expect("enough memory")
 }
 
 /// The second part.

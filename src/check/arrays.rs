@@ -116,7 +116,7 @@ fn check_lengths(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     // The first input point that the mesh has no room for.
     if points < inputs {
         report.add(DefectKind::PointMoved, Element::Point(points as u32), None, None);
-        report.note(format!("the mesh has {points} points, the input {inputs}"));
+        report.note(format_args!("the mesh has {points} points, the input {inputs}"));
     }
     let pairs = [
         ("neighbors", mesh.neighbors.len(), tets),
@@ -127,13 +127,13 @@ fn check_lengths(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     for (name, length, wanted) in pairs {
         if length != 0 && length != wanted {
             report.add(DefectKind::IndexOutOfRange, Element::Tet(length.min(wanted) as u32), None, None);
-            report.note(format!("{name} has {length} entries instead of {wanted}"));
+            report.note(format_args!("{name} has {length} entries instead of {wanted}"));
         }
     }
     for (what, length) in [("points", points), ("tetrahedra", tets)] {
         if length >= (1 << 30) {
             report.add(DefectKind::IndexOutOfRange, Element::Tet(1 << 30), None, None);
-            report.note(format!("more than 2^30 {what}"));
+            report.note(format_args!("more than 2^30 {what}"));
         }
     }
 }

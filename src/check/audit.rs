@@ -35,7 +35,7 @@ fn audit_points(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
 
 fn audit_orientation(mesh: &TetMesh, report: &mut Report) -> Result<(), Error> {
     let exponent = range_scale(&mesh.points)
-        .map_err(|i| Error::new(Status::CoordinateRange, format!("point {i} is out of range")))?;
+        .map_err(|i| Error::new(Status::CoordinateRange, format_args!("point {i} is out of range")))?;
     // Points in range are read where they are: a copy would lie beside the mesh at its largest.
     let scaled = |v: u32| match exponent {
         0 => mesh.points[v as usize],

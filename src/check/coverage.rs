@@ -9,6 +9,7 @@ use super::context::Context;
 use super::facets::{Facet, Piece};
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
+use crate::fallible;
 use crate::predicates::Sign;
 
 /// One use of a mesh edge by a subface: ends ascending, whether it runs from the larger to the smaller, which subface.
@@ -58,30 +59,30 @@ pub(super) fn check_coverage<'a>(
         let group = Group {
             context,
             facets,
-            members: run.iter().map(|x| x.1).collect(),
-            subfaces: subfaces[s0..s].iter().map(|x| x.1).collect(),
-            pieces: edges[e0..e].iter().map(|x| x.1).collect(),
+            members: fallible::collect(run.iter().map(|x| x.1))?,
+            subfaces: fallible::collect(subfaces[s0..s].iter().map(|x| x.1))?,
+            pieces: fallible::collect(edges[e0..e].iter().map(|x| x.1))?,
             planar: run.iter().all(|x| facets[x.1 as usize].planar),
         };
-        group.check(report);
+        group.check(report)?;
     }
     Ok(())
 }
 
 impl Group<'_> {
-    fn check(&self, report: &mut Report) {
-        self.check_corners(report);
+    fn check(&self, report: &mut Report) -> Result<(), Error> {
+        self.check_corners(report)?;
         // A plane has one projection that keeps all orientations; a folded polygon must have one of the three.
-        let axes: Vec<usize> = match self.members.iter().find_map(|&f| self.facets[f as usize].plane) {
-            Some(plane) if self.planar => (0..3)
-                .filter(|&axis| self.context.geometry.orient_in_plane(axis, plane) != Sign::Zero)
-                .take(1)
-                .collect(),
-            _ => vec![0, 1, 2],
+        let axes = match self.members.iter().find_map(|&f| self.facets[f as usize].plane) {
+            Some(plane) if self.planar => {
+                let sees = |&axis: &usize| self.context.geometry.orient_in_plane(axis, plane) != Sign::Zero;
+                (0..3).find(sees).map_or(0..0, |axis| axis..axis + 1)
+            }
+            _ => 0..3,
         };
         let mut best: Option<Vec<(u32, [u32; 2])>> = None;
         for axis in axes {
-            let wrong = self.mismatches(axis);
+            let wrong = self.mismatches(axis)?;
             if best.as_ref().is_none_or(|b| wrong.len() < b.len()) {
                 best = Some(wrong);
             }
@@ -90,19 +91,20 @@ impl Group<'_> {
             let at = self.context.position(a);
             report.add(DefectKind::FacetMissing, Element::Facet(facet), Some(Element::Point(b)), at);
         }
+        Ok(())
     }
 
     /// Edges where subfaces and polygons disagree, seen along `axis`, each with a facet.
-    fn mismatches(&self, axis: usize) -> Vec<(u32, [u32; 2])> {
+    fn mismatches(&self, axis: usize) -> Result<Vec<(u32, [u32; 2])>, Error> {
         let mut wrong = Vec::new();
-        let uses = self.uses(axis, &mut wrong);
+        let uses = self.uses(axis, &mut wrong)?;
         let any_enclosed = self.members.iter().any(|&f| self.facets[f as usize].enclosed);
         let any_seeded = self.members.iter().any(|&f| self.facets[f as usize].seeded);
         let mut pieces = self.pieces.chunk_by(|x, y| x.ends == y.ends).peekable();
         let mut runs = uses.chunk_by(|x, y| x.0 == y.0).peekable();
         loop {
             let next = match (pieces.peek(), runs.peek()) {
-                (None, None) => return wrong,
+                (None, None) => return Ok(wrong),
                 (Some(p), None) => p[0].ends,
                 (None, Some(u)) => u[0].0,
                 (Some(p), Some(u)) => p[0].ends.min(u[0].0),
@@ -121,20 +123,21 @@ impl Group<'_> {
                     Some(edge) => self.context.subfaces[edge.2 as usize].facet,
                     None => p[0].facet,
                 };
-                wrong.push((facet, next));
+                fallible::push(&mut wrong, (facet, next))?;
             }
         }
     }
 
     /// The edges of all subfaces, taken counter-clockwise along `axis`; flat ones go to `wrong`.
-    fn uses(&self, axis: usize, wrong: &mut Vec<(u32, [u32; 2])>) -> Vec<Use> {
-        let mut uses = Vec::with_capacity(3 * self.subfaces.len());
+    fn uses(&self, axis: usize, wrong: &mut Vec<(u32, [u32; 2])>) -> Result<Vec<Use>, Error> {
+        let mut uses = Vec::new();
+        uses.try_reserve_exact(3 * self.subfaces.len())?;
         for &i in &self.subfaces {
             let face = &self.context.subfaces[i as usize];
             let corners = face.corners;
             let sign = self.context.geometry.orient_in_plane(axis, corners);
             if sign == Sign::Zero {
-                wrong.push((face.facet, [corners[0], corners[1]]));
+                fallible::push(wrong, (face.facet, [corners[0], corners[1]]))?;
             }
             for k in 0..3 {
                 let (a, b) = (corners[k], corners[(k + 1) % 3]);
@@ -142,15 +145,15 @@ impl Group<'_> {
             }
         }
         uses.sort_unstable();
-        uses
+        Ok(uses)
     }
 
     /// Corners of subfaces lie on the group: exactly in its plane; or, if it has none, at corners of its polygons, on lines
     /// between two of them, or where the subfaces are not bent or bent along one line only.
-    fn check_corners(&self, report: &mut Report) {
-        let mut known: Vec<u32> = self.pieces.iter().flat_map(|p| p.ends).collect();
+    fn check_corners(&self, report: &mut Report) -> Result<(), Error> {
+        let mut known = fallible::collect(self.pieces.iter().flat_map(|p| p.ends))?;
         for &f in &self.members {
-            known.extend(self.facets[f as usize].corners.iter());
+            fallible::extend(&mut known, self.facets[f as usize].corners.iter().copied())?;
         }
         known.sort_unstable();
         known.dedup();
@@ -165,7 +168,7 @@ impl Group<'_> {
                         && plane.is_some_and(|[a, b, c]| {
                             self.context.geometry.orient3d([a, b, c, v]) == Sign::Zero
                         })
-                    || !self.planar && self.is_even(v);
+                    || !self.planar && self.is_even(v)?;
                 if !on {
                     let at = self.context.position(v);
                     report.add(
@@ -177,30 +180,29 @@ impl Group<'_> {
                 }
             }
         }
+        Ok(())
     }
 }
 
 impl Group<'_> {
     /// Whether the subfaces round a vertex, which is no corner of a facet that is not planar, lie in one plane, or in two that
     /// meet in a line through it: then it lies on the triangles that its neighbours span.
-    fn is_even(&self, v: u32) -> bool {
+    fn is_even(&self, v: u32) -> Result<bool, Error> {
         let geometry = &self.context.geometry;
         let corners = |&i: &u32| self.context.subfaces[i as usize].corners;
-        let star: Vec<[u32; 3]> = self.subfaces.iter().map(corners).filter(|c| c.contains(&v)).collect();
+        let star = fallible::collect(self.subfaces.iter().map(corners).filter(|c| c.contains(&v)))?;
         let in_plane = |[x, y, z]: [u32; 3], corners: &[u32; 3]| {
             corners.iter().all(|w| [x, y, z].contains(w) || geometry.orient3d([x, y, z, *w]) == Sign::Zero)
         };
-        let Some(&first) = star.first() else { return false };
-        let Some(&second) = star.iter().find(|c| !in_plane(first, c)) else { return true };
+        let Some(&first) = star.first() else { return Ok(false) };
+        let Some(&second) = star.iter().find(|c| !in_plane(first, c)) else { return Ok(true) };
         let two_planes = star.iter().all(|c| in_plane(first, c) || in_plane(second, c));
-        let mut around: Vec<u32> = star.iter().flatten().copied().filter(|&w| w != v).collect();
+        let mut around = fallible::collect(star.iter().flatten().copied().filter(|&w| w != v))?;
         around.sort_unstable();
         around.dedup();
-        two_planes
-            && around
-                .iter()
-                .enumerate()
-                .any(|(i, &a)| around[i + 1..].iter().any(|&b| geometry.strictly_between(v, a, b)))
+        let mut pairs =
+            around.iter().enumerate().flat_map(|(i, &a)| around[i + 1..].iter().map(move |&b| (a, b)));
+        Ok(two_planes && pairs.any(|(a, b)| geometry.strictly_between(v, a, b)))
     }
 }
 

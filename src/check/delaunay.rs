@@ -47,12 +47,12 @@ pub(super) fn check_delaunay(
         }
     }
     if replaced > 0 {
-        report.note(format!(
+        report.note(format_args!(
             "{replaced} faces of tetrahedra that rounding had to replace are not locally Delaunay"
         ));
     }
     if rounded > 0 {
-        report.note(format!(
+        report.note(format_args!(
             "{rounded} faces at points of unknown parents are not locally Delaunay on their rounded coordinates"
         ));
     }

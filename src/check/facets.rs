@@ -8,9 +8,10 @@ use super::context::Context;
 use super::overlaps;
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
+use crate::fallible;
 use crate::plc::Interior;
 use crate::predicates::Sign;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// A facet: its polygons of three corners or more, as representatives.
 pub(super) struct Facet {
@@ -47,27 +48,35 @@ pub(super) fn facets(context: &Context, report: &mut Report) -> Result<Vec<Facet
     let mut out = Vec::new();
     out.try_reserve_exact(plc.facet_count())?;
     for (i, corners) in triangles.into_iter().enumerate() {
-        let polygon = corners.to_vec();
-        out.push(facet(context, vec![polygon], false, false, plc.facet_marker(i)));
+        let polygons = fallible::collect([fallible::copied(&corners)?])?;
+        out.push(facet(context, polygons, false, false, plc.facet_marker(i))?);
     }
     for (i, general) in plc.facets.iter().enumerate() {
-        let polygon = |p: &Vec<u32>| {
-            let mut corners: Vec<u32> = p.iter().map(|&v| context.alias(v)).collect();
+        let mut polygons = Vec::new();
+        polygons.try_reserve_exact(general.polygons.len())?;
+        for polygon in &general.polygons {
+            let mut corners = fallible::collect(polygon.iter().map(|&v| context.alias(v)))?;
             corners.dedup();
-            corners
-        };
-        let polygons = general.polygons.iter().map(polygon).collect();
+            polygons.push(corners);
+        }
         let enclosed = general.interior == Interior::Seeds;
         let marker = plc.facet_marker(plc.triangles.len() + i);
-        out.push(facet(context, polygons, enclosed, !general.holes.is_empty(), marker));
+        out.push(facet(context, polygons, enclosed, !general.holes.is_empty(), marker)?);
     }
     Ok(out)
 }
 
-fn facet(context: &Context, all: Vec<Vec<u32>>, enclosed: bool, seeded: bool, marker: i32) -> Facet {
-    let inner_edges = all.iter().filter(|p| p.len() == 2).map(|p| [p[0], p[1]]).collect();
-    let mut everything: Vec<u32> = all.iter().flatten().copied().collect();
-    let polygons: Vec<Vec<u32>> = all.into_iter().filter(|p| p.len() > 2).collect();
+fn facet(
+    context: &Context,
+    all: Vec<Vec<u32>>,
+    enclosed: bool,
+    seeded: bool,
+    marker: i32,
+) -> Result<Facet, Error> {
+    let inner_edges = fallible::collect(all.iter().filter(|p| p.len() == 2).map(|p| [p[0], p[1]]))?;
+    let mut everything = fallible::collect(all.iter().flatten().copied())?;
+    let mut polygons = all;
+    polygons.retain(|p| p.len() > 2);
     let corners = || polygons.iter().flatten().copied();
     let mut plane = None;
     if let Some(a) = corners().next() {
@@ -81,7 +90,7 @@ fn facet(context: &Context, all: Vec<Vec<u32>>, enclosed: bool, seeded: bool, ma
     let planar = plane.is_some_and(|p| everything.iter().all(|&v| in_plane(p, v)));
     everything.sort_unstable();
     everything.dedup();
-    Facet { polygons, corners: everything, inner_edges, plane, planar, enclosed, seeded, marker }
+    Ok(Facet { polygons, corners: everything, inner_edges, plane, planar, enclosed, seeded, marker })
 }
 
 /// The input triangles after the flips of facet merging: each takes two triangles with a common edge and makes the two others of
@@ -95,7 +104,7 @@ pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Resul
         c
     };
     // Looked up only, never iterated: its order decides nothing.
-    let mut numbers: HashMap<[u32; 3], usize> = HashMap::new();
+    let mut numbers: FxHashMap<[u32; 3], usize> = FxHashMap::default();
     if !context.mesh.facet_flips.is_empty() {
         numbers.try_reserve(triangles.len())?;
         numbers.extend(triangles.iter().enumerate().map(|(i, &c)| (key(c), i)));
@@ -114,6 +123,8 @@ pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Resul
         }
         for (slot, corners) in [(f, [a, c, d]), (g, [b, c, d])] {
             triangles[slot] = corners;
+            // Two were taken out: there is room, but a table may want to move its elements.
+            numbers.try_reserve(1)?;
             numbers.insert(key(corners), slot);
         }
     }

@@ -116,13 +116,17 @@ fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<()
 /// Segments and facets, as far as the mesh says where its points and faces come from.
 fn check_conformity(context: &Context, report: &mut Report) -> Result<(), Error> {
     if !context.parents_known {
-        report.note("the mesh does not say where its added points lie: conformity was not judged".into());
+        report.note(format_args!(
+            "the mesh does not say where its added points lie: conformity was not judged"
+        ));
         return Ok(());
     }
     let chains = chains::Chains::new(context)?;
     segments::check_segments(context, &chains, report)?;
     if !context.subfaces_known() {
-        report.note("the mesh does not say on which facets its faces lie: coverage was not judged".into());
+        report.note(format_args!(
+            "the mesh does not say on which facets its faces lie: coverage was not judged"
+        ));
         return Ok(());
     }
     let facets = facets::facets(context, report)?;

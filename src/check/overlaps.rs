@@ -40,9 +40,11 @@ pub(super) fn split_at_each_other(
     for (i, e) in edges.iter().enumerate() {
         let from = inside.partition_point(|x| x.0 < i);
         let to = inside.partition_point(|x| x.0 <= i);
-        let mut corners = vec![e[0]];
+        let mut corners = Vec::new();
+        corners.try_reserve_exact(to - from + 2)?;
+        corners.push(e[0]);
         corners.extend(inside[from..to].iter().map(|x| x.1));
-        corners[1..].sort_by(|&v, &w| {
+        corners[1..].sort_unstable_by(|&v, &w| {
             let before = |v, w| context.geometry.strictly_between(v, e[0], w);
             before(w, v).cmp(&before(v, w)).then(v.cmp(&w))
         });

@@ -6,6 +6,7 @@
 //! other down to pieces of length h, and there may be 2⁵³ of these. So the position is computed to this precision, which
 //! for segments an ulp apart is twice that of a double. Any position strictly inside gives a valid mesh: only the number
 //! of Steiner points is at stake, and lengths that choose the precision are approximate.
+use crate::elementary::{exponent, power_of_two};
 use crate::predicates::{Expansion, Points, Sign};
 
 /// Bits beyond (h/L)²: copies of copies of a radius have to agree.
@@ -76,8 +77,8 @@ impl Beside {
         let span = self.t[1].difference(&self.t[0]).approximate();
         let apart = exact_relative_distance(&d, &w);
         let window = apart * apart / span;
-        let exponent = window.log2().floor().max(f64::from(FINEST + SPARE_BITS)) as i32 - SPARE_BITS;
-        let quantum = f64::from(exponent.max(FINEST)).exp2();
+        let finest = exponent(window).max(FINEST + SPARE_BITS) - SPARE_BITS;
+        let quantum = power_of_two(finest.max(FINEST));
         let t = if self.shared.is_some() { sphere(&d, &w, quantum) } else { foot(&d, &w, quantum) };
         let t = if from == 0 { t } else { Expansion::from(1.0).difference(&t).compressed() };
         self.is_inside(&t).then_some(t)
@@ -86,7 +87,7 @@ impl Beside {
     /// The middle of the piece, in not too many bits.
     pub fn middle(&self) -> Option<Expansion> {
         let span = self.t[1].difference(&self.t[0]).approximate();
-        let quantum = (span.log2().floor() - 30.0).max(f64::from(FINEST)).exp2();
+        let quantum = power_of_two((exponent(span) - 30).max(FINEST));
         let t = rounded(&self.t[0].sum(&self.t[1]).scale(0.5), quantum);
         self.is_inside(&t).then_some(t)
     }

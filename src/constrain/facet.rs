@@ -13,6 +13,7 @@ use super::subface::Subfaces;
 use super::{crossing, face_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error};
+use crate::fallible;
 use crate::mesh::flag;
 use crate::mesh::lookup::Lookup;
 use crate::mesh::refill::Refill;
@@ -41,10 +42,8 @@ impl<'a> FacetRecovery<'a> {
         points: &'a Points,
         subfaces: &'a Subfaces,
     ) -> Result<Self, Error> {
-        let mut recovered = Vec::new();
-        recovered.try_reserve(subfaces.verts.len())?;
-        recovered.resize(subfaces.verts.len(), false);
-        let in_region = recovered.clone();
+        let recovered = fallible::filled(false, subfaces.verts.len())?;
+        let in_region = fallible::filled(false, subfaces.verts.len())?;
         Ok(FacetRecovery {
             delaunay,
             points,
@@ -121,7 +120,7 @@ impl<'a> FacetRecovery<'a> {
     fn missing_by_region_size(&mut self) -> Result<Vec<u32>, Error> {
         let mut sized: Vec<(u32, u32, u32)> = Vec::new();
         let mut region = Vec::new();
-        let mut seen = vec![false; self.recovered.len()];
+        let mut seen = fallible::filled(false, self.recovered.len())?;
         for s in 0..self.subfaces.verts.len() as u32 {
             if self.recovered[s as usize] || seen[s as usize] {
                 continue;
@@ -135,7 +134,7 @@ impl<'a> FacetRecovery<'a> {
             }
         }
         sized.sort_unstable();
-        Ok(sized.into_iter().map(|x| x.2).collect())
+        Ok(fallible::collect(sized.into_iter().map(|x| x.2))?)
     }
 
     /// Flags the subface in the mesh if it is a face there.

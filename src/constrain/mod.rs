@@ -18,7 +18,7 @@ pub use crate::mesh::{edge_key, face_key};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 
 /// What to tell the caller when the PLC turns out to cross itself although validation was off.
-pub fn crossing(message: &str, first: Element, second: Option<Element>) -> Error {
+pub fn crossing(message: &'static str, first: Element, second: Option<Element>) -> Error {
     let defect = Defect { kind: DefectKind::FacetFacet, first, second, point: None };
     Error::with_defect(Status::SelfIntersection, message, defect)
 }

@@ -3,6 +3,7 @@
 //! Any parameter strictly inside the subsegment gives a valid mesh; only the number of Steiner points is at stake. So
 //! lengths and angles are approximate here, and the parameter is rounded to bits that make the point an exact double
 //! where that is possible (engine notes §4).
+use crate::elementary::{exponent, power_of_two};
 use crate::predicates::Points;
 
 /// A piece of a segment: vertices and parameters of its ends.
@@ -68,7 +69,7 @@ pub fn choose(points: &Points, sub: &Subsegment, context: &Context, reference: O
     let sphere = |end: usize, radius: f64| [radius / length, 1.0 - radius / length][end];
     let middle = t0 + 0.5 * (t1 - t0);
     if sub.is_deep() {
-        let shell = (std::f64::consts::FRAC_1_SQRT_2 * (t1 - t0) * length).log2().floor().exp2();
+        let shell = power_of_two(exponent(std::f64::consts::FRAC_1_SQRT_2 * (t1 - t0) * length));
         return match (context.acute[0] && t0 == 0.0, context.acute[1] && t1 == 1.0) {
             (true, false) => sphere(0, shell),
             (false, true) => sphere(1, shell),
@@ -102,15 +103,12 @@ const IMPLICIT_BITS: u32 = 36;
 pub fn round_parameter(t: f64, t0: f64, t1: f64, exact_bits: u32) -> Option<f64> {
     let span = t1 - t0;
     let grid = |bits: u32| {
-        let unit = f64::from(bits.min(1000)).exp2();
+        let unit = power_of_two(bits.min(1000) as i32);
         (t * unit).round() / unit
     };
     let exact_is_fine =
-        exact_bits > 0 && (-(exact_bits as f64)).exp2() <= span * (-f64::from(EXACT_BITS)).exp2();
-    let rounded = if exact_is_fine {
-        grid(exact_bits)
-    } else {
-        grid((1.0 / span).log2().ceil().max(0.0) as u32 + IMPLICIT_BITS)
-    };
+        exact_bits > 0 && power_of_two(-(exact_bits as i32)) <= span * power_of_two(-EXACT_BITS);
+    let rounded =
+        if exact_is_fine { grid(exact_bits) } else { grid((-exponent(span)).max(0) as u32 + IMPLICIT_BITS) };
     (rounded > t0 && rounded < t1).then_some(rounded)
 }

@@ -13,8 +13,10 @@ pub mod locate;
 pub mod order;
 mod parallel;
 mod ranges;
+mod workers;
 
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
 use crate::predicates::{Points, Sign};
 use cavity::Cavity;
@@ -249,7 +251,7 @@ impl Delaunay {
         let division = Division::along_curve(points, &frame, present, &order[round.clone()], ranges)?;
         let pass = Pass { points, present, reserve: 0.97, threads };
         let mut left = self.insert_pass(&pass, division, &mut |done| ahead(round.start + done))?;
-        let mut report = Round { vertices: round.len(), ranges, deferred: vec![left.len()] };
+        let mut report = Round { vertices: round.len(), ranges, deferred: fallible::collect([left.len()])? };
         present = &order[..round.end];
         for turn in 0..MOST_PASSES {
             // A pass looks at all tetrahedra once, which takes as long as inserting a part of the vertices.
@@ -262,7 +264,7 @@ impl Delaunay {
             let division = Division::slabs(points, present, &left, ranges.div_ceil(2).max(2), turn)?;
             let pass = Pass { points, present, reserve: 1.05, threads };
             left = self.insert_pass(&pass, division, &mut |done| ahead(done_before + done))?;
-            report.deferred.push(left.len());
+            fallible::push(&mut report.deferred, left.len())?;
         }
         self.rounds.try_reserve(1)?;
         self.rounds.push(report);

@@ -5,6 +5,8 @@
 //!
 //! One sort does both: a point's key is its round, then its curve index. The leading digits are sorted from the last to
 //! the first, in linear time; the few points that still agree then, by comparison.
+use crate::error::Error;
+use crate::fallible;
 
 /// Bits per axis of a curve index.
 const BITS: u32 = 20;
@@ -29,10 +31,12 @@ pub struct Order {
 }
 
 /// A permutation of `ids` in which the points should be inserted. Depends on the coordinates and the ids' order only.
-pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Order {
+pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Result<Order, Error> {
     let Frame { low, scale } = Frame::of(points, ids);
-    let rounds = round_limits(ids.len());
-    let mut keyed: Vec<(u64, u32)> = Vec::with_capacity(ids.len());
+    let (limits, count) = round_limits(ids.len());
+    let rounds = &limits[..count];
+    let mut keyed: Vec<(u64, u32)> = Vec::new();
+    keyed.try_reserve_exact(ids.len())?;
     for (block, chunk) in ids.chunks(BLOCK).enumerate() {
         let mut coordinates = [[0.0; 3]; BLOCK];
         for (to, &id) in coordinates.iter_mut().zip(chunk) {
@@ -46,11 +50,11 @@ pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Order {
             (((rounds.len() - round) as u64) << (3 * BITS) | index, id)
         }));
     }
-    sort(&mut keyed);
-    let ends = (0..=rounds.len() as u64)
-        .map(|round| keyed.partition_point(|&(key, _)| key >> (3 * BITS) <= round))
-        .collect();
-    Order { ids: keyed.iter().map(|&(_, id)| id).collect(), rounds: ends }
+    sort(&mut keyed)?;
+    let ends =
+        (0..=rounds.len() as u64).map(|round| keyed.partition_point(|&(key, _)| key >> (3 * BITS) <= round));
+    let rounds = fallible::collect(ends)?;
+    Ok(Order { ids: fallible::collect(keyed.iter().map(|&(_, id)| id))?, rounds })
 }
 
 /// The indices of up to `BLOCK` points along the curve.
@@ -62,28 +66,32 @@ pub(super) fn curve_indices(points: &[[f64; 3]], ids: &[u32], frame: &Frame) -> 
     hilbert_indices(&coordinates, frame.low, frame.scale)
 }
 
-/// Hash values below the first limit leave the last round, those below the second the one before, and so on.
-fn round_limits(count: usize) -> Vec<u64> {
-    let mut limits = Vec::new();
+/// Hash values below the first limit leave the last round, those below the second the one before, and so on; and how many limits
+/// there are.
+fn round_limits(count: usize) -> ([u64; 15], usize) {
+    let mut limits = [0; 15];
+    let mut rounds = 0;
     let mut share = 1.0 / GROWTH;
-    while share * count as f64 >= FIRST_ROUND as f64 && limits.len() < 15 {
-        limits.push((share * u64::MAX as f64) as u64);
+    while share * count as f64 >= FIRST_ROUND as f64 && rounds < limits.len() {
+        limits[rounds] = (share * u64::MAX as f64) as u64;
+        rounds += 1;
         share /= GROWTH;
     }
-    limits
+    (limits, rounds)
 }
 
 /// Sorts.
-fn sort(keyed: &mut Vec<(u64, u32)>) {
+fn sort(keyed: &mut Vec<(u64, u32)>) -> Result<(), Error> {
     let count = keyed.len();
     if count < FEW {
-        return keyed.sort_unstable();
+        keyed.sort_unstable();
+        return Ok(());
     }
     // So many leading bits that hardly any two of as many evenly spread points agree in them.
     let bits = count.ilog2() + 10;
     let passes = bits.div_ceil(DIGIT);
     let lowest = u64::BITS - passes * DIGIT;
-    let mut other = vec![(0u64, 0u32); count];
+    let mut other = fallible::filled((0u64, 0u32), count)?;
     for pass in 0..passes {
         let digit = |key: u64| (key >> (lowest + pass * DIGIT)) as usize % (1 << DIGIT);
         let mut places = [0u32; 1 << DIGIT];
@@ -110,6 +118,7 @@ fn sort(keyed: &mut Vec<(u64, u32)>) {
         }
         begin = end;
     }
+    Ok(())
 }
 
 /// The cube that the curve fills.
@@ -206,18 +215,19 @@ mod tests {
             let mut keyed: Vec<(u64, u32)> = (0..count).map(|i| (splitmix(i) & mask, i as u32)).collect();
             let mut expected = keyed.clone();
             expected.sort_unstable();
-            sort(&mut keyed);
+            sort(&mut keyed).unwrap();
             assert_eq!(keyed, expected);
         }
     }
 
     #[test]
     fn rounds_grow() {
-        assert!(round_limits(10_000).is_empty());
-        let limits = round_limits(1_000_000);
+        assert_eq!(round_limits(10_000).1, 0);
+        let (limits, count) = round_limits(1_000_000);
+        let limits = &limits[..count];
         assert_eq!(limits.len(), 3);
         assert!(limits.windows(2).all(|w| w[0] > w[1]));
-        assert!(round_limits(u32::MAX as usize).len() < 16);
+        assert!(round_limits(u32::MAX as usize).1 < 16);
     }
 
     #[test]
@@ -231,7 +241,7 @@ mod tests {
             }
         }
         let ids: Vec<u32> = (0..points.len() as u32).collect();
-        let mut order = insertion_order(&points, &ids).ids;
+        let mut order = insertion_order(&points, &ids).unwrap().ids;
         order.sort_unstable();
         assert_eq!(order, ids);
         // One round along the curve over a full grid of 2^4: consecutive points are grid neighbours.

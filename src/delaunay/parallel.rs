@@ -40,14 +40,16 @@
 use super::cavity::Cavity;
 use super::locate::{walk, Walk};
 use super::ranges::{Division, FEWEST};
+use super::workers::together;
 use super::Delaunay;
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::mesh::slots::Slots;
 use crate::mesh::{flag, Tetrahedra, NONE};
 use crate::predicates::Points;
+use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
 
 /// A pass with fewer vertices is not worth its preparation.
 pub(super) const FEWEST_VERTICES: usize = 4096;
@@ -83,21 +85,13 @@ struct Shop<'a> {
     points: &'a Points,
     tasks: Mutex<std::iter::Enumerate<std::vec::IntoIter<Task>>>,
     outcomes: Mutex<Vec<(usize, Outcome)>>,
-    failure: Mutex<Option<Error>>,
     /// Set by a failure or a cancel: everybody stops.
     stop: AtomicBool,
     /// Vertices done, inserted or deferred.
     done: AtomicUsize,
-    /// Threads at work beside the caller's.
-    helpers: AtomicUsize,
 }
 
 impl Shop<'_> {
-    fn fail(&self, error: Error) {
-        self.failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
-        self.stop.store(true, Ordering::Relaxed);
-    }
-
     /// Works off tasks until there are none.
     fn work(
         &self,
@@ -113,6 +107,23 @@ impl Shop<'_> {
             outcomes.try_reserve(1)?;
             outcomes.push((index, outcome));
         }
+    }
+
+    /// The same on the caller's thread and `threads − 1` helpers. Only the caller's thread calls `tick`.
+    fn work_together(
+        &self,
+        cavity: &mut Cavity,
+        threads: usize,
+        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let tick = RefCell::new(tick);
+        together(
+            threads,
+            &|| self.work(&mut Cavity::default(), &mut |_| Ok(())),
+            &|| self.stop.store(true, Ordering::Relaxed),
+            || self.work(cavity, &mut |done| (tick.borrow_mut())(done)),
+            &mut || (tick.borrow_mut())(self.done.load(Ordering::Relaxed)),
+        )
     }
 
     /// Inserts what can be inserted of one range.
@@ -224,15 +235,6 @@ impl Shop<'_> {
     }
 }
 
-/// Counts down when a helper ends, however it does.
-struct Leaving<'a, 'b>(&'a Shop<'b>);
-
-impl Drop for Leaving<'_, '_> {
-    fn drop(&mut self) {
-        self.0.helpers.fetch_sub(1, Ordering::Release);
-    }
-}
-
 /// Insertions of one pass.
 pub(super) struct Pass<'a> {
     pub(super) points: &'a Points,
@@ -265,7 +267,9 @@ impl Delaunay {
         for (i, (vertices_of, starts)) in division.parts.into_iter().zip(starts).enumerate() {
             let part = vertices_of.len() as f64;
             let own = (share as f64 * part / vertices.max(1) as f64) as usize;
-            let own = free.split_off(free.len() - own.min(free.len()));
+            let from = free.len() - own.min(free.len());
+            let own = fallible::copied(&free[from..])?;
+            free.truncate(from);
             let more = (part * each) as usize + 64;
             let block = end..end.saturating_add(more.saturating_sub(own.len()) as u32);
             end = block.end;
@@ -277,12 +281,10 @@ impl Delaunay {
             points: pass.points,
             outcomes: Mutex::new(Vec::new()),
             tasks: Mutex::new(tasks.into_iter().enumerate()),
-            failure: Mutex::new(None),
             stop: AtomicBool::new(false),
             done: AtomicUsize::new(0),
-            helpers: AtomicUsize::new(0),
         };
-        work_together(&shop, &mut self.cavity, threads, tick)?;
+        shop.work_together(&mut self.cavity, threads, tick)?;
         let mut outcomes = shop.outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
         outcomes.sort_unstable_by_key(|&(index, _)| index);
         // SAFETY: no range has failed, so each has written all slots of its block: those it used by `Cavity::fill`, the rest
@@ -303,24 +305,14 @@ impl Delaunay {
     fn assign(&mut self, division: &Division, threads: usize) -> Result<Vec<Vec<u32>>, Error> {
         let Tetrahedra { verts, flags, .. } = &mut self.mesh;
         let part = verts.len().div_ceil(threads).max(FEWEST);
-        std::thread::scope(|scope| {
-            let mut parts = verts.chunks(part).zip(flags.chunks_mut(part));
-            let own = parts.next();
-            for (verts, flags) in parts {
-                let spawned =
-                    std::thread::Builder::new().spawn_scoped(scope, move || division.assign(verts, flags));
-                if spawned.is_err() {
-                    return Err(Error::new(Status::OutOfMemory, "no thread could be started"));
-                }
-            }
-            if let Some((verts, flags)) = own {
-                division.assign(verts, flags);
-            }
-            Ok(())
-        })?;
-        let mut starts: Vec<Vec<u32>> = Vec::new();
-        starts.try_reserve(division.parts.len())?;
-        starts.resize_with(division.parts.len(), Vec::new);
+        let parts = Mutex::new(verts.chunks(part).zip(flags.chunks_mut(part)));
+        let work = || loop {
+            let next = parts.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some((verts, flags)) = next else { return Ok(()) };
+            division.assign(verts, flags);
+        };
+        together(threads, &work, &|| {}, work, &mut || Ok(()))?;
+        let mut starts: Vec<Vec<u32>> = fallible::made(division.parts.len(), Vec::new)?;
         let stride = (flags.len() / (64 * division.parts.len())).max(1);
         for t in (0..flags.len()).step_by(stride) {
             let owner = flags[t] & flag::OWNER;
@@ -331,51 +323,5 @@ impl Delaunay {
             }
         }
         Ok(starts)
-    }
-}
-
-/// Runs the tasks on the caller's thread and `threads − 1` helpers. Only the caller's thread calls `tick`.
-fn work_together(
-    shop: &Shop,
-    cavity: &mut Cavity,
-    threads: usize,
-    tick: &mut dyn FnMut(usize) -> Result<(), Error>,
-) -> Result<(), Error> {
-    let caller = std::thread::current();
-    std::thread::scope(|scope| {
-        for _ in 1..threads {
-            shop.helpers.fetch_add(1, Ordering::Relaxed);
-            let caller = &caller;
-            let helper = move || {
-                let leaving = Leaving(shop);
-                let work = || shop.work(&mut Cavity::default(), &mut |_| Ok(()));
-                // A panic must not leave the engine: it is an error of this run.
-                match std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)) {
-                    Ok(Ok(())) => {}
-                    Ok(Err(error)) => shop.fail(error),
-                    Err(_) => shop.fail(Error::internal("a worker panicked")),
-                }
-                drop(leaving);
-                caller.unpark();
-            };
-            if std::thread::Builder::new().spawn_scoped(scope, helper).is_err() {
-                // Fewer do the same work.
-                shop.helpers.fetch_sub(1, Ordering::Relaxed);
-                break;
-            }
-        }
-        if let Err(error) = shop.work(cavity, tick) {
-            shop.fail(error);
-        }
-        while shop.helpers.load(Ordering::Acquire) > 0 {
-            if let Err(error) = tick(shop.done.load(Ordering::Relaxed)) {
-                shop.fail(error);
-            }
-            std::thread::park_timeout(Duration::from_millis(20));
-        }
-    });
-    match shop.failure.lock().unwrap_or_else(PoisonError::into_inner).take() {
-        Some(error) => Err(error),
-        None => Ok(()),
     }
 }

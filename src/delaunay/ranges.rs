@@ -7,6 +7,7 @@
 //! Neither depends on the number of threads.
 use super::order::{curve_indices, Frame};
 use crate::error::Error;
+use crate::fallible;
 use crate::mesh::flag;
 use crate::predicates::Points;
 
@@ -67,9 +68,9 @@ impl Division {
             part.try_reserve_exact(piece.len())?;
             part.extend_from_slice(piece);
             if !division.parts.is_empty() {
-                borders.push(curve_indices(points.coordinates(), &piece[..1], frame)[0]);
+                fallible::push(&mut borders, curve_indices(points.coordinates(), &piece[..1], frame)[0])?;
             }
-            division.parts.push(part);
+            fallible::push(&mut division.parts, part)?;
             let owner = division.parts.len() as u16;
             for &v in piece {
                 division.owner_of[v as usize] = owner;
@@ -101,8 +102,8 @@ impl Division {
         sample.try_reserve(SAMPLE + 1)?;
         sample.extend(round.iter().step_by(round.len().div_ceil(SAMPLE).max(1)).map(|&v| height(v)));
         sample.sort_unstable_by(f64::total_cmp);
-        let mut borders = Vec::new();
-        borders.extend((1..count).filter_map(|i| sample.get(i * sample.len() / count).copied()));
+        let borders =
+            fallible::collect((1..count).filter_map(|i| sample.get(i * sample.len() / count).copied()))?;
         let mut division = Division::new(points, count, round.len() / count + round.len() / 16)?;
         let slab = |v: u32| {
             let h = height(v);

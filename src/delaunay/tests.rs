@@ -16,7 +16,7 @@ impl Lcg {
 
 fn build(xyz: Vec<[f64; 3]>) -> (Delaunay, Points) {
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
-    let mut order = insertion_order(&xyz, &ids).ids;
+    let mut order = insertion_order(&xyz, &ids).unwrap().ids;
     let points = Points::new(xyz);
     let mut delaunay = Delaunay::new();
     delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
@@ -142,7 +142,7 @@ type Bytes = (Vec<[u32; 4]>, Vec<[u32; 4]>, Vec<u16>, Vec<u32>);
 
 fn build_by(threads: usize, xyz: &[[f64; 3]]) -> (Delaunay, Points, Bytes) {
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
-    let order = insertion_order(xyz, &ids);
+    let order = insertion_order(xyz, &ids).unwrap();
     let points = Points::new(order.ids.iter().map(|&i| xyz[i as usize]).collect());
     let mut sequence = ids;
     let mut delaunay = Delaunay::new();
@@ -240,7 +240,7 @@ fn ranges_make_the_tetrahedra_that_one_by_one_insertion_makes() {
 fn a_cancel_reaches_all_workers() {
     let xyz = large_sets().swap_remove(2).1;
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
-    let order = insertion_order(&xyz, &ids);
+    let order = insertion_order(&xyz, &ids).unwrap();
     let points = Points::new(order.ids.iter().map(|&i| xyz[i as usize]).collect());
     for threads in [1, 3] {
         let mut delaunay = Delaunay::new();
@@ -250,7 +250,7 @@ fn a_cancel_reaches_all_workers() {
         };
         let error =
             delaunay.build_rounds(&points, &mut ids.clone(), &order.rounds, threads, &mut tick).unwrap_err();
-        assert_eq!((error.status, error.message.as_str()), (crate::Status::Cancelled, "enough"));
+        assert_eq!((error.status, &*error.message), (crate::Status::Cancelled, "enough"));
         assert_eq!(delaunay.mesh.slot_count(), 0);
     }
 }

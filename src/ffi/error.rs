@@ -1,15 +1,16 @@
 //! Owned errors with all defects.
-use super::guard::{free, read};
+use super::guard::{boxed, free, read};
 use super::status::{DelotetDefectKind, DelotetElement, DelotetStatus};
 use super::view::records;
 use crate::error::{Defect, Error};
 use libc::c_char;
-use std::ffi::CString;
+use std::collections::TryReserveError;
 
 /// A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
 pub struct DelotetError {
     status: DelotetStatus,
-    message: CString,
+    /// Ends with a zero byte. Empty: memory ran out for it.
+    message: Vec<u8>,
     defects: Vec<DelotetDefect>,
     defect_count: usize,
 }
@@ -63,18 +64,49 @@ impl From<&Defect> for DelotetDefect {
     }
 }
 
+/// What a caller gets if there is no memory left for an error object. Never freed.
+static OUT_OF_MEMORY: DelotetError = DelotetError {
+    status: DelotetStatus::OutOfMemory,
+    message: Vec::new(),
+    defects: Vec::new(),
+    defect_count: 0,
+};
+
 impl DelotetError {
-    /// An owned handle for the caller.
-    pub(super) fn new(error: Error) -> *mut DelotetError {
+    /// An owned handle for the caller, of an error with this status. If memory does not suffice for it, then that is the error.
+    pub(super) fn new(error: Error, status: &mut DelotetStatus) -> *mut DelotetError {
+        let made = DelotetError::try_new(error).ok().and_then(|error| boxed(error).ok());
+        match made {
+            Some(error) => Box::into_raw(error),
+            None => {
+                *status = DelotetStatus::OutOfMemory;
+                (&raw const OUT_OF_MEMORY).cast_mut()
+            }
+        }
+    }
+
+    fn try_new(error: Error) -> Result<DelotetError, TryReserveError> {
         let mut defects = Vec::new();
         // Short of memory the defects are dropped rather than the message.
         if defects.try_reserve_exact(error.defects.len()).is_ok() {
             defects.extend(error.defects.iter().map(DelotetDefect::from));
         }
-        let message = CString::new(error.message.replace('\0', " ")).unwrap_or_default();
-        let status = error.status.into();
-        Box::into_raw(Box::new(DelotetError { status, message, defects, defect_count: error.defect_count }))
+        Ok(DelotetError {
+            status: error.status.into(),
+            message: c_text(&error.message)?,
+            defects,
+            defect_count: error.defect_count,
+        })
     }
+}
+
+/// A text as C takes it: zero-terminated, without zero bytes inside.
+pub(super) fn c_text(text: &str) -> Result<Vec<u8>, TryReserveError> {
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(text.len() + 1)?;
+    bytes.extend(text.bytes().map(|byte| if byte == 0 { b' ' } else { byte }));
+    bytes.push(0);
+    Ok(bytes)
 }
 
 /// The status of `error`, the same that the failing call returned; DELOTET_STATUS_OK for NULL.
@@ -88,7 +120,12 @@ pub unsafe extern "C" fn delotet_error_status(error: *const DelotetError) -> Del
 #[no_mangle]
 pub unsafe extern "C" fn delotet_error_message(error: *const DelotetError) -> *const c_char {
     // SAFETY: the caller passes NULL or an error that is alive.
-    unsafe { read(error, c"".as_ptr(), |error| error.message.as_ptr()) }
+    unsafe {
+        read(error, c"".as_ptr(), |error| match error.message.as_slice() {
+            [] => c"out of memory".as_ptr(),
+            text => text.as_ptr().cast(),
+        })
+    }
 }
 
 /// All defects that the report lists (at most what delotet_options_set_max_defects allows). Borrowed from `error`: valid until
@@ -109,6 +146,9 @@ pub unsafe extern "C" fn delotet_error_defect_count(error: *const DelotetError) 
 /// Frees an error and all that was borrowed from it. NULL is ignored.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_error_free(error: *mut DelotetError) {
+    if std::ptr::eq(error, &OUT_OF_MEMORY) {
+        return;
+    }
     // SAFETY: the caller passes NULL or an error that it owns.
     unsafe { free(error) }
 }

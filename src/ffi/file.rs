@@ -7,13 +7,13 @@ use super::status::DelotetStatus;
 use crate::error::Error;
 use libc::c_char;
 use std::ffi::CStr;
-use std::path::PathBuf;
+use std::path::Path;
 
 /// The path behind a C string: any bytes on Unix, UTF-8 elsewhere.
 ///
 /// # Safety
-/// `path` is null or a zero-terminated string.
-unsafe fn path_of(path: *const c_char) -> Result<PathBuf, Error> {
+/// `path` is null or a zero-terminated string that lives during `'a`.
+unsafe fn path_of<'a>(path: *const c_char) -> Result<&'a Path, Error> {
     if path.is_null() {
         return Err(null("path"));
     }
@@ -22,11 +22,11 @@ unsafe fn path_of(path: *const c_char) -> Result<PathBuf, Error> {
     #[cfg(unix)]
     {
         use std::os::unix::ffi::OsStrExt;
-        Ok(PathBuf::from(std::ffi::OsStr::from_bytes(text.to_bytes())))
+        Ok(Path::new(std::ffi::OsStr::from_bytes(text.to_bytes())))
     }
     #[cfg(not(unix))]
     {
-        text.to_str().map(PathBuf::from).map_err(|_| super::guard::invalid("path is not UTF-8"))
+        text.to_str().map(Path::new).map_err(|_| super::guard::invalid("path is not UTF-8"))
     }
 }
 
@@ -45,9 +45,8 @@ pub unsafe extern "C" fn delotet_plc_read(
     unsafe {
         guard(out_error, || {
             let out = Out::new(out_plc, "out_plc")?;
-            let plc = files::read(&path_of(path)?)?;
-            out.put(DelotetPlc::new(plc)?);
-            Ok(())
+            let plc = files::read(path_of(path)?)?;
+            out.put(DelotetPlc::new(plc)?)
         })
     }
 }
@@ -63,7 +62,7 @@ pub unsafe extern "C" fn delotet_plc_write(
     out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
     // SAFETY: the caller passes a PLC that nothing changes meanwhile and a zero-terminated path.
-    unsafe { guard(out_error, || files::write_surface(&path_of(path)?, &get(plc, "plc")?.plc)) }
+    unsafe { guard(out_error, || files::write_surface(path_of(path)?, &get(plc, "plc")?.plc)) }
 }
 
 /// Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
@@ -81,7 +80,7 @@ pub unsafe extern "C" fn delotet_mesh_write(
     unsafe {
         guard(out_error, || {
             let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
-            files::write(&path_of(path)?, mesh, plc)
+            files::write(path_of(path)?, mesh, plc)
         })
     }
 }

@@ -1,49 +1,9 @@
 //! What stands between C and Rust: no panic leaves, no null pointer enters.
 use super::error::DelotetError;
 use super::status::DelotetStatus;
-use crate::error::{Error, Status};
-use std::cell::{Cell, RefCell};
-use std::panic::{catch_unwind, AssertUnwindSafe};
-use std::sync::Once;
-
-#[cfg(panic = "abort")]
-compile_error!("delotet turns panics into a status: build it with panic = \"unwind\"");
-
-thread_local! {
-    /// This thread is inside a call from C: the panic hook stays silent and keeps the text.
-    static INSIDE: Cell<bool> = const { Cell::new(false) };
-    static PANIC_TEXT: RefCell<String> = const { RefCell::new(String::new()) };
-}
-
-static HOOK: Once = Once::new();
-
-/// Installs, once, a panic hook that keeps the text of panics inside our calls and passes on all others.
-fn install_hook() {
-    HOOK.call_once(|| {
-        let previous = std::panic::take_hook();
-        std::panic::set_hook(Box::new(move |info| {
-            if INSIDE.try_with(Cell::get).unwrap_or(false) {
-                let text = info.to_string().replace('\n', " ");
-                let _ = PANIC_TEXT.try_with(|slot| slot.try_borrow_mut().map(|mut slot| *slot = text));
-            } else {
-                previous(info);
-            }
-        }));
-    });
-}
-
-/// Runs `body`; a panic in it becomes its text.
-fn catch<R>(body: impl FnOnce() -> R) -> Result<R, String> {
-    install_hook();
-    let outer = INSIDE.replace(true);
-    let result = catch_unwind(AssertUnwindSafe(body));
-    INSIDE.set(outer);
-    result.map_err(|payload| {
-        // Dropping a payload may run arbitrary code; ours are strings, but nothing may unwind from here.
-        std::mem::forget(payload);
-        PANIC_TEXT.with(|slot| std::mem::take(&mut *slot.borrow_mut()))
-    })
-}
+use crate::error::{Error, Message, Status};
+use crate::panics::catch_silently;
+use std::alloc::Layout;
 
 /// Runs the body of a fallible exported function. `*out_error` is null on success and an owned error on failure; a null
 /// `out_error` means that the caller wants the status only.
@@ -54,15 +14,11 @@ pub(super) unsafe fn guard(
     out_error: *mut *mut DelotetError,
     body: impl FnOnce() -> Result<(), Error>,
 ) -> DelotetStatus {
-    let error = match catch(body) {
-        Ok(Ok(())) => None,
-        Ok(Err(error)) => Some(error),
-        Err(text) => Some(Error::internal(format!("internal error, please report it: {text}"))),
-    };
-    let status = error.as_ref().map_or(DelotetStatus::Ok, |error| error.status.into());
+    let error = catch_silently(body).and_then(|result| result).err();
+    let mut status = error.as_ref().map_or(DelotetStatus::Ok, |error| error.status.into());
     if !out_error.is_null() {
         let handle = match error {
-            Some(error) => DelotetError::new(error),
+            Some(error) => DelotetError::new(error, &mut status),
             None => std::ptr::null_mut(),
         };
         // SAFETY: not null, and the caller promises that it is valid for a write.
@@ -78,7 +34,7 @@ pub(super) unsafe fn guard(
 pub(super) unsafe fn read<'a, T: 'a, R>(handle: *const T, otherwise: R, body: impl FnOnce(&'a T) -> R) -> R {
     // SAFETY: the caller promises that a handle that is not null is valid.
     match unsafe { handle.as_ref() } {
-        Some(handle) => match catch(|| body(handle)) {
+        Some(handle) => match catch_silently(|| body(handle)) {
             Ok(result) => result,
             Err(_) => otherwise,
         },
@@ -86,9 +42,30 @@ pub(super) unsafe fn read<'a, T: 'a, R>(handle: *const T, otherwise: R, body: im
     }
 }
 
-/// Makes an owned handle, null if the body fails.
+/// An owned value on the heap, or the value back if memory ran out: `Box::new` would end the process.
+pub(super) fn boxed<T>(value: T) -> Result<Box<T>, T> {
+    let layout = Layout::new::<T>();
+    if layout.size() == 0 {
+        return Ok(Box::new(value));
+    }
+    // SAFETY: the size is not 0.
+    let room = unsafe { std::alloc::alloc(layout) }.cast::<T>();
+    if room.is_null() {
+        return Err(value);
+    }
+    // SAFETY: room for one T from the allocator that Box frees with, filled here.
+    Ok(unsafe {
+        room.write(value);
+        Box::from_raw(room)
+    })
+}
+
+/// Makes an owned handle; null if memory runs out.
 pub(super) fn make<T>(body: impl FnOnce() -> T) -> *mut T {
-    catch(|| Box::into_raw(Box::new(body()))).unwrap_or(std::ptr::null_mut())
+    match catch_silently(|| boxed(body())) {
+        Ok(Ok(handle)) => Box::into_raw(handle),
+        _ => std::ptr::null_mut(),
+    }
 }
 
 /// Frees an owned handle; null is ignored.
@@ -98,7 +75,7 @@ pub(super) fn make<T>(body: impl FnOnce() -> T) -> *mut T {
 pub(super) unsafe fn free<T>(handle: *mut T) {
     if !handle.is_null() {
         // SAFETY: every handle of ours was made by Box::into_raw; the caller gives it up.
-        let _ = catch(|| drop(unsafe { Box::from_raw(handle) }));
+        let _ = catch_silently(|| drop(unsafe { Box::from_raw(handle) }));
     }
 }
 
@@ -136,9 +113,13 @@ impl<T> Out<T> {
     }
 
     /// Hands the value over to the caller.
-    pub(super) fn put(self, value: T) {
+    pub(super) fn put(self, value: T) -> Result<(), Error> {
+        let Ok(handle) = boxed(value) else {
+            return Err(Error::new(Status::OutOfMemory, "out of memory"));
+        };
         // SAFETY: checked and promised in `new`.
-        unsafe { self.0.write(Box::into_raw(Box::new(value))) };
+        unsafe { self.0.write(Box::into_raw(handle)) };
+        Ok(())
     }
 }
 
@@ -157,10 +138,10 @@ pub(super) unsafe fn set<T: Copy>(pointer: *mut T, value: T, name: &str) -> Resu
 
 /// The error for a null argument.
 pub(super) fn null(name: &str) -> Error {
-    Error::new(Status::InvalidArgument, format!("{name} is null"))
+    Error::new(Status::InvalidArgument, format_args!("{name} is null"))
 }
 
 /// The error for an argument outside its range.
-pub(super) fn invalid(message: impl Into<String>) -> Error {
+pub(super) fn invalid(message: impl Into<Message>) -> Error {
     Error::new(Status::InvalidArgument, message)
 }

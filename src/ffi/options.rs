@@ -1,12 +1,11 @@
 //! Settings by setters that check at once, and the callbacks.
-use super::error::DelotetError;
+use super::error::{c_text, DelotetError};
 use super::guard::{free, get_mut, guard, invalid, make};
 use super::status::{DelotetPhase, DelotetStatus};
 use crate::error::Error;
 use crate::options::{Mode, Options, Preserve};
 use crate::progress::{Observer, Phase};
 use libc::{c_char, c_void};
-use std::ffi::CString;
 use std::ops::ControlFlow;
 
 /// What is made of the input: one of the DELOTET_MODE_ constants.
@@ -82,9 +81,10 @@ impl Observer for Callbacks {
 
     fn log(&mut self, message: &str) {
         let Some(callback) = self.log else { return };
-        let Ok(text) = CString::new(message.replace('\0', " ")) else { return };
+        // A line of the log that there is no memory for is left out.
+        let Ok(text) = c_text(message) else { return };
         // SAFETY: the caller set this function together with this pointer; the text lives until it returns.
-        unsafe { callback(self.log_data, text.as_ptr()) }
+        unsafe { callback(self.log_data, text.as_ptr().cast()) }
     }
 }
 
@@ -136,7 +136,7 @@ pub unsafe extern "C" fn delotet_options_set_mode(
                 DELOTET_MODE_DELAUNAY => Mode::Delaunay,
                 DELOTET_MODE_CONSTRAINED => Mode::Constrained,
                 DELOTET_MODE_PRESERVE => Mode::Preserve,
-                _ => return Err(invalid(format!("mode {mode} is not a DELOTET_MODE_ constant"))),
+                _ => return Err(invalid(format_args!("mode {mode} is not a DELOTET_MODE_ constant"))),
             };
             Ok(())
         })
@@ -158,7 +158,11 @@ pub unsafe extern "C" fn delotet_options_set_preserve(
             options.options.preserve = match preserve {
                 DELOTET_PRESERVE_ALL => Preserve::All,
                 DELOTET_PRESERVE_OUTER => Preserve::Outer,
-                _ => return Err(invalid(format!("preserve {preserve} is not a DELOTET_PRESERVE_ constant"))),
+                _ => {
+                    return Err(invalid(format_args!(
+                        "preserve {preserve} is not a DELOTET_PRESERVE_ constant"
+                    )))
+                }
             };
             Ok(())
         })
@@ -199,8 +203,9 @@ pub unsafe extern "C" fn delotet_options_set_merge_facets(
                 0.0 => None,
                 90.0..=180.0 => Some(angle),
                 _ => {
-                    let message = format!("merge_facets: {angle} is neither 0 nor from 90 to 180 degrees");
-                    return Err(invalid(message));
+                    return Err(invalid(format_args!(
+                        "merge_facets: {angle} is neither 0 nor from 90 to 180 degrees"
+                    )));
                 }
             };
             Ok(())

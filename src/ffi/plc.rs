@@ -54,8 +54,7 @@ pub unsafe extern "C" fn delotet_plc_new(
             let points = array(xyz.cast::<[f64; 3]>(), point_count, "xyz")?;
             let mut handle = DelotetPlc::new(Plc::default())?;
             handle.add_points(points)?;
-            out.put(handle);
-            Ok(())
+            out.put(handle)
         })
     }
 }
@@ -73,8 +72,7 @@ pub unsafe extern "C" fn delotet_plc_clone(
     unsafe {
         guard(out_error, || {
             let out = Out::new(out_plc, "out_plc")?;
-            out.put(DelotetPlc::new(get(plc, "plc")?.plc.try_clone()?)?);
-            Ok(())
+            out.put(DelotetPlc::new(get(plc, "plc")?.plc.try_clone()?)?)
         })
     }
 }

@@ -2,7 +2,7 @@
 use super::guard::invalid;
 use super::plc::DelotetPlc;
 use super::view::DelotetRegionSeed;
-use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
 use crate::plc::{name_line, Facet, Plc, RegionSeed, Segment};
 use crate::INVALID;
 use std::ffi::CString;
@@ -44,11 +44,13 @@ impl DelotetPlc {
             Some(place) => Err(Error::with_defect(
                 Status::IndexOutOfRange,
                 match corners[place] {
-                    INVALID => format!(
+                    INVALID => Message::from(format_args!(
                         "{} has a corner that is negative or no 32-bit index; the PLC has {points} points",
                         element(place)
-                    ),
-                    corner => format!("point {corner} does not exist: the PLC has {points} points"),
+                    )),
+                    corner => {
+                        format_args!("point {corner} does not exist: the PLC has {points} points").into()
+                    }
                 },
                 Defect {
                     kind: DefectKind::IndexOutOfRange,
@@ -108,8 +110,11 @@ impl DelotetPlc {
     pub(super) fn set_facet_marker(&mut self, facet: u32, marker: i32) -> Result<(), Error> {
         let (index, triangles) = (facet as usize, self.plc.triangles.len());
         if index >= self.plc.facet_count() {
-            let message = format!("facet {facet} does not exist: the PLC has {}", self.plc.facet_count());
-            return Err(Error::new(Status::IndexOutOfRange, message));
+            let count = self.plc.facet_count();
+            return Err(Error::new(
+                Status::IndexOutOfRange,
+                format_args!("facet {facet} does not exist: the PLC has {count}"),
+            ));
         }
         match index.checked_sub(triangles) {
             Some(general) => self.plc.facets[general].marker = marker,

@@ -43,7 +43,9 @@ impl DelotetMesh {
             DELOTET_NODE_ORDER_GMSH => NodeOrder::Gmsh,
             DELOTET_NODE_ORDER_TETGEN => NodeOrder::Tetgen,
             _ => {
-                return Err(invalid(format!("node_order {node_order} is not a DELOTET_NODE_ORDER_ constant")))
+                return Err(invalid(format_args!(
+                    "node_order {node_order} is not a DELOTET_NODE_ORDER_ constant"
+                )))
             }
         };
         let edges = self.edges()?;

@@ -29,8 +29,7 @@ pub unsafe extern "C" fn delotet_tetrahedralize(
             let (options, mut callbacks) = settings(options);
             let mesh = crate::tetrahedralize::tetrahedralize(plc, &options, &mut callbacks)?;
             let data = PointData::new(plc, &mesh)?;
-            out.put(DelotetMesh::new(mesh, data)?);
-            Ok(())
+            out.put(DelotetMesh::new(mesh, data)?)
         })
     }
 }

@@ -57,10 +57,10 @@ pub(super) unsafe fn optional<'a, T>(
 fn check<T>(pointer: *const T, count: usize, name: &str) -> Result<(), Error> {
     let bytes = count.checked_mul(size_of::<T>()).filter(|&bytes| bytes <= isize::MAX as usize);
     if bytes.is_none() {
-        return Err(invalid(format!("{name}: {count} elements do not fit into memory")));
+        return Err(invalid(format_args!("{name}: {count} elements do not fit into memory")));
     }
     if pointer as usize % align_of::<T>() != 0 {
-        return Err(invalid(format!("{name} is misaligned")));
+        return Err(invalid(format_args!("{name} is misaligned")));
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ use std::io;
 
 /// Writes a mesh.
 pub(super) fn write(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> {
-    out.put(format!("MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n{}\n", mesh.points.len()))?;
+    out.format(format_args!("MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n{}\n", mesh.points.len()))?;
     for (i, point) in mesh.points.iter().enumerate() {
         out.point(point)?;
         out.blank_int(plc.point_markers.get(i).copied().unwrap_or(0))?;
@@ -17,18 +17,18 @@ pub(super) fn write(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> 
     }
     let pieces = tags::segment_pieces(mesh);
     if !pieces.is_empty() {
-        out.put(format!("\nEdges\n{}\n", pieces.len()))?;
+        out.format(format_args!("\nEdges\n{}\n", pieces.len()))?;
         for piece in pieces {
             let piece = &mesh.subsegments[piece as usize];
             element(out, &piece.ends, piece.marker)?;
         }
     }
-    out.put(format!("\nTriangles\n{}\n", mesh.subfaces.len()))?;
+    out.format(format_args!("\nTriangles\n{}\n", mesh.subfaces.len()))?;
     for face in &mesh.subfaces {
         element(out, &face.corners, face.marker)?;
     }
     let region_tags = tags::region_tags(mesh);
-    out.put(format!("\nTetrahedra\n{}\n", mesh.tets.len()))?;
+    out.format(format_args!("\nTetrahedra\n{}\n", mesh.tets.len()))?;
     for (i, tet) in mesh.tets.iter().enumerate() {
         element(out, tet, region_tags[tags::region_of(mesh, i)])?;
     }

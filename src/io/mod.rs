@@ -89,13 +89,19 @@ impl Format {
             "msh" => Format::Msh,
             "mesh" => Format::Medit,
             "" => {
-                let message =
-                    format!("{}: its format is not known, for it has no extension ({KNOWN})", path.display());
-                return Err(Error::new(Status::Unsupported, message));
+                return Err(Error::new(
+                    Status::Unsupported,
+                    format_args!(
+                        "{}: its format is not known, for it has no extension ({KNOWN})",
+                        path.display()
+                    ),
+                ));
             }
             _ => {
-                let message = format!("{}: '.{extension}' is no known file format ({KNOWN})", path.display());
-                return Err(Error::new(Status::Unsupported, message));
+                return Err(Error::new(
+                    Status::Unsupported,
+                    format_args!("{}: '.{extension}' is no known file format ({KNOWN})", path.display()),
+                ));
             }
         })
     }
@@ -180,7 +186,7 @@ fn read_with(
         }
         Ok(_) => Err(Error::new(Status::Format, "the file holds no points")),
         Err(error) if error.status == Status::Format => Err(match sniff::other_kind(bytes, format) {
-            Some(kind) => Error { message: format!("not {}: it is {kind}", format.noun()), ..error },
+            Some(kind) => Error::new(Status::Format, format_args!("not {}: it is {kind}", format.noun())),
             None => error,
         }),
         Err(error) => Err(error),
@@ -208,7 +214,7 @@ fn refuse_endless(path: &Path) -> Result<(), Error> {
         (_, true) => "a device",
         _ => return Ok(()),
     };
-    Err(Error::new(Status::File, format!("{}: cannot read: it is {what}, not a file", path.display())))
+    Err(Error::new(Status::File, format_args!("{}: cannot read: it is {what}, not a file", path.display())))
 }
 
 /// Puts the file's name before the message.
@@ -216,7 +222,7 @@ fn at(path: &Path, error: Error) -> Error {
     if error.status == Status::File {
         return error;
     }
-    Error { message: format!("{}: {}", path.display(), error.message), ..error }
+    error.at(format_args!("{}", path.display()))
 }
 
 /// What [`write()`] may be asked for.
@@ -247,7 +253,12 @@ pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> 
         Format::Vtk => files.write(path, |out| vtk::write(out, mesh))?,
         Format::Msh => files.write(path, |out| msh::write(out, mesh))?,
         Format::Medit => files.write(path, |out| medit::write(out, mesh, plc))?,
-        _ => return Err(Error::new(Status::Unsupported, format!("{}: not a mesh format", path.display()))),
+        _ => {
+            return Err(Error::new(
+                Status::Unsupported,
+                format_args!("{}: not a mesh format", path.display()),
+            ))
+        }
     }
     files.commit()
 }
@@ -296,7 +307,7 @@ pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
     if !known && Format::of(path).is_ok() {
         return Err(Error::new(
             Status::Unsupported,
-            format!("{}: meshes are read from .ele files", path.display()),
+            format_args!("{}: meshes are read from .ele files", path.display()),
         ));
     }
     let beside = |suffix: &str| match known {

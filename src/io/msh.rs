@@ -62,23 +62,23 @@ fn write_names(out: &mut Out, entities: &[Vec<Entity>; 3]) -> io::Result<()> {
     }
     names.sort_unstable();
     names.dedup_by_key(|n| (n.0, n.1));
-    out.put(format!("$PhysicalNames\n{}\n", names.len()))?;
+    out.format(format_args!("$PhysicalNames\n{}\n", names.len()))?;
     for (dimension, tag, name) in names {
-        out.put(format!("{dimension} {tag} \"{name}\"\n"))?;
+        out.format(format_args!("{dimension} {tag} \"{name}\"\n"))?;
     }
     out.put("$EndPhysicalNames\n")
 }
 
 fn write_entities(out: &mut Out, mesh: &TetMesh, entities: &[Vec<Entity>; 3]) -> io::Result<()> {
     let [curves, surfaces, volumes] = entities;
-    out.put(format!("$Entities\n0 {} {} {}\n", curves.len(), surfaces.len(), volumes.len()))?;
+    out.format(format_args!("$Entities\n0 {} {} {}\n", curves.len(), surfaces.len(), volumes.len()))?;
     for (dimension, of_dimension) in (1..).zip(entities) {
         for (i, entity) in of_dimension.iter().enumerate() {
             out.int(i + 1)?;
             for x in bounds(mesh, dimension, entity).iter().flatten() {
                 out.blank_float(*x)?;
             }
-            out.put(format!(" 1 {}", entity.physical))?;
+            out.format(format_args!(" 1 {}", entity.physical))?;
             // No bounding entities are listed.
             out.put(" 0\n")?;
         }
@@ -110,7 +110,7 @@ fn bounds(mesh: &TetMesh, dimension: u32, entity: &Entity) -> [[f64; 3]; 2] {
 
 fn write_nodes(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     let count = mesh.points.len();
-    out.put(format!("$Nodes\n1 {count} 1 {count}\n3 1 0 {count}\n"))?;
+    out.format(format_args!("$Nodes\n1 {count} 1 {count}\n3 1 0 {count}\n"))?;
     for tag in 1..=count {
         out.int(tag)?;
         out.put("\n")?;
@@ -125,12 +125,12 @@ fn write_nodes(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
 fn write_elements(out: &mut Out, mesh: &TetMesh, entities: &[Vec<Entity>; 3]) -> io::Result<()> {
     let blocks = entities.iter().flatten().filter(|e| !e.elements.is_empty()).count();
     let count: usize = entities.iter().flatten().map(|e| e.elements.len()).sum();
-    out.put(format!("$Elements\n{blocks} {count} {} {count}\n", count.min(1)))?;
+    out.format(format_args!("$Elements\n{blocks} {count} {} {count}\n", count.min(1)))?;
     let mut tag = 0u64;
     // Gmsh's element types: 1 line, 2 triangle, 4 tetrahedron.
     for ((dimension, kind), of_dimension) in [(1, 1), (2, 2), (3, 4)].into_iter().zip(entities) {
         for (i, entity) in of_dimension.iter().enumerate().filter(|(_, e)| !e.elements.is_empty()) {
-            out.put(format!("{dimension} {} {kind} {}\n", i + 1, entity.elements.len()))?;
+            out.format(format_args!("{dimension} {} {kind} {}\n", i + 1, entity.elements.len()))?;
             for &element in &entity.elements {
                 tag += 1;
                 out.int(tag)?;

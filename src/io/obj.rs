@@ -86,7 +86,7 @@ impl Reader {
             word @ (b"curv" | b"curv2" | b"surf" | b"cstype" | b"deg" | b"parm" | b"end" | b"con") => {
                 Err(Error::new(
                     Status::Unsupported,
-                    format!(
+                    format_args!(
                         "line {}: free-form geometry ('{}') is not supported",
                         line.number(),
                         shown(word)
@@ -182,7 +182,7 @@ impl Reader {
         match self.largest {
             Some((index, element, line)) if index >= self.surface.points.len() as i64 => {
                 let error = out_of_range(element, self.surface.points.len());
-                Err(Error { message: format!("line {line}: {}", error.message), ..error })
+                Err(error.at(format_args!("line {line}")))
             }
             _ => Ok(()),
         }

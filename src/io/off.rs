@@ -90,6 +90,6 @@ fn check_magic(magic: &[u8], line: usize) -> Result<(), Error> {
     }
     Err(Error::new(
         Status::Unsupported,
-        format!("line {line}: the OFF variant '{}' is not supported", shown(magic)),
+        format_args!("line {line}: the OFF variant '{}' is not supported", shown(magic)),
     ))
 }

@@ -8,7 +8,10 @@ use std::path::{Path, PathBuf};
 /// An error of the file system about `path`.
 pub(super) fn file_error(path: &Path, doing: &str, error: &io::Error) -> Error {
     let status = if error.kind() == io::ErrorKind::OutOfMemory { Status::OutOfMemory } else { Status::File };
-    Error::new(status, format!("{}: cannot {doing}: {error}", path.display()))
+    if status == Status::OutOfMemory {
+        return Error::new(status, "out of memory");
+    }
+    Error::new(status, format_args!("{}: cannot {doing}: {error}", path.display()))
 }
 
 /// The files of one output. Dropped before [`OutputFiles::commit`], it removes what was written.

@@ -20,7 +20,7 @@ pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     let (hull, replaced) = (u8::from(mesh.hull_kept), mesh.replaced.len());
     let (faces, edges) = (mesh.unmeshed_subfaces.len(), mesh.unmeshed_subsegments.len());
     let [steiner, subfaces, flips] = counts;
-    out.put(format!("{steiner}  {subfaces}  {flips}  {hull}  {replaced}  {faces}  {edges}\n"))?;
+    out.format(format_args!("{steiner}  {subfaces}  {flips}  {hull}  {replaced}  {faces}  {edges}\n"))?;
     let mut terms = mesh.steiner_terms.iter().peekable();
     for (i, point) in mesh.steiner.iter().enumerate() {
         out.int(point.ends[0])?;
@@ -40,18 +40,18 @@ pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
         let [a, b] = flip.old;
         let [c, d] = flip.new;
         let [f, g] = flip.facets;
-        out.put(format!("{a} {b} {c} {d} {f} {g}\n"))?;
+        out.format(format_args!("{a} {b} {c} {d} {f} {g}\n"))?;
     }
     for t in &mesh.replaced {
-        out.put(format!("{t}\n"))?;
+        out.format(format_args!("{t}\n"))?;
     }
     for face in &mesh.unmeshed_subfaces {
         let ([a, b, c], facet) = (face.corners, or_none(face.facet));
-        out.put(format!("{a} {b} {c} {facet} {}\n", face.marker))?;
+        out.format(format_args!("{a} {b} {c} {facet} {}\n", face.marker))?;
     }
     for edge in &mesh.unmeshed_subsegments {
         let ([a, b], segment) = (edge.ends, or_none(edge.segment));
-        out.put(format!("{a} {b} {segment} {}\n", edge.marker))?;
+        out.format(format_args!("{a} {b} {segment} {}\n", edge.marker))?;
     }
     Ok(())
 }

@@ -360,7 +360,7 @@ impl<'a> Values<'a> {
                 [] | b"\n" | b"\r\n" => Ok(()),
                 rest => Err(Error::new(
                     Status::Format,
-                    format!("{} bytes after the last element: more than the header counts", rest.len()),
+                    format_args!("{} bytes after the last element: more than the header counts", rest.len()),
                 )),
             };
         }

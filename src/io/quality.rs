@@ -1,28 +1,44 @@
 //! Quality of tetrahedra, for information: dihedral angles in plain floating point.
+use crate::elementary::{arc_cosine_degrees, exponent, power_of_two};
 use crate::output::TetMesh;
 use crate::vector::{cross, dot, sub};
 
-/// The smallest and largest dihedral angle of a tetrahedron in degrees; NaN for a flat one.
+/// The smallest and largest dihedral angle of a tetrahedron in degrees; 0 and 180 if a face has no area in doubles.
 ///
 /// The angle at the edge between the faces opposite `i` and `j` has cosine `−n_i · n_j` for the outward unit normals.
 pub(super) fn dihedrals(corners: [[f64; 3]; 4]) -> [f64; 2] {
-    let [a, b, c, d] = corners;
-    let normals = [
+    // Coordinates of about one, then normals of about one: nothing over- or underflows that matters.
+    let [a, b, c, d] = match power_of_two_above(corners.as_flattened()) {
+        Some(factor) => corners.map(|p| p.map(|x| x * factor)),
+        None => return [0.0, 180.0],
+    };
+    let mut normals = [
         cross(&sub(&d, &b), &sub(&c, &b)),
         cross(&sub(&c, &a), &sub(&d, &a)),
         cross(&sub(&d, &a), &sub(&b, &a)),
         cross(&sub(&b, &a), &sub(&c, &a)),
     ];
-    let inverse = normals.map(|n| 1.0 / dot(&n, &n).sqrt());
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for normal in &mut normals {
+        let Some(factor) = power_of_two_above(normal) else { return [0.0, 180.0] };
+        let scaled = normal.map(|x| x * factor);
+        let length = dot(&scaled, &scaled).sqrt();
+        *normal = scaled.map(|x| x / length);
+    }
+    let (mut low, mut high) = (1.0f64, -1.0f64);
     for i in 0..4 {
         for j in 0..i {
-            let cosine = -dot(&normals[i], &normals[j]) * inverse[i] * inverse[j];
+            let cosine = -dot(&normals[i], &normals[j]);
             low = low.min(cosine);
             high = high.max(cosine);
         }
     }
-    [high, low].map(|cosine| cosine.clamp(-1.0, 1.0).acos().to_degrees())
+    [high, low].map(arc_cosine_degrees)
+}
+
+/// The power of two that brings the largest of these numbers to between 1 and 2; none if all are zero.
+fn power_of_two_above(numbers: &[f64]) -> Option<f64> {
+    let largest = numbers.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+    (largest > 0.0).then(|| power_of_two((-exponent(largest)).min(1023)))
 }
 
 /// The smallest and largest dihedral angle of a mesh in degrees.

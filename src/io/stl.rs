@@ -19,18 +19,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
     if bytes[start..].len() >= 5 && bytes[start..start + 5].eq_ignore_ascii_case(b"solid") {
         return read_text(bytes);
     }
-    Err(Error::new(
-        Status::Format,
-        match bytes.get(80..84).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes) {
-            Some(n) => format!(
+    let error = |message: std::fmt::Arguments| Err(Error::new(Status::Format, message));
+    match bytes.get(80..84).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes) {
+            Some(n) => error(format_args!(
                 "not an STL file, or cut short: it does not start with 'solid' as text does, and the {n} triangles that a \
                  binary file would announce take {} bytes, not {}",
                 84 + 50 * u64::from(n),
                 bytes.len()
-            ),
-            None => format!("not an STL file: {} bytes that do not start with 'solid'", bytes.len()),
-        },
-    ))
+            )),
+            None => error(format_args!("not an STL file: {} bytes that do not start with 'solid'", bytes.len())),
+    }
 }
 
 fn binary_count(bytes: &[u8]) -> Option<usize> {

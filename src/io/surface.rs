@@ -129,8 +129,11 @@ impl Surface {
 /// The error for an element that refers to a point that does not exist.
 pub(super) fn out_of_range(element: Element, count: usize) -> Error {
     let defect = Defect { kind: DefectKind::IndexOutOfRange, first: element, second: None, point: None };
-    let message = format!("{element} refers to a point that does not exist (there are {count} points)");
-    Error::with_defect(Status::IndexOutOfRange, message, defect)
+    Error::with_defect(
+        Status::IndexOutOfRange,
+        format_args!("{element} refers to a point that does not exist (there are {count} points)"),
+        defect,
+    )
 }
 
 /// Removes every point that equals an earlier one (0 and -0 are equal) and returns the new index of each.

@@ -57,8 +57,7 @@ pub(super) fn read_plc(
     let mut section = node_section(&mut lines)?;
     if section.points.is_empty() {
         let beside = nodes()?;
-        section =
-            read_nodes(&beside).map_err(|e| Error { message: format!(".node file: {}", e.message), ..e })?;
+        section = read_nodes(&beside).map_err(|e| e.at(format_args!(".node file")))?;
     }
     let base = section.base;
     let mut plc = section.into_plc();
@@ -267,7 +266,7 @@ pub(super) struct Tets {
 
 /// Reads a mesh from the contents of its `.node` and `.ele` files.
 pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<Tets, Error> {
-    let nodes = read_nodes(node).map_err(|e| Error { message: format!(".node file: {}", e.message), ..e })?;
+    let nodes = read_nodes(node).map_err(|e| e.at(format_args!(".node file")))?;
     let mut lines = Lines::new(ele);
     let mut line = lines.expect("the number of tetrahedra")?;
     let count = line.count("the number of tetrahedra", 10, lines.remaining().len())?;
@@ -275,7 +274,7 @@ pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<Tets, Error> {
     if corners != 4 {
         return Err(Error::new(
             Status::Unsupported,
-            format!("tetrahedra of {corners} corners are not supported"),
+            format_args!("tetrahedra of {corners} corners are not supported"),
         ));
     }
     let attributed = line.optional_int("the number of attributes")?.unwrap_or(0) > 0;
@@ -322,7 +321,7 @@ fn index_row<const N: usize>(
         let index = line.int("a point index")?.saturating_sub(nodes.base);
         if index < 0 || index as usize >= nodes.points.len() {
             let error = out_of_range(element, nodes.points.len());
-            return Err(Error { message: format!("line {}: {}", line.number(), error.message), ..error });
+            return Err(error.at(format_args!("line {}", line.number())));
         }
         *corner = index as u32;
     }

@@ -6,7 +6,7 @@ use crate::error::{Error, Status};
 
 /// A format error at a line.
 pub(super) fn bad(line: usize, what: impl std::fmt::Display) -> Error {
-    Error::new(Status::Format, format!("line {line}: {what}"))
+    Error::new(Status::Format, format_args!("line {line}: {what}"))
 }
 
 /// A token as an error message shows it: short and printable.
@@ -177,7 +177,7 @@ impl<'a> Line<'a> {
         if count >= u32::MAX as usize {
             return Err(Error::new(
                 Status::TooLarge,
-                format!("line {}: {what} is {count}: too large", self.number),
+                format_args!("line {}: {what} is {count}: too large", self.number),
             ));
         }
         Ok(count)

@@ -12,20 +12,20 @@ const VTK_TETRA: u32 = 10;
 pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     let count = mesh.tets.len();
     out.put("# vtk DataFile Version 3.0\ndelotet\nBINARY\nDATASET UNSTRUCTURED_GRID\n")?;
-    out.put(format!("POINTS {} double\n", mesh.points.len()))?;
+    out.format(format_args!("POINTS {} double\n", mesh.points.len()))?;
     for x in mesh.points.iter().flatten() {
         out.put(x.to_be_bytes())?;
     }
-    out.put(format!("\nCELLS {count} {}\n", 5 * count as u64))?;
+    out.format(format_args!("\nCELLS {count} {}\n", 5 * count as u64))?;
     for tet in &mesh.tets {
         out.put(4u32.to_be_bytes())?;
         tet.iter().try_for_each(|v| out.put(v.to_be_bytes()))?;
     }
-    out.put(format!("\nCELL_TYPES {count}\n"))?;
+    out.format(format_args!("\nCELL_TYPES {count}\n"))?;
     for _ in 0..count {
         out.put(VTK_TETRA.to_be_bytes())?;
     }
-    out.put(format!("\nCELL_DATA {count}\nSCALARS region double 1\nLOOKUP_TABLE default\n"))?;
+    out.format(format_args!("\nCELL_DATA {count}\nSCALARS region double 1\nLOOKUP_TABLE default\n"))?;
     for tet in 0..count {
         out.put(attribute_of(mesh, tet).to_be_bytes())?;
     }

@@ -165,23 +165,23 @@ fn write_grid(out: &mut Out, grid: &Grid<'_>, compress: bool) -> io::Result<()> 
         }
     }
     let compressor = if compress { " compressor=\"vtkZLibDataCompressor\"" } else { "" };
-    out.put(format!(
+    out.format(format_args!(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
          header_type=\"UInt64\"{compressor}>\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
         grid.point_count, grid.cell_count
     ))?;
     let (mut offset, mut number) = (0, 0);
     for (section, arrays) in &sections {
-        out.put(format!("<{section}>\n"))?;
+        out.format(format_args!("<{section}>\n"))?;
         for array in *arrays {
-            out.put(format!(
+            out.format(format_args!(
                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{offset}\"/>\n",
                 array.kind, array.name, array.components
             ))?;
             offset += packed.get(number).map_or(8 + array.bytes, |p| p.len() as u64);
             number += 1;
         }
-        out.put(format!("</{section}>\n"))?;
+        out.format(format_args!("</{section}>\n"))?;
     }
     out.put("</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_")?;
     if compress {

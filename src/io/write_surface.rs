@@ -10,7 +10,7 @@ use std::path::Path;
 /// Writes a PLC in the format of the path.
 pub(super) fn write(files: &mut OutputFiles, path: &Path, plc: &Plc) -> Result<(), Error> {
     check_finite(plc)?;
-    let refuse = |what: &str| Error::new(Status::Unsupported, format!("{}: {what}", path.display()));
+    let refuse = |what: &str| Error::new(Status::Unsupported, format_args!("{}: {what}", path.display()));
     let simple = |f: &Facet| f.polygons.len() == 1 && f.holes.is_empty();
     let seeds = !plc.holes.is_empty() || !plc.regions.is_empty();
     match Format::of(path)? {
@@ -46,7 +46,7 @@ fn check_finite(plc: &Plc) -> Result<(), Error> {
             let defect = Defect { kind: DefectKind::NonFinite, first, second: None, point: None };
             Err(Error::with_defect(
                 Status::NonFinitePoint,
-                format!("{first} has a coordinate that is not finite"),
+                format_args!("{first} has a coordinate that is not finite"),
                 defect,
             ))
         }

@@ -25,7 +25,7 @@ fn nodes(out: &mut Out, mesh: &TetMesh, plc: &Plc, added: &[f64]) -> io::Result<
     let attributes = plc.point_attribute_count;
     let marked = !plc.point_markers.is_empty();
     out.int(mesh.points.len())?;
-    out.put(format!("  3  {attributes}  {}\n", u8::from(marked)))?;
+    out.format(format_args!("  3  {attributes}  {}\n", u8::from(marked)))?;
     for (i, point) in mesh.points.iter().enumerate() {
         out.int(i)?;
         out.put(b" ")?;
@@ -54,7 +54,7 @@ pub(super) fn attribute(plc: &Plc, added: &[f64], point: usize, k: usize) -> f64
 fn tets(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> {
     let attributed = !plc.regions.is_empty() || mesh.regions.len() > 1;
     out.int(mesh.tets.len())?;
-    out.put(format!("  4  {}\n", u8::from(attributed)))?;
+    out.format(format_args!("  4  {}\n", u8::from(attributed)))?;
     for (i, tet) in mesh.tets.iter().enumerate() {
         row(out, i, tet)?;
         if attributed {

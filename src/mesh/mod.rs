@@ -22,8 +22,9 @@ use tables::FACE;
 pub const GHOST: u32 = u32::MAX;
 /// No tetrahedron.
 pub const NONE: u32 = u32::MAX;
-/// Most tetrahedra that corner codes can address.
-pub const MAX_TETS: usize = 1 << 30;
+/// Most tetrahedra that corner codes can address: with one more the last code, of its corner 3, would be [`NONE`].
+pub const MAX_TETS: usize = (1 << 30) - 1;
+const _: () = assert!(4 * (MAX_TETS - 1) + 3 < NONE as usize);
 
 /// An unordered vertex pair as a key.
 #[inline]
@@ -126,7 +127,10 @@ impl Tetrahedra {
     /// A view for several writers with room for `more` new tetrahedra.
     pub(crate) fn share(&mut self, more: usize) -> Result<Slots<'_>, Error> {
         if self.verts.len() + more > MAX_TETS {
-            return Err(Error::new(Status::TooLarge, "more than 2^30 tetrahedra"));
+            return Err(Error::new(
+                Status::TooLarge,
+                "more tetrahedra than the library can address, 2^30 - 1",
+            ));
         }
         self.verts.try_reserve_exact(more)?;
         self.adj.try_reserve_exact(more)?;
@@ -146,7 +150,10 @@ impl Tetrahedra {
     #[inline(never)]
     fn grow(&mut self, extra: usize) -> Result<(), Error> {
         if self.verts.len() + extra > MAX_TETS {
-            return Err(Error::new(Status::TooLarge, "more than 2^30 tetrahedra"));
+            return Err(Error::new(
+                Status::TooLarge,
+                "more tetrahedra than the library can address, 2^30 - 1",
+            ));
         }
         // By a quarter, not twofold: most of the memory of a large mesh is here.
         let room = extra.max(self.verts.len() / 4).min(MAX_TETS - self.verts.len());

@@ -4,6 +4,7 @@
 //! decide. A point on a common face, edge or vertex belongs to the tetrahedron with the smallest index, so the answer does
 //! not depend on the order of the questions. Non-convex meshes and meshes of several parts need no special care.
 use super::FACE_CORNERS;
+use crate::elementary::{exponent, power_of_two};
 use crate::error::Error;
 use crate::predicates::{orient3d, Sign};
 use crate::{TetMesh, INVALID};
@@ -238,11 +239,11 @@ impl Locator {
 /// The power of two that brings the largest coordinate into [1, 2).
 fn scale_of(points: &[[f64; 3]]) -> f64 {
     let largest = points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
-    let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
-    match exponent {
+    let power = exponent(largest);
+    match power {
         // Inside this range nothing can overflow or lose its last bits.
         -100..=100 => 1.0,
-        _ => 2.0f64.powi((-exponent).clamp(-1000, 1000)),
+        _ => power_of_two((-power).clamp(-1000, 1000)),
     }
 }
 

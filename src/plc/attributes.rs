@@ -3,6 +3,7 @@
 //! On an input edge: linear between its ends. Inside: the point is a convex combination of four points around it, a vertex of
 //! its star and the triangle of the star's boundary that the line from there through the point leaves by; so linear attributes are
 //! met up to rounding, and none leaves the range of its neighbours. This is no topological decision: doubles will do.
+use crate::elementary::{exponent, power_of_two, quotient};
 use crate::error::Error;
 use crate::output::TetMesh;
 use crate::plc::Plc;
@@ -125,8 +126,11 @@ fn beside(star: impl Iterator<Item = [u32; 4]>, known: &[bool]) -> Option<([u32;
 
 /// Weights of `v` in a tetrahedron: volumes with it in a corner's place over the whole one.
 fn barycentric(mesh: &TetMesh, corners: [u32; 4], v: u32) -> [f64; 4] {
+    // Coordinates of about one: their products neither overflow nor vanish.
+    let largest = corners.iter().flat_map(|&p| mesh.points[p as usize]).fold(0.0f64, |m, x| m.max(x.abs()));
+    let factor = power_of_two(-exponent(largest).max(-1000));
     let volume = |at: [u32; 4]| {
-        let [a, b, c, d] = at.map(|p| mesh.points[p as usize]);
+        let [a, b, c, d] = at.map(|p| mesh.points[p as usize].map(|x| x * factor));
         let [u, v, w] = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
         u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
             + u[2] * (v[0] * w[1] - v[1] * w[0])
@@ -135,6 +139,7 @@ fn barycentric(mesh: &TetMesh, corners: [u32; 4], v: u32) -> [f64; 4] {
     std::array::from_fn(|i| {
         let mut part = corners;
         part[i] = v;
-        volume(part) / whole
+        // No weights, where the tetrahedron is flat in doubles.
+        quotient(volume(part), whole).unwrap_or(-1.0)
     })
 }

@@ -12,25 +12,27 @@ use super::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
 use super::split::split;
 use super::surface::Surface;
 use super::{Facet, Interior, Plc};
-use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::elementary::quotient;
+use crate::error::{Defect, DefectKind, Element, Error, KindCounts, Message, Status};
 use crate::options::{Mode, Options};
 use crate::predicates::{far_from_most, range_scale, scale};
 use crate::progress::{report, Observer, Phase};
 use crate::warning::{Warning, WarningKind, Warnings};
 use crate::INVALID;
+use std::fmt;
 
 /// Defects found so far, as many as the caller wants to see.
 pub(crate) struct Defects {
     limit: usize,
     list: Vec<Defect>,
     count: usize,
-    /// Defects per kind, in order of first sight.
-    kinds: Vec<(DefectKind, usize)>,
+    /// Defects per kind.
+    kinds: KindCounts,
 }
 
 impl Defects {
     pub(crate) fn new(limit: usize) -> Self {
-        Defects { limit, list: Vec::new(), count: 0, kinds: Vec::new() }
+        Defects { limit, list: Vec::new(), count: 0, kinds: KindCounts::default() }
     }
 
     pub(crate) fn push(
@@ -41,10 +43,7 @@ impl Defects {
         point: Option<[f64; 3]>,
     ) {
         self.count += 1;
-        match self.kinds.iter_mut().find(|k| k.0 == kind) {
-            Some(k) => k.1 += 1,
-            None => self.kinds.push((kind, 1)),
-        }
+        self.kinds.add(kind);
         if self.list.len() < self.limit && self.list.try_reserve(1).is_ok() {
             self.list.push(Defect { kind, first, second, point });
         }
@@ -59,15 +58,14 @@ impl Defects {
         let Some(status) = self.kinds.iter().map(|k| status_of(k.0)).max_by_key(|&s| severity(s)) else {
             return Ok(());
         };
-        let mut parts: Vec<String> =
-            self.kinds.iter().map(|(kind, count)| format!("{count} {}", kind.name())).collect();
         let listed: usize = self.kinds.iter().map(|k| k.1).sum();
-        if listed < self.count {
-            parts.push(format!("{} not listed", self.count - listed));
-        }
-        let message =
-            format!("{} defect{}: {}", self.count, if self.count == 1 { "" } else { "s" }, parts.join(", "));
-        Err(Error { status, message, defects: self.list, defect_count: self.count })
+        let (count, plural) = (self.count, if self.count == 1 { "" } else { "s" });
+        let kinds = self.kinds.shown(" ");
+        let message = match count.saturating_sub(listed) {
+            0 => format_args!("{count} defect{plural}: {kinds}").into(),
+            more => format_args!("{count} defect{plural}: {kinds}, {more} not listed").into(),
+        };
+        Err(Error::with_defects(status, message, self.list, count))
     }
 }
 
@@ -322,26 +320,24 @@ pub(crate) fn nothing_enclosed(plc: &Plc, surface: &Surface, open: &[OpenEdge], 
             point: edge.middle(surface),
         }));
     }
-    let reason = match open.first() {
+    let because = |reason: fmt::Arguments<'_>| {
+        Message::from(format_args!("the surface encloses nothing: {reason}, or keep the convex hull"))
+    };
+    let message = match open.first() {
         Some(edge) => {
             let [x, y, z] = edge.middle(surface).unwrap_or_default();
             let facet = surface.triangle_facet.get(edge.triangle as usize).copied().unwrap_or(INVALID);
             let (count, [a, b]) = (open.len(), edge.ends);
             let edges = if count == 1 { "open edge" } else { "open edges, such as that" };
-            format!(
+            because(format_args!(
                 "{count} {edges} of facet {facet} between points {a} and {b} at ({x}, {y}, {z}); close it"
-            )
+            ))
         }
-        None if surface.triangles.is_empty() => "it has no facet; add facets".to_string(),
-        None if !plc.holes.is_empty() => "the hole seeds carve all of it; remove one".to_string(),
-        None => "it has no inside; change it".to_string(),
+        None if surface.triangles.is_empty() => because(format_args!("it has no facet; add facets")),
+        None if !plc.holes.is_empty() => because(format_args!("the hole seeds carve all of it; remove one")),
+        None => because(format_args!("it has no inside; change it")),
     };
-    Error {
-        status: Status::NothingEnclosed,
-        message: format!("the surface encloses nothing: {reason}, or keep the convex hull"),
-        defects,
-        defect_count: open.len(),
-    }
+    Error::with_defects(Status::NothingEnclosed, message, defects, open.len())
 }
 
 /// Coordinates are finite, indices refer to points.
@@ -538,8 +534,8 @@ fn fault_point(points: &[[f64; 3]], fault: Fault) -> Option<[f64; 3]> {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let (d, e) = (minus(q, p), minus(s, r));
     let normal = cross(d, e);
-    let t = dot(cross(minus(r, p), e), normal) / dot(normal, normal);
-    Some(if t.is_finite() { [0, 1, 2].map(|k| p[k] + t * d[k]) } else { p })
+    let t = quotient(dot(cross(minus(r, p), e), normal), dot(normal, normal));
+    Some(t.map_or(p, |t| [0, 1, 2].map(|k| p[k] + t.clamp(0.0, 1.0) * d[k])))
 }
 
 /// Facets that cover the same triangle.

@@ -207,7 +207,10 @@ impl Points {
     fn on_segment(&self, a: u32, b: u32, t: &Expansion) -> Result<([f64; 3], Option<Implicit>), Error> {
         let known = |i: u32| (i as usize) < self.xyz.len() && self.is_explicit(i);
         if !known(a) || !known(b) || !range::is_parameter(t) {
-            return Err(Error::internal(format!("invalid Steiner point: {a}, {b}, {}", t.approximate())));
+            return Err(Error::internal(format_args!(
+                "invalid Steiner point: {a}, {b}, {}",
+                t.approximate()
+            )));
         }
         let exact = on_segment(self.xyz(a), self.xyz(b), t);
         let lowest = exact.iter().filter_map(|e| range::lowest_exponent(*e.components().first()?)).min();

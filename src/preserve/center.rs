@@ -65,7 +65,8 @@ pub fn center(planes: &[Plane], size: f64) -> ([f64; 3], f64) {
 fn solve(mut a: [[f64; 4]; 4], mut b: [f64; 4]) -> Option<[f64; 4]> {
     for k in 0..4 {
         let pivot = (k..4).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
-        if a[pivot][k].abs() < 1e-300 {
+        // Coordinates are at most 2^202: three divisions by more than this do not overflow.
+        if a[pivot][k].abs() < 1e-60 {
             return None;
         }
         a.swap(k, pivot);

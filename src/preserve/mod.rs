@@ -41,6 +41,7 @@ pub mod widen;
 use crate::constrain::face_key;
 use crate::constrain::segment::Segments;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::fallible;
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
 use hollow::Growth;
@@ -183,33 +184,31 @@ fn subfaces(solid: &Solid, target: &Target, internal: &Internal) -> Result<Vec<(
 
 /// The error that names the facets round which points inside have no room.
 fn crowding(target: &Target, points: &Points, near: impl Fn(&[u32; 3]) -> bool) -> Error {
-    let mut facets: Vec<(u32, u32)> = target
-        .triangles
-        .iter()
-        .zip(target.facet)
-        .filter(|(triangle, _)| near(triangle))
-        .map(|(triangle, &facet)| (facet, triangle[0]))
-        .collect();
+    let near = target.triangles.iter().zip(target.facet).filter(|(triangle, _)| near(triangle));
+    let mut facets = match fallible::collect(near.map(|(triangle, &facet)| (facet, triangle[0]))) {
+        Ok(facets) => facets,
+        Err(short) => return short.into(),
+    };
     facets.sort_unstable();
     facets.dedup_by_key(|f| f.0);
-    let place = match facets.len() {
-        0 => "beside a segment".to_string(),
-        count => format!("at {count} facets"),
+    let defects = fallible::collect(facets.iter().map(|&(facet, v)| Defect {
+        kind: DefectKind::Rounding,
+        first: Element::Facet(facet),
+        second: None,
+        point: Some(*points.xyz(v)),
+    }));
+    let message = match facets.len() {
+        0 => "the surface cannot be kept in doubles: points inside have no valid position beside a segment"
+            .into(),
+        count => format_args!(
+            "the surface cannot be kept in doubles: points inside have no valid position at {count} facets"
+        )
+        .into(),
     };
-    let message =
-        format!("the surface cannot be kept in doubles: points inside have no valid position {place}");
-    let mut error = Error::new(Status::Rounding, message);
-    error.defect_count = facets.len();
-    error.defects = facets
-        .into_iter()
-        .map(|(facet, v)| Defect {
-            kind: DefectKind::Rounding,
-            first: Element::Facet(facet),
-            second: None,
-            point: Some(*points.xyz(v)),
-        })
-        .collect();
-    error
+    match defects {
+        Ok(defects) => Error::with_defects(Status::Rounding, message, defects, facets.len()),
+        Err(short) => short.into(),
+    }
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use super::place::place;
 use super::solid::Sector;
 use super::unsplit::{unit, Effort, Unsplit};
 use super::widen::Rays;
+use crate::elementary::power_of_two;
 use crate::error::Error;
 use crate::reconnect::Polyhedron;
 use crate::vector::{cross, dot, sub};
@@ -134,15 +135,19 @@ impl Unsplit<'_> {
             None => any_normal(&along),
         };
         let side = cross(&along, &up);
-        let way = |angle: f64| [0, 1, 2].map(|k| angle.cos() * up[k] + angle.sin() * side[k]);
-        let third = std::f64::consts::TAU / 3.0;
-        let quarter = std::f64::consts::FRAC_PI_2;
-        let sets: [&[f64]; 5] = [
-            &[quarter],
-            &[-quarter],
-            &[0.0, 2.0 * quarter],
-            &[0.0, third, 2.0 * third],
-            &[0.0, quarter, 2.0 * quarter, 3.0 * quarter],
+        // Cosine and sine of the angle from `up`.
+        let way = |[cosine, sine]: [f64; 2]| [0, 1, 2].map(|k| cosine * up[k] + sine * side[k]);
+        const HALF_ROOT_OF_THREE: f64 = 0.866_025_403_784_438_6;
+        const AHEAD: [f64; 2] = [1.0, 0.0];
+        const LEFT: [f64; 2] = [0.0, 1.0];
+        const RIGHT: [f64; 2] = [0.0, -1.0];
+        const BACK: [f64; 2] = [-1.0, 0.0];
+        let sets: [&[[f64; 2]]; 5] = [
+            &[LEFT],
+            &[RIGHT],
+            &[AHEAD, BACK],
+            &[AHEAD, [-0.5, HALF_ROOT_OF_THREE], [-0.5, -HALF_ROOT_OF_THREE]],
+            &[AHEAD, LEFT, BACK, RIGHT],
         ];
         let reach = self.star.sectors[s].link.iter().flatten().map(|&w| {
             let d = sub(self.points.xyz(w), &from);
@@ -154,7 +159,7 @@ impl Unsplit<'_> {
         let before = self.inside.list.len();
         for set in sets {
             for halvings in [2, 4, 8, 16, 24, 32] {
-                let distance = reach * 0.5f64.powi(halvings);
+                let distance = reach * power_of_two(-halvings);
                 for &angle in set {
                     let w = way(angle);
                     self.new_point([0, 1, 2].map(|k| from[k] + distance * w[k]))?;

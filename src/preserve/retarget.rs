@@ -11,6 +11,7 @@ use super::solid::{ghost_at, Sector, Solid};
 use super::unsplit::{axis_of, unit};
 use super::widen::{Rays, Widen};
 use crate::constrain::{edge_key, face_key};
+use crate::elementary::quotient;
 use crate::error::Error;
 use crate::mesh::{flag, GHOST, NONE};
 use crate::options::Preserve;
@@ -462,7 +463,6 @@ fn crossing_point(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> ([f64; 
     let (ab, cd, ac) = (sub(&b, &a), sub(&d, &c), sub(&c, &a));
     let n = cross(&ab, &cd);
     // a + s ab lies on the line cd where (a + s ab − c) × cd = 0.
-    let s = dot(&cross(&ac, &cd), &n) / dot(&n, &n).max(f64::MIN_POSITIVE);
-    let s = if s.is_finite() { s.clamp(0.0, 1.0) } else { 0.5 };
+    let s = quotient(dot(&cross(&ac, &cd), &n), dot(&n, &n)).map_or(0.5, |s| s.clamp(0.0, 1.0));
     ([0, 1, 2].map(|k| a[k] + s * ab[k]), n)
 }

@@ -10,6 +10,7 @@
 use super::hollow::Start;
 use super::solid::Solid;
 use crate::constrain::{edge_key, face_key};
+use crate::elementary::power_of_two;
 use crate::error::Error;
 use crate::mesh::tables::EDGE;
 use crate::predicates::{in_range, Points, Sign};
@@ -64,7 +65,7 @@ impl Widen {
         let reach =
             corners.map(|v| sub(points.xyz(v), &rays.from)).map(|d| dot(&d, &d)).fold(0.0, f64::max).sqrt();
         for k in 1..=QUARTERINGS {
-            let height = reach * 0.25f64.powi(k);
+            let height = reach * power_of_two(-2 * k);
             for way in rays.toward {
                 let at = [0, 1, 2].map(|k| rays.from[k] + height * way[k]);
                 if !at.iter().all(|&x| in_range(x)) {

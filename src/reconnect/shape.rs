@@ -66,10 +66,13 @@ impl Shape {
         // Faces i and j (opposite corners i and j) meet at the edge of the two others.
         const MEET: [(usize, usize, usize); 6] =
             [(0, 1, 5), (0, 2, 4), (0, 3, 3), (1, 2, 2), (1, 3, 1), (2, 3, 0)];
+        /// Nothing here is larger than 12: divided by this or more it does not overflow.
+        const TINY: f64 = 16.0 * f64::MIN_POSITIVE;
         let mut sine = f64::INFINITY;
         for (i, j, e) in MEET {
-            if dot(&normals[i], &normals[j]) < 0.0 {
-                sine = sine.min(edges[e] / (squares[i] * squares[j]));
+            let product = squares[i] * squares[j];
+            if dot(&normals[i], &normals[j]) < 0.0 && product >= TINY {
+                sine = sine.min(edges[e] / product);
             }
         }
         let center_along = |k: usize| uu * n1[k] + vv * n2[k] + ww * n3[k];
@@ -77,7 +80,7 @@ impl Shape {
         let shortest = edges.into_iter().fold(f64::INFINITY, f64::min);
         Shape {
             angle: if sine.is_finite() { det * sine.sqrt() } else { 0.0 },
-            ratio: 2.0 * det * (shortest / dot(&center, &center)).sqrt(),
+            ratio: 2.0 * det * (shortest / dot(&center, &center).max(TINY)).sqrt(),
         }
     }
 

@@ -259,11 +259,11 @@ fn meets(points: &Points, [a, b]: [u32; 2], corners: [u32; 4]) -> bool {
         if at_a <= 0.0 && at_b <= 0.0 {
             return false;
         }
-        let crossing = at_a / (at_a - at_b);
+        // The signs differ: no division by zero.
         if at_a < 0.0 {
-            from = from.max(crossing);
+            from = from.max(at_a / (at_a - at_b));
         } else if at_b < 0.0 {
-            to = to.min(crossing);
+            to = to.min(at_a / (at_a - at_b));
         }
     }
     from < to

@@ -2,7 +2,8 @@
 //!
 //! Tetrahedra connected through faces that are no subfaces form a component. The component of the ghosts is outside, those
 //! with a hole seed are holes; the others are regions.
-use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
+use crate::fallible;
 use crate::mesh::{flag, Tetrahedra, NONE};
 use crate::output::Region;
 use crate::plc::RegionSeed;
@@ -39,7 +40,7 @@ pub fn components(mesh: &Tetrahedra) -> Result<Components, Error> {
         let label = if mesh.is_ghost(seed) { 0 } else { count };
         of[seed as usize] = label;
         count = count.max(label + 1);
-        stack.push(seed);
+        fallible::push(&mut stack, seed)?;
         while let Some(t) = stack.pop() {
             stack.try_reserve(4)?;
             for f in 0..4 {
@@ -104,8 +105,12 @@ impl Seeds<'_> {
                 Place::Outside => None,
                 Place::In(component) => Some(component),
                 Place::OnFacet => {
-                    let message = format!("{element} lies exactly on a facet");
-                    return Err(seed_error(DefectKind::SeedOnFacet, element, all[i], message));
+                    return Err(seed_error(
+                        DefectKind::SeedOnFacet,
+                        element,
+                        all[i],
+                        format_args!("{element} lies exactly on a facet").into(),
+                    ));
                 }
             });
         }
@@ -113,7 +118,7 @@ impl Seeds<'_> {
     }
 }
 
-fn seed_error(kind: DefectKind, element: Element, at: [f64; 3], message: String) -> Error {
+fn seed_error(kind: DefectKind, element: Element, at: [f64; 3], message: Message) -> Error {
     let defect = Defect { kind, first: element, second: None, point: Some(at) };
     Error::with_defect(Status::SeedOutside, message, defect)
 }
@@ -158,8 +163,12 @@ pub fn label(
     for ((i, seed), component) in (0..).zip(seeds.regions).zip(of_seeds) {
         let element = Element::Region(i);
         let Some(component) = component.filter(|&c| !carved[c as usize]) else {
-            let message = format!("{element} lies outside the domain");
-            return Err(seed_error(DefectKind::SeedOutside, element, seed.point, message));
+            return Err(seed_error(
+                DefectKind::SeedOutside,
+                element,
+                seed.point,
+                format_args!("{element} lies outside the domain").into(),
+            ));
         };
         match of_component[component as usize] {
             NONE => {

@@ -1,5 +1,6 @@
 //! Positions to try for a Steiner point whose nearest double is not valid.
 use crate::constrain::segment::Segments;
+use crate::elementary::power_of_two;
 use crate::predicates::Points;
 
 /// A Steiner point on its segment, and the room it has there.
@@ -49,7 +50,7 @@ impl Candidate {
         for power in [-40i32, -36, -32, -28, -24, -20, -16] {
             for k in 1..=8 {
                 for sign in [-1.0, 1.0] {
-                    let t = self.t + sign * k as f64 * span * f64::from(power).exp2();
+                    let t = self.t + sign * k as f64 * span * power_of_two(power);
                     if self.has_room(t) {
                         list.push(t);
                     }

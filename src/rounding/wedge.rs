@@ -18,6 +18,9 @@ pub struct Plane {
 /// Most planes considered: there are n³/6 corners to try.
 pub const MOST: usize = 24;
 
+/// Of unit normals, far below what rounding makes of products that are zero: what is smaller has no sense as a divisor.
+const PARALLEL: f64 = 1e-60;
+
 /// The shortest `d` with `height + normal · d >= margin` for all planes, if a corner of up to three planes gives one.
 pub fn escape(planes: &[Plane], margin: f64) -> Option<[f64; 3]> {
     let planes = &planes[..planes.len().min(MOST)];
@@ -25,7 +28,7 @@ pub fn escape(planes: &[Plane], margin: f64) -> Option<[f64; 3]> {
     let mut consider = |d: [f64; 3]| {
         let size = dot(&d, &d);
         let holds = planes.iter().all(|p| p.height + dot(&p.normal, &d) >= 0.5 * margin);
-        if size.is_finite() && holds && best.as_ref().is_none_or(|b| size < b.1) {
+        if holds && best.as_ref().is_none_or(|b| size < b.1) {
             best = Some((d, size));
         }
     };
@@ -37,13 +40,18 @@ pub fn escape(planes: &[Plane], margin: f64) -> Option<[f64; 3]> {
             let line = cross(&p.normal, &q.normal);
             let size = dot(&line, &line);
             let (u, v) = (cross(&q.normal, &line), cross(&line, &p.normal));
-            consider(std::array::from_fn(|k| (u[k] * lack(p) + v[k] * lack(q)) / size));
+            // Parallel planes have none.
+            if size >= PARALLEL {
+                consider(std::array::from_fn(|k| (u[k] * lack(p) + v[k] * lack(q)) / size));
+            }
             for r in &planes[..j] {
                 let volume = dot(&line, &r.normal);
                 let (u, v) = (cross(&q.normal, &r.normal), cross(&r.normal, &p.normal));
-                consider(std::array::from_fn(|k| {
-                    (u[k] * lack(p) + v[k] * lack(q) + line[k] * lack(r)) / volume
-                }));
+                if volume.abs() >= PARALLEL {
+                    consider(std::array::from_fn(|k| {
+                        (u[k] * lack(p) + v[k] * lack(q) + line[k] * lack(r)) / volume
+                    }));
+                }
             }
         }
     }

@@ -5,6 +5,7 @@ use crate::constrain::subface::Subfaces;
 use crate::constrain::{edge_key, face_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::fallible;
 use crate::mesh::{flag, Tetrahedra};
 use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::surface::Surface;
@@ -27,7 +28,7 @@ pub(super) fn mesh(
     rounded: &Rounded,
     constraints: Option<(&Segments, &Subfaces)>,
 ) -> Result<TetMesh, Error> {
-    let mut out = without_elements(plc, surface, regions);
+    let mut out = without_elements(plc, surface, regions)?;
     let steiner_count = engine.points.len() - engine.input_of.len();
     out.points.try_reserve(plc.points.len() + steiner_count)?;
     out.points.extend_from_slice(&plc.points);
@@ -38,7 +39,7 @@ pub(super) fn mesh(
         Some(&input) => input,
         None => (plc.points.len() + v as usize - engine.input_of.len()) as u32,
     };
-    out.crowded.extend(rounded.crowded.iter().map(|&v| point_of(v)));
+    fallible::extend(&mut out.crowded, rounded.crowded.iter().map(|&v| point_of(v)))?;
     let number = tets(engine, components, regions, &mut out, point_of)?;
     out.replaced.try_reserve(rounded.replaced.len())?;
     out.replaced.extend(rounded.replaced.iter().map(|&t| number[t as usize]));
@@ -53,14 +54,14 @@ pub(super) fn mesh(
 }
 
 /// What does not depend on the tetrahedra.
-fn without_elements(plc: &Plc, surface: &Surface, regions: &Regions) -> TetMesh {
-    TetMesh {
+fn without_elements(plc: &Plc, surface: &Surface, regions: &Regions) -> Result<TetMesh, Error> {
+    Ok(TetMesh {
         input_point_count: plc.points.len() as u32,
-        point_alias: surface.alias.clone(),
-        regions: regions.regions.clone(),
-        facet_flips: surface.facet_flips.clone(),
+        point_alias: fallible::copied(&surface.alias)?,
+        regions: fallible::copied(&regions.regions)?,
+        facet_flips: fallible::copied(&surface.facet_flips)?,
         ..TetMesh::default()
-    }
+    })
 }
 
 /// The output mesh of a domain without points on its surface, or on its outer boundary.
@@ -72,7 +73,7 @@ pub(super) fn preserved(
     (freed, segments): (&Freed, &Segments),
     regions: &Regions,
 ) -> Result<TetMesh, Error> {
-    let mut out = TetMesh { preserved: true, ..without_elements(plc, surface, regions) };
+    let mut out = TetMesh { preserved: true, ..without_elements(plc, surface, regions)? };
     let mut number_of: Vec<u32> = Vec::new();
     number_of.try_reserve(engine.points.len())?;
     number_of.extend_from_slice(&engine.input_of);
@@ -192,7 +193,7 @@ fn chains(
             chains[from..].reverse();
         }
     }
-    chains.sort_by_key(|x| x.0);
+    fallible::stable_sort_by(&mut chains, |x, y| x.0.cmp(&y.0))?;
     Ok(chains)
 }
 
@@ -225,7 +226,7 @@ pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<Tet
     let mut out = TetMesh {
         input_point_count: plc.points.len() as u32,
         point_alias: alias,
-        regions: vec![Region { attribute: 1.0, seed: INVALID, max_volume: None }],
+        regions: fallible::collect([Region { attribute: 1.0, seed: INVALID, max_volume: None }])?,
         tets: mesh.verts,
         neighbors: mesh.adj,
         hull_kept: true,
@@ -240,28 +241,25 @@ pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<Tet
 
 /// The error that names the Steiner points without a valid position in doubles.
 pub(super) fn crowded(out: &TetMesh, segments: &Segments, rounded: &Rounded) -> Error {
-    let message = format!(
-        "the exact mesh exists, but {} Steiner points have no valid position in doubles",
-        rounded.crowded.len()
-    );
-    let mut error = Error::new(Status::Rounding, message);
-    error.defect_count = rounded.crowded.len();
-    error.defects = rounded
-        .crowded
-        .iter()
-        .map(|&v| {
-            let index = (v - segments.first_steiner) as usize;
-            let point = out.input_point_count + index as u32;
-            let parent = out.steiner.get(index).map(|s| Element::Point(s.ends[0]));
-            Defect {
-                kind: DefectKind::Rounding,
-                first: Element::Point(point),
-                second: parent,
-                point: out.points.get(point as usize).copied(),
-            }
-        })
-        .collect();
-    error
+    let count = rounded.crowded.len();
+    let defects = fallible::collect(rounded.crowded.iter().map(|&v| {
+        let index = (v - segments.first_steiner) as usize;
+        let point = out.input_point_count + index as u32;
+        let parent = out.steiner.get(index).map(|s| Element::Point(s.ends[0]));
+        Defect {
+            kind: DefectKind::Rounding,
+            first: Element::Point(point),
+            second: parent,
+            point: out.points.get(point as usize).copied(),
+        }
+    }));
+    let message =
+        format_args!("the exact mesh exists, but {count} Steiner points have no valid position in doubles")
+            .into();
+    match defects {
+        Ok(defects) => Error::with_defects(Status::Rounding, message, defects, count),
+        Err(short) => short.into(),
+    }
 }
 
 /// Tetrahedra that stay, their neighbours and regions; returns the new number of each slot.
@@ -337,7 +335,7 @@ fn subsegments(
     point_of: impl Fn(u32) -> u32,
 ) -> Result<(), Error> {
     out.subsegments.try_reserve(segments.pieces.len())?;
-    let mut pieces: Vec<_> = segments.pieces.iter().collect();
+    let mut pieces = fallible::collect(segments.pieces.iter())?;
     pieces.sort_unstable_by(|x, y| {
         let order = || segments.order(x.segment, [x.ends[0], y.ends[0]], [x.t[0], y.t[0]]);
         x.segment.cmp(&y.segment).then_with(order)
@@ -360,7 +358,7 @@ fn faces(
     point_of: impl Fn(u32) -> u32,
 ) -> Result<(), Error> {
     let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-    code_of.try_reserve(subfaces.len()).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+    code_of.try_reserve(subfaces.len())?;
     for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t)) {
         for code in 4 * t..4 * t + 4 {
             // One side is enough: both are flagged.

@@ -8,7 +8,9 @@ use super::{assemble, in_terms_of_input, warn, Engine, Run};
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::{Subfaces, Triangles};
+use crate::elementary::{exponent_above, power_of_two};
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::options::Options;
 use crate::output::TetMesh;
 use crate::plc::patch::Patches;
@@ -66,7 +68,7 @@ impl Run<'_> {
         let counts = &mut self.statistics.preserve;
         counts.missing_edges = segments.missing;
         counts.by_splits = segments.missing;
-        let patch = surface.triangle_patch.clone();
+        let patch = fallible::copied(&surface.triangle_patch)?;
         self.free_surface(
             plc,
             &surface,
@@ -141,7 +143,7 @@ impl Run<'_> {
         for end in &mut engine.rounds {
             *end += 8;
         }
-        let mut order: Vec<u32> = (count..count + 8).chain(inner).collect();
+        let mut order = fallible::collect((count..count + 8).chain(inner))?;
         self.delaunay_in(&mut engine, &mut order, options.worker_threads())?;
         engine.delaunay.index_vertices(engine.points.len())?;
 
@@ -261,7 +263,7 @@ fn surrounding_box(points: &[[f64; 3]]) -> [[f64; 3]; 8] {
     let low = [0, 1, 2].map(|k| fold(k, f64::min, f64::INFINITY));
     let high = [0, 1, 2].map(|k| fold(k, f64::max, f64::NEG_INFINITY));
     let side = (0..3).map(|k| high[k] - low[k]).fold(f64::MIN_POSITIVE, f64::max);
-    let unit = side.log2().ceil().exp2();
+    let unit = power_of_two(exponent_above(side));
     std::array::from_fn(|i| {
         std::array::from_fn(|k| {
             let beyond = unit * (1.0 + UNEVEN[i][k] / 64.0);

@@ -2,6 +2,7 @@
 use super::locate_point::Triangle;
 use super::{Intersections, Names};
 use crate::error::{Defect, DefectKind, Element, Error};
+use crate::fallible;
 
 /// Of several findings about one pair of elements the one listed: what says most comes first.
 fn rank(kind: DefectKind) -> u32 {
@@ -155,7 +156,7 @@ impl<'a> Collector<'a> {
         }
         push(&mut self.listed, Defect { kind, first, second: Some(second), point: Some(point) })?;
         if self.listed.len() > COMPACT_FROM.max(self.max_defects.saturating_mul(2)) {
-            self.compact_listed();
+            self.compact_listed()?;
         }
         Ok(())
     }
@@ -166,18 +167,21 @@ impl<'a> Collector<'a> {
         self.compacted_pairs = self.pairs.len();
     }
 
-    fn compact_listed(&mut self) {
+    fn compact_listed(&mut self) -> Result<(), Error> {
+        let key = |d: &Defect| (d.first, d.second, rank(d.kind));
         // Stable: of equal findings the first one stays, with its point.
-        self.listed.sort_by_key(|d| (d.first, d.second, rank(d.kind)));
+        fallible::stable_sort_by(&mut self.listed, |x, y| key(x).cmp(&key(y)))?;
         self.listed.dedup_by_key(|d| (d.first, d.second));
         self.listed.truncate(self.max_defects);
+        Ok(())
     }
 
     /// Every triangle at a crossed edge has met the segment, so the crossings of one edge tell whether all its triangles lie in one
     /// plane with the segment: then the edge is inside a flat patch and may be cut; else it is part of the surface's shape.
     fn resolve_crossings(&mut self) -> Result<(), Error> {
         let mut crossings = std::mem::take(&mut self.crossings);
-        crossings.sort_by_key(|c| (c.segment, c.edge, c.facet, c.triangle));
+        let key = |c: &EdgeCrossing| (c.segment, c.edge, c.facet, c.triangle);
+        fallible::stable_sort_by(&mut crossings, |x, y| key(x).cmp(&key(y)))?;
         crossings.dedup_by_key(|c| (c.segment, c.edge, c.triangle));
         for group in crossings.chunk_by(|x, y| (x.segment, x.edge) == (y.segment, y.edge)) {
             let flat = group.len() > 1 && group.iter().all(|c| c.coplanar);
@@ -221,7 +225,7 @@ impl<'a> Collector<'a> {
         self.resolve_crossings()?;
         self.resolve_segments()?;
         self.compact_pairs();
-        self.compact_listed();
+        self.compact_listed()?;
         let mut found = self.found;
         found.defect_count = self.pairs.len();
         found.defects = self.listed;

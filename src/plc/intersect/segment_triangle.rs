@@ -5,6 +5,7 @@
 use super::collector::Collector;
 use super::coplanar::{line_contact, opposite, record_vertex};
 use super::locate_point::{locate_in_plane, strictly_between, Location, Triangle};
+use crate::elementary::quotient;
 use crate::error::Error;
 use crate::predicates::{orient3d, Sign};
 
@@ -119,7 +120,7 @@ pub(super) fn piercing_point(triangle: &Triangle, p: &[f64; 3], q: &[f64; 3]) ->
     let [a, b, c] = &triangle.corners;
     let normal = cross(&minus(b, a), &minus(c, a));
     let (from, to) = (dot(&normal, &minus(p, a)), dot(&normal, &minus(q, a)));
-    between(p, q, from / (from - to))
+    between(p, q, quotient(from, from - to))
 }
 
 /// The point where two crossing segments meet, rounded, for reports only.
@@ -127,12 +128,12 @@ pub(super) fn crossing_point(p: &[f64; 3], q: &[f64; 3], a: &[f64; 3], b: &[f64;
     let direction = minus(b, a);
     let normal = cross(&direction, &cross(&minus(q, p), &direction));
     let (from, to) = (dot(&normal, &minus(p, a)), dot(&normal, &minus(q, a)));
-    between(p, q, from / (from - to))
+    between(p, q, quotient(from, from - to))
 }
 
-fn between(p: &[f64; 3], q: &[f64; 3], t: f64) -> [f64; 3] {
+fn between(p: &[f64; 3], q: &[f64; 3], t: Option<f64>) -> [f64; 3] {
     // Rounding may give anything for nearly parallel elements: stay on the segment.
-    let t = if t.is_nan() { 0.5 } else { t.clamp(0.0, 1.0) };
+    let t = t.map_or(0.5, |t| t.clamp(0.0, 1.0));
     std::array::from_fn(|k| p[k] + t * (q[k] - p[k]))
 }
 

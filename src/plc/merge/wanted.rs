@@ -2,26 +2,33 @@
 //!
 //! Rounded arithmetic: any set of flips gives a valid surface as long as each is allowed, so only quality is at stake here. What
 //! cannot be computed (overflow) is not wanted.
+use crate::elementary::{cosine_of_degrees, exponent, quotient};
+use crate::predicates::scale;
+
 type Vector = [f64; 3];
 
 /// The bound on the angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bound {
-    /// Square of the tangent of the angle between normals.
-    tangent_squared: f64,
+    /// Squares of sine and cosine of the angle between normals.
+    sine_squared: f64,
+    cosine_squared: f64,
 }
 
 impl Bound {
     /// Triangles may be exchanged where they meet above `degrees` (180 is flat).
     pub(super) fn new(degrees: f64) -> Bound {
-        let tangent = (180.0 - degrees.clamp(90.0, 180.0)).to_radians().tan();
-        Bound { tangent_squared: tangent * tangent }
+        let between = 180.0 - degrees.clamp(90.0, 180.0);
+        let (sine, cosine) = (cosine_of_degrees(90.0 - between), cosine_of_degrees(between));
+        Bound { sine_squared: sine * sine, cosine_squared: cosine * cosine }
     }
 
     /// Whether two normals differ by less than the bound.
     fn holds(&self, u: &Vector, v: &Vector) -> bool {
-        let (along, across) = (dot(u, v), cross(u, v));
-        along > 0.0 && dot(&across, &across) < self.tangent_squared * along * along
+        // Of size one: the normals are products already, and their fourth powers would overflow.
+        let (Some(u), Some(v)) = (unit(u), unit(v)) else { return false };
+        let (along, across) = (dot(&u, &v), cross(&u, &v));
+        along > 0.0 && dot(&across, &across) * self.cosine_squared < self.sine_squared * along * along
     }
 }
 
@@ -66,12 +73,13 @@ impl<'a> Quadrilateral<'a> {
 /// The distance of the lines `ab` and `cd`; infinite if they are parallel.
 pub(super) fn distance([a, b, c, d]: [&Vector; 4]) -> f64 {
     let normal = cross(&minus(b, a), &minus(d, c));
-    let distance = dot(&normal, &minus(c, a)).abs() / dot(&normal, &normal).sqrt();
-    if distance.is_nan() {
-        f64::INFINITY
-    } else {
-        distance
-    }
+    quotient(dot(&normal, &minus(c, a)).abs(), dot(&normal, &normal).sqrt()).unwrap_or(f64::INFINITY)
+}
+
+/// Times a power of two, so that the largest component is from 1 to 2; none of the zero vector.
+fn unit(v: &Vector) -> Option<Vector> {
+    let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    (largest > 0.0).then(|| v.map(|x| scale(x, -exponent(largest))))
 }
 
 fn minus(a: &Vector, b: &Vector) -> Vector {

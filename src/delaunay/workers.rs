@@ -1,0 +1,144 @@
+//! Threads that help the caller's.
+//!
+//! What they do does not depend on how many there are, so that a thread that cannot be started is no error: fewer do the same work.
+//! A panic in one is an error of the run; nothing is printed about it during a call from C.
+use crate::error::Error;
+use crate::panics;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+/// What the helpers tell the caller's thread.
+#[derive(Default)]
+struct Office {
+    failure: Mutex<Option<Error>>,
+    /// Threads at work beside the caller's.
+    helpers: AtomicUsize,
+}
+
+impl Office {
+    fn fail(&self, error: Error) {
+        self.failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    }
+}
+
+/// Runs `own` on this thread, and at the same time `help` on up to `threads − 1` others; then waits for these, calling `wait` now and
+/// then, until they have ended. `stop` is called at the first failure of any of them: it asks the others to end soon.
+pub(super) fn together(
+    threads: usize,
+    help: &(dyn Fn() -> Result<(), Error> + Sync),
+    stop: &(dyn Fn() + Sync),
+    own: impl FnOnce() -> Result<(), Error>,
+    wait: &mut dyn FnMut() -> Result<(), Error>,
+) -> Result<(), Error> {
+    if threads <= 1 {
+        return own();
+    }
+    let office = Office::default();
+    let (caller, silent) = (std::thread::current(), panics::is_silent());
+    let outcome = |result: Result<(), Error>| {
+        if let Err(error) = result {
+            office.fail(error);
+            stop();
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..threads {
+            office.helpers.fetch_add(1, Ordering::Relaxed);
+            let helper = || {
+                outcome(panics::work(silent, help).and_then(|result| result));
+                office.helpers.fetch_sub(1, Ordering::Release);
+                caller.unpark();
+            };
+            if std::thread::Builder::new().spawn_scoped(scope, helper).is_err() {
+                office.helpers.fetch_sub(1, Ordering::Relaxed);
+                break;
+            }
+        }
+        // The helpers borrow what this thread owns: it must not leave by a panic before they have ended, and `scope` waits for them.
+        outcome(own());
+        while office.helpers.load(Ordering::Acquire) > 0 {
+            outcome(wait());
+            std::thread::park_timeout(Duration::from_millis(20));
+        }
+    });
+    match office.failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        Some(error) => Err(error),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Status;
+    use std::sync::atomic::AtomicBool;
+
+    #[test]
+    fn all_take_part_and_the_caller_waits() {
+        let (done, waits) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let help = || {
+            while waits.load(Ordering::Relaxed) == 0 {
+                std::thread::yield_now();
+            }
+            done.fetch_add(1, Ordering::Relaxed);
+            Ok(())
+        };
+        let mut wait = || {
+            waits.fetch_add(1, Ordering::Relaxed);
+            Ok(())
+        };
+        together(4, &help, &|| {}, || Ok(()), &mut wait).unwrap();
+        assert_eq!(done.load(Ordering::Relaxed), 3);
+        assert!(waits.load(Ordering::Relaxed) > 0);
+    }
+
+    #[test]
+    fn one_thread_is_the_callers() {
+        let here = std::thread::current().id();
+        let own = || {
+            assert_eq!(std::thread::current().id(), here);
+            Ok(())
+        };
+        let help = || -> Result<(), Error> { unreachable!() };
+        together(1, &help, &|| {}, own, &mut || Ok(())).unwrap();
+    }
+
+    #[test]
+    fn a_panic_of_a_helper_stops_all_and_is_an_error() {
+        let stopped = AtomicBool::new(false);
+        let own = || {
+            while !stopped.load(Ordering::Relaxed) {
+                std::thread::yield_now();
+            }
+            Ok(())
+        };
+        let result = panics::catch_silently(|| {
+            together(
+                3,
+                &|| panic!("helper {} fell", 7),
+                &|| stopped.store(true, Ordering::Relaxed),
+                own,
+                &mut || Ok(()),
+            )
+        });
+        let error = result.unwrap().unwrap_err();
+        assert_eq!(error.status, Status::Internal);
+        assert!(error.message.contains("helper 7 fell"), "{error}");
+    }
+
+    #[test]
+    fn an_error_while_waiting_stops_the_helpers() {
+        let stopped = AtomicBool::new(false);
+        let help = || {
+            while !stopped.load(Ordering::Relaxed) {
+                std::thread::yield_now();
+            }
+            Ok(())
+        };
+        let mut wait = || Err(Error::new(Status::Cancelled, "enough"));
+        let stop = || stopped.store(true, Ordering::Relaxed);
+        let error = together(3, &help, &stop, || Ok(()), &mut wait).unwrap_err();
+        assert_eq!(error.status, Status::Cancelled);
+    }
+}
