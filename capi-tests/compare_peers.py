@@ -3,14 +3,14 @@
 
   compare_peers.py --bin target/release/delotet [--peers ../shared/docs/peers.tsv] [--corpus ../shared/corpus/models]
                    [--repeat 1] [--only SUBSTRING] [--limit 60] [--merge-facets | --mode preserve]
-                   [--tsv FILE]
+                   [--tsv FILE] [--write]
 
 Runs Debian's `tetgen -p` and `delotet mesh` alternately on every model of the table, in time without reading and writing (TetGen's
 "Total running seconds"; ours: total less read and write). The factor between this machine and the recorded one is
 TetGen's time here over its recorded time, summed over the models that it survives in both places; the exact peer's recorded seconds are multiplied by it.
 The least of --repeat runs counts. With --merge-facets ours merges facets, as TetGen's -p does. With --mode preserve ours
 keeps the surface, and the table is the one beside `tetgen -pY`: seconds, points inside, points on the surface taken away outright.
-Exit 0 if delotet meshed every model.
+With --write the sums go into the guide (src/doc/figures.md). Exit 0 if delotet meshed every model.
 """
 import argparse
 import json
@@ -21,6 +21,8 @@ import statistics
 import subprocess
 import sys
 import tempfile
+
+import figures
 
 FIELDS = ["file", "triangles", "peer_s", "peer_steiner", "peer_flat", "peer_inverted", "cgal_s", "cgal_added",
           "tetgen_s", "tetgen_added", "tetgen_y_s", "tetgen_y_added", "tetgen16_y_s", "tetgen16_y_added"]
@@ -87,8 +89,25 @@ def measure(options, rows):
     return failures
 
 
+# The columns of the tables for the guide.
+HEADS = ["program", "models", "points added", "seconds", "ratio of points", "ratio of seconds"]
+
+
+def ratio(a, b, form=".3f"):
+    return format(a / b, form) if b else "-"
+
+
+def beside_table(pairs):
+    """Rows for the guide: (peer, models, our points, its points, our seconds, its seconds)."""
+    rows = []
+    for peer, models, points, peer_points, seconds, peer_seconds in pairs:
+        rows.append(["delotet", models, points, f"{seconds:.1f}", ratio(points, peer_points, ".2f"), ratio(seconds, peer_seconds, ".2f")])
+        rows.append([peer, models, peer_points, f"{peer_seconds:.1f}", None, None])
+    return figures.table(HEADS, rows)
+
+
 def summarize(rows, failures):
-    """The sums, ratios and medians."""
+    """The sums, ratios and medians; the table for the guide."""
     both = [r for r in rows if r["tetgen_here"] is not None and number(r["tetgen_s"]) is not None]
     here, recorded = sum(r["tetgen_here"] for r in both), sum(number(r["tetgen_s"]) for r in both)
     factor = here / recorded if recorded else float("nan")
@@ -96,7 +115,6 @@ def summarize(rows, failures):
     ours, peer = sum(r["ours_s"] for r in shared), factor * sum(number(r["peer_s"]) for r in shared)
     points, peer_points = sum(r["ours_steiner"] for r in shared), sum(number(r["peer_steiner"]) for r in shared)
     flat = sum(1 for r in shared if (number(r["peer_flat"]) or 0) + (number(r["peer_inverted"]) or 0) > 0)
-    ratio = lambda a, b: f"{a / b:.3f}" if b else "-"
     print(f"\n* recorded. This machine takes {factor:.3f} of the recorded one's time: TetGen -p on {len(both)} models, {here:.2f} s here, "
           f"{recorded:.2f} s recorded; it fails on {sum(r['tetgen_here'] is None for r in rows)} of {len(rows)} here")
     print(f"delotet failed on {failures} of {len(rows)} models")
@@ -115,6 +133,10 @@ def summarize(rows, failures):
     counted = [r for r in beside if number(r["tetgen_added"]) is not None]
     points, added = sum(r["ours_steiner"] for r in counted), sum(number(r["tetgen_added"]) for r in counted)
     print(f"of these {len(counted)} recorded: Steiner points {points} : {added:.0f} (recorded), ratio {ratio(points, added)}")
+    exact = ("exact research code of 2023 (recorded, time translated)", len(shared), sum(r["ours_steiner"] for r in shared), int(peer_points), ours, peer)
+    tetgen = ("TetGen 1.5 `-p` (points recorded)", len(counted), points, int(added), sum(r["ours_s"] for r in counted),
+              sum(r["tetgen_here"] for r in counted))
+    return beside_table([exact, tetgen])
 
 
 def tetgen_added(model, folder):
@@ -161,8 +183,7 @@ def measure_preserved(options, rows):
 
 
 def summarize_preserved(rows, failures):
-    """Sums over the models that both do."""
-    ratio = lambda a, b: f"{a / b:.3f}" if b else "-"
+    """Sums over the models that both do; the table for the guide."""
     done = [r for r in rows if "ours_s" in r]
     both = [r for r in done if r["tetgen_here"] is not None]
     print(f"\ndelotet failed on {failures} of {len(rows)} models; TetGen -pY fails on {sum(r['tetgen_here'] is None for r in rows)} here, "
@@ -183,6 +204,8 @@ def summarize_preserved(rows, failures):
               f"{gone} points on the surface {total('deleted')} deleted outright ({ratio(total('deleted'), gone)})")
         slowest = max(done, key=lambda r: r["ours_s"])
         print(f"slowest: {slowest['file']} {slowest['ours_s']:.2f} s")
+    inside, added = sum(r["preserve"]["interior"] for r in both), sum(r["tetgen_inside"] or 0 for r in both)
+    return beside_table([("TetGen 1.5 `-pY`", len(both), inside, added, ours, theirs)])
 
 
 def main():
@@ -197,13 +220,16 @@ def main():
     parser.add_argument("--merge-facets", action="store_true")
     parser.add_argument("--mode", default="cdt", choices=["cdt", "preserve"])
     parser.add_argument("--tsv")
+    figures.add_options(parser)
     options = parser.parse_args()
     options.bin = os.path.abspath(options.bin)
     rows = [dict(zip(FIELDS, line.rstrip("\n").split("\t"))) for line in open(options.peers) if line.strip()]
     rows = [r for r in rows if options.only in r["file"]]
     preserve = options.mode == "preserve"
     failures = measure_preserved(options, rows) if preserve else measure(options, rows)
-    (summarize_preserved if preserve else summarize)(rows, failures)
+    content = (summarize_preserved if preserve else summarize)(rows, failures)
+    name = "compare-preserve" if preserve else "compare-merged" if options.merge_facets else "compare"
+    failures += figures.publish(options, name, content)
     if options.tsv:
         with open(options.tsv, "w") as out:
             for r in rows:

@@ -7,7 +7,8 @@
   preserve_figures.py corpus   --bin ... [--list ../shared/corpus/public.txt] [--only SUBSTRING] [--limit 60] [--tsv FILE]
 
 With `--tetgen` also what `tetgen -pY` does with the same file, and the worst tetrahedra of both meshes: smallest dihedral angle
-(degrees), largest radius-edge ratio. Seconds are without reading and writing. Every mesh is checked by
+(degrees), largest radius-edge ratio. With `--write` the table goes into the guide (src/doc/figures.md), with `--check` it must be the one
+there. Seconds are without reading and writing. Every mesh is checked by
 the program itself (`check --preserved`, exact), but not those of `growth`. With `--from-cdt` every model starts from its constrained
 Delaunay mesh (with its hull, which takes that way) instead of flips: the measure of Si and Gärtner's table. Exit 0 if every model was meshed and passed.
 """
@@ -21,6 +22,7 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "data"))
 import compare_peers
+import figures
 import generate
 import mesh_quality
 import shapes
@@ -38,6 +40,8 @@ class Table:
     def __init__(self, options, folder):
         self.options, self.folder, self.rows, self.failures = options, folder, [], 0
         self.worst, self.beside = [], [0.0, 0.0]
+        # TetGen's points inside, by model, where it survives.
+        self.added = {}
         beside = options.tetgen
         print(f"{'':34s} {'':9s} {'':8s} {'':7s} {'missing at first':>19s} {'recovered by':>29s} {'of those on it':>19s} {'inside':>9s}"
               + (f" {'tetgen -pY':>19s} {'worst, ours':>19s} {'worst, tetgen':>19s}" if beside else ""))
@@ -57,8 +61,11 @@ class Table:
         line = f"{name:34s} {stats['subfaces']:9d} {seconds:8.3f} {1e6 * seconds / max(1, stats['subfaces']):7.2f} " + " ".join(f"{c:9d}" for c in counts)
         if options.tetgen:
             theirs = compare_peers.tetgen_seconds(source, folder, options.limit, "-pY")
-            line += f" {theirs:9.3f} {compare_peers.tetgen_added(source, folder)!s:>9s}" if theirs is not None else f" {'fails':>9s}"
-            if theirs is not None:
+            if theirs is None:
+                line += f" {'fails':>9s}"
+            else:
+                self.added[name] = compare_peers.tetgen_added(source, folder)
+                line += f" {theirs:9.3f} {self.added[name]!s:>9s}"
                 self.compare(os.path.join(folder, os.path.basename(source).rsplit(".", 1)[0] + ".1"), seconds, theirs)
                 line += "".join(f" {angle:9.1e} {ratio:9.1e}" for angle, ratio in self.worst[-1])
         if check:
@@ -75,6 +82,29 @@ class Table:
         self.worst.append([mesh_quality.worst(os.path.join(self.folder, "out")), mesh_quality.worst(theirs)])
         self.beside = [self.beside[0] + our_seconds, self.beside[1] + their_seconds]
 
+    def markdown(self):
+        """The table of the guide: sums for the corpus, counts for classics and Chazelle's polyhedra, times for growth."""
+        what, beside = self.options.what, self.options.tetgen
+        total = lambda i: sum(r[3][i] for r in self.rows)
+        if what == "growth":
+            rows = [[name, triangles, counts[0], f"{seconds:.2f}", f"{1e6 * seconds / triangles:.1f}"] for name, triangles, seconds, counts in self.rows]
+            return figures.table(["surface", "triangles", "edges missing at first", "seconds", "microseconds per triangle"], rows)
+        if what == "corpus":
+            rows = [["models meshed and checked, failures", f"{len(self.rows)}, {self.failures}"], ["points inside", total(7)],
+                    ["most in one model", max((r[3][7] for r in self.rows), default=0)],
+                    ["points on the surface, taken away", total(5) + total(6)], ["of these deleted outright", total(5)],
+                    ["slowest model, seconds", f"{max((r[2] for r in self.rows), default=0):.1f}"]]
+            if self.worst:
+                rows += [["models that TetGen survives", len(self.worst)], ["seconds on these", f"{self.beside[0]:.1f}"],
+                         ["TetGen's seconds", f"{self.beside[1]:.1f}"],
+                         ["smallest dihedral angle no smaller than TetGen's", sum(o[0] >= t[0] * (1 - 1e-6) for o, t in self.worst)],
+                         ["largest radius-edge ratio no larger than TetGen's", sum(o[1] <= t[1] * (1 + 1e-6) for o, t in self.worst)]]
+            return figures.table(["corpus", ""], rows)
+        heads = ["model", "triangles", "edges missing at first", "points inside"] + (["TetGen's points inside"] if beside else [])
+        rows = [[name, triangles, counts[0], counts[7]] + ([self.added.get(name, "fails")] if beside else [])
+                for name, triangles, _, counts in self.rows]
+        return figures.table(heads, rows)
+
     def close(self):
         sums = [sum(r[3][i] for r in self.rows) for i in range(len(COUNTS))]
         gone = sums[5] + sums[6]
@@ -86,6 +116,8 @@ class Table:
             ratio = sum(ours[1] <= theirs[1] * (1 + 1e-6) for ours, theirs in self.worst)
             print(f"beside TetGen on {len(self.worst)} models: {self.beside[0]:.2f} : {self.beside[1]:.2f} s;"
                   f" the smallest dihedral angle is no smaller on {angle}, the largest radius-edge ratio no larger on {ratio}")
+        if figures.publish(self.options, "preserve-" + self.options.what, self.markdown()):
+            self.failures += 1
         if self.options.tsv:
             with open(self.options.tsv, "w") as out:
                 out.write("\t".join(["model", "triangles", "seconds"] + COUNTS) + "\n")
@@ -105,6 +137,7 @@ def main():
     parser.add_argument("--tetgen", action="store_true")
     parser.add_argument("--from-cdt", action="store_true")
     parser.add_argument("--tsv")
+    figures.add_options(parser)
     options = parser.parse_args()
     options.bin = os.path.abspath(options.bin)
     with tempfile.TemporaryDirectory() as folder:

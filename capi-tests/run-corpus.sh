@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Meshes and judges the whole corpus at ../shared: public models in three modes, open and broken ones, point sets; then the comparison
-# with the recorded figures of other programs. It takes a while.
+# with the recorded figures of other programs, which writes its tables into src/doc/figures.md. It takes a while.
 #   bash capi-tests/run-corpus.sh [OUT]      line-per-model tables go to the folder OUT (default: target/corpus)
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
@@ -41,10 +41,11 @@ for set in uniform:1000 uniform:10000 uniform:100000 uniform:1000000 clustered:1
   cylinder:100000 plane+1:100000 parabola:3000 moment:2000; do
   step "Delaunay of ${set#*:} points, ${set%:*}" delaunay "${set%:*}" "${set#*:}"
 done
-step "comparison" python3 capi-tests/compare_peers.py --bin "$bin" --tsv "$out/compare.tsv"
-step "comparison, surface preserved" python3 capi-tests/compare_peers.py --mode preserve --bin "$bin" --tsv "$out/compare-preserve.tsv"
-step "surface preserved, counts and the exact check" python3 capi-tests/preserve_figures.py corpus --bin "$bin" --tsv "$out/preserve-counts.tsv"
+step "comparison" python3 capi-tests/compare_peers.py --bin "$bin" --write --tsv "$out/compare.tsv"
+step "comparison, facets merged" python3 capi-tests/compare_peers.py --merge-facets --bin "$bin" --write --tsv "$out/compare-merged.tsv"
+step "comparison, surface preserved" python3 capi-tests/compare_peers.py --mode preserve --bin "$bin" --write --tsv "$out/compare-preserve.tsv"
+step "surface preserved, counts and the exact check" python3 capi-tests/preserve_figures.py corpus --tetgen --bin "$bin" --write --tsv "$out/preserve-counts.tsv"
 for figure in classics chazelle growth; do
-  step "surface preserved, $figure" python3 capi-tests/preserve_figures.py $figure --bin "$bin" --tetgen --tsv "$out/preserve-$figure.tsv"
+  step "surface preserved, $figure" python3 capi-tests/preserve_figures.py $figure --bin "$bin" --tetgen --write --tsv "$out/preserve-$figure.tsv"
 done
 closing

@@ -25,10 +25,22 @@ picture() {
     ls -s "$work/cut.png"
 }
 
+# A table that a script writes: on a page without one it must come out as it stands in the guide.
+page() {
+  local guide=src/doc/figures.md
+  sed '/^<!-- figures: preserve-classics -->/,/^<!-- \/figures -->/{/^<!--/!d}' $guide > "$work/figures.md"
+  ! cmp -s $guide "$work/figures.md" || return 1
+  python3 capi-tests/preserve_figures.py classics --tetgen --bin "$bin" --page "$work/figures.md" --write &&
+    diff <(grep -v '^Measured' $guide) <(grep -v '^Measured' "$work/figures.md")
+}
+
 step "format" cargo fmt --check
+# Every profile is compiled once: documents need what lints have checked, the tests of the release build bring the program and the libraries
+# that all steps below use, CMake's among them, and pages of documentation are run as tests in one profile.
 step "lints" cargo clippy --all-targets -- -D warnings
+step "documents" env RUSTDOCFLAGS="-D warnings -A rustdoc::private_intra_doc_links" cargo doc --no-deps --lib
 step "tests, debug" cargo test --no-fail-fast
-step "tests, release" cargo test --release --no-fail-fast
+step "tests, release" cargo test --release --tests --no-fail-fast
 step "program" cargo build --release
 # Without a fresh program an old one would be tested.
 case ${failures[*]:-} in *program:*) closing; exit 1 ;; esac
@@ -39,6 +51,8 @@ for change in turn shift jitter; do
   step "our models, $change" python3 capi-tests/turned_models.py --bin $bin --change $change --seeds 2
 done
 step "picture of a mesh cut open" picture
+step "figures that are the same everywhere" python3 capi-tests/preserve_figures.py classics --tetgen --check --bin $bin
+step "figures: a page is written anew" page
 step "C and C++: API, package, examples, sanitizers, valgrind, ABI, peers" sh capi-tests/check.sh
 
 if make_judge; then

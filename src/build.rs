@@ -35,6 +35,9 @@ fn main() {
         }
         "macos" if own_name => {
             link_arg(&format!("-Wl,-install_name,@rpath/libdelotet.{version}.dylib"));
+            // A program notes the compatibility version that it was linked with; dyld refuses a library with a lower one.
+            link_arg(&format!("-Wl,-compatibility_version,{version}"));
+            link_arg(&format!("-Wl,-current_version,{}", var("CARGO_PKG_VERSION")));
         }
         _ => {}
     }

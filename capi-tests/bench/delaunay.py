@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Delaunay tetrahedralizations beside the peers': a table of ratios.
 
-  delaunay.py [--points 1000000] [--kinds uniform,sphere,...] [--repeat 5] [--threads 1,2] [--scan FILE.off] [--folder DIR]
+  delaunay.py [--points 1000000] [--kinds uniform,sphere,...] [--repeat 5] [--threads 1,2] [--scan FILE.off] [--folder DIR] [--write]
 
 Every run is a process of its own and times ordering and insertion, without reading. Peers and we run in turn on the same file
 (peer, we, peer, we), and medians are compared: of processor seconds with one thread (other programs on the machine
 disturb these less), of wall seconds with more. Peers: CGAL (Delaunay_triangulation_3, exact predicates, range insertion) and
 TetGen 1.5 of Debian, built here with CMake; HXT if the Python package gmsh can be imported. A peer that is not there
 is left out, with a word. Memory is the most that the process held; bytes are the kernel's per tetrahedron.
+With --write the table goes into the guide (src/doc/figures.md).
 """
 import argparse
 import array
@@ -22,7 +23,8 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-sys.path.insert(0, os.path.join(ROOT, "capi-tests", "data"))
+sys.path[:0] = [os.path.join(ROOT, "capi-tests", "data"), os.path.join(ROOT, "capi-tests")]
+import figures
 
 GMSH = """
 import array, sys, time
@@ -127,7 +129,9 @@ def main():
     parser.add_argument("--threads", default="1,2")
     parser.add_argument("--scan", help="an OFF file whose vertices are one more input")
     parser.add_argument("--folder", help="where programs and points go, and stay")
+    figures.add_options(parser)
     arguments = parser.parse_args()
+    table = []
     from generate import random_points
     with tempfile.TemporaryDirectory() as temporary:
         folder = arguments.folder or temporary
@@ -147,6 +151,8 @@ def main():
             for name, command in peers.items():
                 r = compare(name, command, binary, path, arguments.repeat)
                 if r:
+                    table.append([kind, count, name, f"{r['we']:.2f}", f"{r['them']:.2f}", f"{r['we'] / r['them']:.2f}", f"{r['our_mb']:.0f}",
+                                  f"{r['mb']:.0f}", f"{r['bytes']:.0f}"])
                     print(f"{kind:10} {count:9} points {r['tets']:9} tets | {name:10} {r['them']:7.3f} s {r['mb']:5.0f} MB | "
                           f"delotet {r['we']:7.3f} s {r['our_mb']:5.0f} MB {r['bytes']:5.1f} bytes | {r['we'] / r['them']:5.2f}",
                           flush=True)
@@ -159,9 +165,13 @@ def main():
                         walls[n].append(done["wall"] if done else float("nan"))
                 medians = {n: statistics.median(w) for n, w in walls.items()}
                 for n in threads[1:]:
+                    table.append([kind, count, f"delotet, {n} threads over {threads[0]} (wall)", f"{medians[n]:.2f}", f"{medians[threads[0]]:.2f}",
+                                  f"{medians[n] / medians[threads[0]]:.2f}", None, None, None])
                     print(f"{kind:10} {count:9} points, {n} threads: {medians[n]:.3f} s wall, "
                           f"{medians[n] / medians[threads[0]]:.2f} of {threads[0]}", flush=True)
+    heads = ["points", "n", "beside", "seconds", "its seconds", "ratio", "MB", "its MB", "bytes per tetrahedron"]
+    return figures.publish(arguments, "delaunay", figures.table(heads, table))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

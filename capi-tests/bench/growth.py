@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """How the time of meshing grows with the input. Python 3 standard library only; inputs are generated, the same every time.
 
-  growth.py --bin target/release/delotet [--only FAMILY] [--repeat 1] [--largest N] [--keep FOLDER]
+  growth.py --bin target/release/delotet [--only FAMILY] [--repeat 1] [--largest N] [--keep FOLDER] [--write]
 
 Families: scan (a closed surface of 10^4, 10^5, 10^6 triangles), refined (a scan whose triangles are split: exactly planar facets),
 layers (F parallel facets, V points above them), polygon (one planar facet of N corners), sheet (one planar facet with N vertices in it),
 fan (N segments at one point), grid (N^3 cospherical points, Delaunay). A line gives the tetrahedra, the seconds of the phases (the
 least total of --repeat runs; "mesh" is the total without reading and writing), microseconds of "mesh" per tetrahedron, validation over
-the rest of meshing, reading and writing over meshing. --largest leaves out inputs with a larger N.
+the rest of meshing, reading and writing over meshing. --largest leaves out inputs with a larger N. --write puts the table into the guide (src/doc/figures.md).
 """
 import argparse
 import json
@@ -19,7 +19,8 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "data"))
+sys.path[:0] = [os.path.join(HERE, "..", "data"), os.path.join(HERE, "..")]
+import figures
 import generate
 from shapes import write
 
@@ -122,8 +123,9 @@ def main():
     parser.add_argument("--repeat", type=int, default=1)
     parser.add_argument("--largest", type=int, default=10 ** 9)
     parser.add_argument("--keep", help="keep the inputs in this folder and use those that are there")
+    figures.add_options(parser)
     options = parser.parse_args()
-    failures = 0
+    failures, rows = 0, []
     heads = "".join(f"{p:>9s}" for p in PHASES)
     print(f"{'family':8s} {'n':>9s} {'tets':>9s} {'steiner':>8s}{heads} {'mesh':>9s} {'us/tet':>7s} {'validate':>8s} {'read':>6s} {'write':>6s}")
     with tempfile.TemporaryDirectory() as folder:
@@ -145,6 +147,10 @@ def main():
                 print(f"{family:8s} {name:>9s} {found['tets']:9d} {found['steiner']:8d}" + "".join(f"{seconds[p]:9.3f}" for p in PHASES)
                       + f" {mesh:9.3f} {1e6 * mesh / found['tets']:7.2f} {seconds['validate'] / (mesh - seconds['validate']):8.2f} "
                       f"{seconds['read'] / mesh:6.2f} {seconds['write'] / mesh:6.2f}", flush=True)
+                rows.append([family, name, found["tets"], found["steiner"], f"{mesh:.3f}", f"{1e6 * mesh / found['tets']:.2f}",
+                             f"{seconds['validate'] / (mesh - seconds['validate']):.2f}", f"{seconds['read']:.3f}", f"{seconds['write']:.3f}"])
+    heads = ["family", "n", "tetrahedra", "Steiner points", "seconds", "microseconds per tetrahedron", "validation over the rest", "reading", "writing"]
+    failures += figures.publish(options, "growth", figures.table(heads, rows))
     return 1 if failures else 0
 
 

@@ -73,7 +73,7 @@ pub fn check_preserved(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<
 }
 
 /// Checks `mesh` like [`check_mesh`], without the Delaunay property, and that it keeps the outer boundary as
-/// [`Preserve::Outer`](crate::Preserve::Outer) promises: where the mesh is on one side of a facet only, input triangles are faces
+/// [`Preserve::Outer`] promises: where the mesh is on one side of a facet only, input triangles are faces
 /// (or, if input points lie on them, unions of faces between these), without any added point.
 ///
 /// # Errors

@@ -279,7 +279,7 @@ pub unsafe extern "C" fn delotet_plc_add_triangles(
 
 /// Adds `count` facets of one polygon each (quadrilaterals, any planar polygon).
 /// `corners`: the corner indices of all polygons, one after the other; `polygon_ends`: #polygons ascending positions: polygon i
-/// has the corners from polygon_ends[i - 1] (0 for the first) up to, not including, polygon_ends[i]. Copied.
+/// has the corners from `polygon_ends[i - 1]` (0 for the first) up to, not including, `polygon_ends[i]`. Copied.
 /// `markers`: #polygons integers, or NULL (all 0).
 /// Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
 #[no_mangle]

@@ -130,7 +130,7 @@ impl Format {
         matches!(self, Off | Stl | Obj | Ply | Poly | Smesh | Node)
     }
 
-    /// [`write`] writes it.
+    /// [`write()`] writes it.
     pub fn is_mesh(self) -> bool {
         !self.is_surface()
     }
