@@ -49,6 +49,7 @@ done
 [ "$(readlink "$work/prefix/lib/libdelotet.so")" = "$soname" ]
 [ "$(readlink "$work/prefix/lib/$soname")" = "libdelotet.so.$version" ]
 readelf -d "$work/prefix/lib/libdelotet.so" | grep -q "SONAME.*\[$soname\]"
+readelf --dyn-syms -W "$work/prefix/lib/libdelotet.so" | grep -q "delotet_version@@$soname\$"
 ! grep -rn "$work\|/opt/delotet" "$work/prefix/lib/cmake" "$work/prefix/lib/pkgconfig" || { echo "not relocatable"; exit 1; }
 
 step "find_package: versions, components, targets"

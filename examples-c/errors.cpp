@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-static const char *word(DelotetElement element)
+static const char *word(std::uint32_t element)
 {
     switch (element) {
     case DELOTET_ELEMENT_POINT: return "point";

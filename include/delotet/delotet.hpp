@@ -290,7 +290,7 @@ template <class To, std::size_t Width> class Integers {
         using From = typename detail::Row<std::remove_cv_t<T>>::Integer;
         size_ = count * detail::Row<std::remove_cv_t<T>>::width;
         const From *from = reinterpret_cast<const From *>(rows);
-        if constexpr (sizeof(From) == sizeof(To)) {
+        if constexpr (std::is_same_v<std::make_unsigned_t<From>, To>) {
             // The same type but for the sign: as it is, unless something is negative.
             bool as_it_is = true;
             if constexpr (std::is_signed_v<From>)
