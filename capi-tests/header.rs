@@ -1,5 +1,6 @@
 //! The committed C header is the one that cbindgen makes of `src/ffi`, and `src/ffi` keeps its conventions.
-//! `UPDATE_HEADER=1 cargo test --test header` rewrites the header.
+//! Within a minor version nothing of the interface is taken away or changed: `capi-tests/abi/<major>.<minor>.txt` says what there is.
+//! `UPDATE_HEADER=1 cargo test --test header` rewrites the header and adds to that list; it takes nothing from it.
 use std::path::{Path, PathBuf};
 
 /// In the order in which the header explains them.
@@ -61,6 +62,124 @@ fn header_is_current() {
         return;
     }
     assert!(read(&path) == expected, "the header is stale: run UPDATE_HEADER=1 cargo test --test header");
+}
+
+/// What a header promises, a line each: functions, fields of structs with their places, numbers, types.
+fn interface(header: &str) -> Vec<String> {
+    let mut text = String::new();
+    let mut rest = header;
+    while let Some((before, comment)) = rest.split_once("/*") {
+        text += before;
+        rest = comment.split_once("*/").map_or("", |parts| parts.1);
+    }
+    text += rest;
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut lines = Vec::new();
+    for line in text.lines().filter_map(|line| line.strip_prefix("#define DELOTET_")) {
+        // Macros of the compiler's kind and the version are no part of it.
+        let part = line.split_once(' ').filter(|part| part.1.starts_with(|c: char| c.is_ascii_digit()));
+        if let Some((name, value)) = part.filter(|part| !part.0.starts_with("VERSION")) {
+            lines.push(format!("DELOTET_{name} = {value}"));
+        }
+    }
+    let code: String =
+        text.lines().filter(|line| !line.starts_with('#')).map(|line| line.to_string() + "\n").collect();
+    for part in code.split("DELOTET_API").skip(1) {
+        lines.push(words(part.split(';').next().unwrap_or_default()).replace("DELOTET_MUST_USE ", ""));
+    }
+    for part in code.split("typedef ").skip(1) {
+        let (head, body) = part.split_once('{').unwrap_or((part, ""));
+        let kind = head.split_whitespace().next().unwrap_or_default();
+        if head.contains(';') {
+            lines.push(format!("typedef {}", words(head.split(';').next().unwrap_or_default())));
+            continue;
+        }
+        let name = head.split_whitespace().nth(1).unwrap_or_default();
+        let body = body.split('}').next().unwrap_or_default();
+        match kind {
+            "enum" => lines.extend(body.split(',').map(words).filter(|line| !line.is_empty())),
+            _ => lines.extend(
+                body.split(';')
+                    .map(words)
+                    .filter(|line| !line.is_empty())
+                    .enumerate()
+                    .map(|(place, field)| format!("{name} field {place}: {field}")),
+            ),
+        }
+    }
+    lines.sort();
+    lines.dedup();
+    lines
+}
+
+/// What a list has that another one has not.
+fn missing(list: &[String], from: &[String]) -> Vec<String> {
+    list.iter().filter(|line| !from.contains(line)).cloned().collect()
+}
+
+#[test]
+fn nothing_of_the_interface_is_lost_within_a_minor_version() {
+    let version = concat!(env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"), ".txt");
+    let path = root().join("capi-tests/abi").join(version);
+    let now = interface(&generated());
+    let update = std::env::var_os("UPDATE_HEADER").is_some();
+    let listed: Vec<String> = match path.exists() || !update {
+        true => read(&path).lines().map(String::from).collect(),
+        false => Vec::new(), // The first of a new minor version.
+    };
+    let lost = missing(&listed, &now);
+    let advice = "if that version is not released yet, delete these lines there";
+    assert!(lost.is_empty(), "{version} promises what the header has not ({advice}):\n{}", lost.join("\n"));
+    if update {
+        return std::fs::write(&path, now.join("\n") + "\n").expect("write the list");
+    }
+    let fresh = missing(&now, &listed);
+    assert!(
+        fresh.is_empty(),
+        "not in {version}, run UPDATE_HEADER=1 cargo test --test header:\n{}",
+        fresh.join("\n")
+    );
+    assert!(now.len() > 300, "only {} lines", now.len());
+}
+
+/// The comparison must be able to fail: each kind of change is a loss, each kind of addition is none.
+#[test]
+fn changes_of_the_interface_are_seen() {
+    let header = "#define DELOTET_MODE_A 0\n/** Text; DELOTET_API { */\ntypedef enum E {\n    /**\n     * One.\n     */\n    E_ONE = 1,\n} E;\n\
+        typedef struct S {\n    uint32_t a;\n    double b[3];\n} S;\ntypedef uint32_t T;\n\
+        DELOTET_API DELOTET_MUST_USE E f(const S *s,\n    T t);\n";
+    let before = interface(header);
+    let expected = [
+        "DELOTET_MODE_A = 0",
+        "E f(const S *s, T t)",
+        "E_ONE = 1",
+        "S field 0: uint32_t a",
+        "S field 1: double b[3]",
+    ];
+    assert_eq!(before[..5].iter().map(String::as_str).collect::<Vec<_>>(), expected);
+    let lost = |from: &str, to: &str| {
+        assert!(header.contains(from));
+        missing(&before, &interface(&header.replacen(from, to, 1))).len()
+    };
+    for (from, to) in [
+        ("_A 0", "_A 1"),
+        ("E_ONE = 1", "E_ONE = 2"),
+        ("uint32_t a", "uint64_t a"),
+        ("uint32_t a;", "uint32_t c;\n    uint32_t a;"),
+        ("const S *s", "S *s"),
+        ("f(", "g("),
+        ("typedef uint32_t T", "typedef uint64_t T"),
+    ] {
+        assert!(lost(from, to) > 0, "{from} to {to}");
+    }
+    for (from, to) in [
+        ("double b[3];", "double b[3];\n    double c;"),
+        ("E_ONE = 1,", "E_ONE = 1,\n    E_TWO = 2,"),
+        ("typedef uint32_t T;", "typedef uint32_t T;\nDELOTET_API void g(void);"),
+        ("Text", "Other text"),
+    ] {
+        assert_eq!(lost(from, to), 0, "{from} to {to}");
+    }
 }
 
 /// The exported functions of a source file: name and body.

@@ -24,7 +24,7 @@ removed=delotet_plc_facet_marker
 awk -v name="$removed" '
     /^#\[no_mangle\]/ { held = $0; next }
     held != "" { if (index($0, "fn " name "(") == 0) print held; held = "" }
-    { print }' "$root/src/ffi/plc.rs" >"$work/abi-source/src/ffi/plc.rs"
+    { print }' "$root/src/ffi/plc_view.rs" >"$work/abi-source/src/ffi/plc_view.rs"
 build "$work/abi-source" removed.so
 if abidiff "$work/first.so" "$work/removed.so" >"$work/abidiff.txt"; then
     echo "abidiff did not notice that $removed is gone"
