@@ -1,8 +1,9 @@
 //! The pipeline: prepare → Delaunay → segments → facets → regions → rounding → output → audit. The only place that knows the
 //! order.
-use crate::check::audit;
+use crate::check::{audit, audit_promise, Promise};
 use crate::constrain::edge_key;
 use crate::constrain::facet::FacetRecovery;
+use crate::constrain::polygons::{retriangulate, Polygons, Retriangulated};
 use crate::constrain::segment::{Recovery, Segments};
 use crate::constrain::subface::{Subfaces, Triangles};
 use crate::delaunay::order::{insertion_order, Order};
@@ -25,6 +26,7 @@ use std::time::Instant;
 mod assemble;
 mod merge;
 mod preserve;
+mod promise;
 mod unmeshed;
 mod warn;
 
@@ -35,7 +37,9 @@ mod warn;
 /// valid PLC does not.
 pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<TetMesh, Error> {
     let (statistics, warnings) = (Statistics::default(), Warnings::default());
-    let mut run = Run { clock: Instant::now(), statistics, warnings, unmerged_at_least: 0, observer };
+    let promise = Promise::default();
+    let mut run =
+        Run { clock: Instant::now(), statistics, warnings, unmerged_at_least: 0, promise, observer };
     let outcome = run.mesh(plc, options);
     match &outcome {
         Ok(mesh) => mesh.warnings.log(run.observer),
@@ -65,6 +69,19 @@ fn in_terms_of_input(mut error: Error, segments: &Segments, input_of: &[u32], su
     error
 }
 
+/// Segments that are unions of edges, and polygons with other diagonals than the surface's.
+struct Recovered {
+    segments: Segments,
+    polygons: Retriangulated,
+}
+
+impl Recovered {
+    /// Segments alone.
+    fn of(segments: Segments) -> Recovered {
+        Recovered { segments, polygons: Retriangulated::default() }
+    }
+}
+
 /// Clock, counts and the caller's observer.
 struct Run<'a> {
     clock: Instant,
@@ -72,6 +89,8 @@ struct Run<'a> {
     warnings: Warnings,
     /// So many Steiner points are certain to be needed without merging.
     unmerged_at_least: u64,
+    /// What the mesh must have, if it is to keep the surface.
+    promise: Promise,
     observer: &'a mut dyn Observer,
 }
 
@@ -194,27 +213,86 @@ impl Run<'_> {
         }
         let mut engine = Engine::new(prepared.surface(), options)?;
         self.delaunay(&mut engine, options.worker_threads())?;
-        let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
-        self.constrain(plc, &surface, options, segments, &mut engine)
+        let (surface, recovered) = self.connect_and_recover(plc, options, prepared, &mut engine, true)?;
+        self.constrain(plc, &surface, options, recovered, &mut engine)
     }
 
-    /// Makes segments and patches of the surface and recovers the segments.
+    /// Makes segments and patches of the surface and recovers the segments. If `any_diagonals`, polygons may get others than the
+    /// surface's.
     fn connect_and_recover(
         &mut self,
         plc: &Plc,
         options: &Options,
         prepared: Prepared,
         engine: &mut Engine,
-    ) -> Result<(Surface, Segments), Error> {
+        any_diagonals: bool,
+    ) -> Result<(Surface, Recovered), Error> {
         engine.delaunay.index_vertices(engine.points.len())?;
         if let Some(degrees) = options.merge_facets {
             return self.merge_and_compare(plc, options, degrees, prepared, engine);
         }
         let surface = prepared.connect(plc, self.observer)?;
         self.lap(Phase::Validate);
-        let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
-        self.recover_segments(&mut segments, &surface, options, engine)?;
-        Ok((surface, segments))
+        let segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+        let recovered = self.recover_with_polygons(&surface, segments, options, engine, any_diagonals)?;
+        Ok((surface, recovered))
+    }
+
+    /// Recovers segments: first those that must be there, then diagonals of polygons for which there are no others.
+    fn recover_with_polygons(
+        &mut self,
+        surface: &Surface,
+        mut segments: Segments,
+        options: &Options,
+        engine: &mut Engine,
+        any_diagonals: bool,
+    ) -> Result<Recovered, Error> {
+        if surface.diagonals.is_empty() || !any_diagonals {
+            self.recover_segments(&mut segments, surface, options, engine)?;
+            return Ok(Recovered::of(segments));
+        }
+        let mut soft: Vec<bool> = Vec::new();
+        soft.try_reserve_exact(surface.segments.len())?;
+        soft.resize(surface.segments.len(), false);
+        surface.diagonals.iter().for_each(|d| soft[d.0 as usize] = true);
+        let corners = engine.map(&surface.triangles)?;
+        loop {
+            segments.deferred.clear();
+            segments.deferred.try_reserve_exact(soft.len())?;
+            segments.deferred.extend_from_slice(&soft);
+            self.recover_segments(&mut segments, surface, options, engine)?;
+            if segments.waiting.is_empty() {
+                return Ok(Recovered::of(segments));
+            }
+            segments.waiting.sort_unstable();
+            let waits = |s: &u32| segments.waiting.binary_search(s).is_ok();
+            // Diagonals are in the order of segments, not of facets.
+            let mut wanted: Vec<u32> = Vec::new();
+            wanted.try_reserve(segments.waiting.len())?;
+            wanted.extend(surface.diagonals.iter().filter(|d| waits(&d.0)).map(|d| d.1));
+            wanted.sort_unstable();
+            wanted.dedup();
+            let polygons = Polygons { corners: &corners, facet: &surface.triangle_facet, soft: &soft };
+            let Engine { delaunay, points, .. } = &mut *engine;
+            let (polygons, left) = retriangulate(delaunay, points, &segments, &polygons, &wanted)?;
+            if left.is_empty() {
+                let mut gone: Vec<bool> = Vec::new();
+                gone.try_reserve_exact(soft.len())?;
+                gone.resize(soft.len(), false);
+                let theirs = surface.diagonals.iter().filter(|d| polygons.has(d.1));
+                theirs.for_each(|d| gone[d.0 as usize] = soft[d.0 as usize]);
+                segments.give_up(&gone)?;
+                return Ok(Recovered { segments, polygons });
+            }
+            for &(segment, facet) in &surface.diagonals {
+                let stays = left.binary_search(&facet).is_ok();
+                soft[segment as usize] &= !(stays && segments.waiting.binary_search(&segment).is_ok());
+            }
+            let ends = engine.map(&surface.segments)?;
+            let careful = std::mem::take(&mut segments.careful);
+            segments = segments.exchange(&engine.points, ends)?;
+            segments.careful = careful;
+        }
     }
 
     /// Takes note of what the kernel's arrays hold now.
@@ -244,21 +322,37 @@ impl Run<'_> {
         plc: &Plc,
         surface: &Surface,
         options: &Options,
-        mut segments: Segments,
+        mut recovered: Recovered,
         engine: &mut Engine,
     ) -> Result<TetMesh, Error> {
         let mut careful = fallible::filled(0u8, surface.segments.len())?;
         let mut attempt = 0;
         let mut fewest = usize::MAX;
+        let mut any_diagonals = true;
         loop {
-            let subfaces = self.recover_facets(surface, &segments, engine)?;
+            let subfaces = match self.recover_facets(surface, &recovered, engine) {
+                // Something lies so near to a polygon that it crosses its new triangles. It does not cross the surface's, which were
+                // checked.
+                Err(e)
+                    if matches!(e.status, Status::SelfIntersection | Status::Internal)
+                        && !recovered.polygons.facets.is_empty() =>
+                {
+                    any_diagonals = false;
+                    let first = recovered.segments.first_steiner;
+                    recovered =
+                        self.recover_anew(surface, options, engine, first, &careful, any_diagonals)?;
+                    continue;
+                }
+                subfaces => subfaces?,
+            };
+            let segments = &mut recovered.segments;
             let (mut components, regions) = self.find_regions(plc, surface, options, engine)?;
             report(self.observer, Phase::Round, 0.0)?;
             let mut kept = Kept { components: &mut components, regions: &regions };
             let rounded = round(
                 &mut engine.delaunay,
                 &mut engine.points,
-                &mut segments,
+                segments,
                 &mut kept,
                 (engine.scale, !options.exact_form),
             )?;
@@ -273,12 +367,8 @@ impl Run<'_> {
                 for &v in &rounded.crowded {
                     careful[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize] += 1;
                 }
-                engine.points.truncate(segments.first_steiner as usize);
-                self.delaunay(engine, options.worker_threads())?;
-                engine.delaunay.index_vertices(engine.points.len())?;
-                segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
-                segments.careful = fallible::copied(&careful)?;
-                self.recover_segments(&mut segments, surface, options, engine)?;
+                let first = segments.first_steiner;
+                recovered = self.recover_anew(surface, options, engine, first, &careful, any_diagonals)?;
                 continue;
             }
             let mut mesh = assemble::mesh(
@@ -288,10 +378,10 @@ impl Run<'_> {
                 &components,
                 &regions,
                 &rounded,
-                Some((&segments, &subfaces)),
+                Some((segments, &subfaces)),
             )?;
             if !rounded.crowded.is_empty() && !options.exact_form {
-                return Err(assemble::crowded(&mesh, &segments, &rounded));
+                return Err(assemble::crowded(&mesh, segments, &rounded));
             }
             mesh.hull_kept = options.keep_hull;
             warn::about_seeds(plc, &regions, options, &mut self.warnings);
@@ -303,6 +393,25 @@ impl Run<'_> {
             self.lap(Phase::Round);
             return Ok(mesh);
         }
+    }
+
+    /// Begins segment recovery again, with other parameters on segments where rounding failed.
+    fn recover_anew(
+        &mut self,
+        surface: &Surface,
+        options: &Options,
+        engine: &mut Engine,
+        first_steiner: u32,
+        careful: &[u8],
+        any_diagonals: bool,
+    ) -> Result<Recovered, Error> {
+        engine.points.truncate(first_steiner as usize);
+        self.delaunay(engine, options.worker_threads())?;
+        engine.delaunay.index_vertices(engine.points.len())?;
+        let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+        segments.careful.try_reserve_exact(careful.len())?;
+        segments.careful.extend_from_slice(careful);
+        self.recover_with_polygons(surface, segments, options, engine, any_diagonals)
     }
 
     fn recover_segments(
@@ -343,17 +452,31 @@ impl Run<'_> {
     fn recover_facets(
         &mut self,
         surface: &Surface,
-        segments: &Segments,
+        Recovered { segments, polygons }: &Recovered,
         engine: &mut Engine,
     ) -> Result<Subfaces, Error> {
         report(self.observer, Phase::Facets, 0.0)?;
-        let triangles = Triangles {
-            corners: &engine.map(&surface.triangles)?,
-            facet: &surface.triangle_facet,
-            patch: &surface.triangle_patch,
-            patch_count: surface.patch_count as usize,
+        let corners = engine.map(&surface.triangles)?;
+        let (facet, patch) = (&surface.triangle_facet, &surface.triangle_patch);
+        let patch_count = surface.patch_count as usize;
+        let subfaces = if polygons.facets.is_empty() {
+            let triangles = Triangles { corners: &corners, facet, patch, patch_count };
+            Subfaces::build(&engine.points, &triangles, segments)?
+        } else {
+            let (mut rest, mut rest_facet, mut rest_patch) = (Vec::new(), Vec::new(), Vec::new());
+            rest.try_reserve_exact(corners.len())?;
+            rest_facet.try_reserve_exact(corners.len())?;
+            rest_patch.try_reserve_exact(corners.len())?;
+            for t in (0..corners.len()).filter(|&t| !polygons.has(facet[t])) {
+                rest.push(corners[t]);
+                rest_facet.push(facet[t]);
+                rest_patch.push(patch[t]);
+            }
+            let triangles = Triangles { corners: &rest, facet: &rest_facet, patch: &rest_patch, patch_count };
+            let mut subfaces = Subfaces::build(&engine.points, &triangles, segments)?;
+            subfaces.add_single(&engine.points, &polygons.corners, &polygons.facet)?;
+            subfaces
         };
-        let subfaces = Subfaces::build(&engine.points, &triangles, segments)?;
         let observer = &mut *self.observer;
         let mut recovery = FacetRecovery::new(&mut engine.delaunay, &engine.points, &subfaces)?;
         recovery.run(&mut |done, all| report(observer, Phase::Facets, done as f64 / all.max(1) as f64))?;
@@ -394,7 +517,9 @@ impl Run<'_> {
     /// The exact audit of what is handed out.
     fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
         report(self.observer, Phase::Audit, 0.0)?;
-        audit(plc, mesh, options.max_defects).map_err(|e| match e.status {
+        let audited = audit(plc, mesh, options.max_defects);
+        let audited = audited.and_then(|()| audit_promise(mesh, &self.promise, options.max_defects));
+        audited.map_err(|e| match e.status {
             Status::CheckFailed => Error { status: Status::Internal, ..e.at(format_args!("audit")) },
             _ => e,
         })?;
@@ -405,6 +530,8 @@ impl Run<'_> {
     }
 }
 
+#[cfg(test)]
+mod polygon_tests;
 #[cfg(test)]
 mod preserve_tests;
 #[cfg(test)]

@@ -10,6 +10,7 @@
   generate.py fan N OUT.poly            N pages at one spine and N segments at one point, in a box
   generate.py chazelle N OUT.off        Chazelle's polyhedron with N notches from each side
   generate.py cylinder N OUT.off        a turned part of N facets around, in single precision: slivers, nearly coplanar
+  generate.py polycrystal N OUT.poly            the Voronoi cells of N random seeds in a cube: polygons planar up to rounding
   generate.py refine IN.off L OUT.off   every triangle of IN into 4, L times
 """
 import math
@@ -497,6 +498,82 @@ def random_points(kind, count):
     raise SystemExit(f"generate.py: no point set {kind!r}: uniform clustered sphere cylinder grid plane+1 parabola moment")
 
 
+def polycrystal(count):
+    """The Voronoi cells of random seeds in the unit cube, cut out of it plane by plane. A vertex is known by its four planes: its cell's
+    number and those of three neighbours, or -1 to -6 for the cube's sides; so cells agree in it, and in its rounded position."""
+    r = random.Random(1)
+    seeds = [(r.random(), r.random(), r.random()) for _ in range(count)]
+    places = {}
+
+    def plane(i, j):
+        if j < 0:
+            axis, side = divmod(-1 - j, 2)
+            return [float(k == axis) for k in range(3)], float(side)
+        normal = [b - a for a, b in zip(seeds[i], seeds[j])]
+        return normal, sum(b * b - a * a for a, b in zip(seeds[i], seeds[j])) / 2
+
+    def place(key):
+        if key not in places:
+            i = min(s for s in key if s >= 0)
+            others = [s for s in key if s != i]
+            planes = [plane(i, j) for j in others]
+            rows, right = [p[0] for p in planes], [p[1] for p in planes]
+            det = lambda a, b, c: (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]))
+            put = lambda k: [[right[n] if m == k else row[m] for m in range(3)] for n, row in enumerate(rows)]
+            p = [det(*put(k)) / det(*rows) for k in range(3)]
+            for j in others:
+                if j < 0:
+                    p[(-1 - j) // 2] = float((-1 - j) % 2)
+            places[key] = tuple(p)
+        return places[key]
+
+    def cell(i):
+        far = lambda: max(sum((a - b) ** 2 for a, b in zip(place(v), seeds[i])) for ring in faces.values() for v in ring)
+        faces = {}
+        for k in range(3):
+            for side in (0, 1):
+                walls = lambda u, v: (-1 - 2 * k - side, -1 - 2 * ((k + 1) % 3) - u, -1 - 2 * ((k + 2) % 3) - v)
+                ring = [tuple(sorted(walls(u, v) + (i,))) for u, v in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                faces[-1 - 2 * k - side] = ring if side else ring[::-1]
+        reach = far()
+        order = sorted((sum((a - b) ** 2 for a, b in zip(s, seeds[i])), j) for j, s in enumerate(seeds) if j != i)
+        for distance, j in order:
+            if distance > 4 * reach:
+                break
+            normal, offset = plane(i, j)
+            beyond = {v: sum(a * b for a, b in zip(normal, place(v))) > offset for ring in faces.values() for v in ring}
+            if not any(beyond.values()):
+                continue
+            cut, left = {}, {}
+            for f, ring in faces.items():
+                rest, enter, leave = [], None, None
+                for a, b in zip(ring, ring[1:] + ring[:1]):
+                    if not beyond[a]:
+                        rest.append(a)
+                    if beyond[a] != beyond[b]:
+                        new = tuple(sorted([s for s in a if s != i and s in b] + [i, j]))
+                        rest.append(new)
+                        enter, leave = (enter, new) if beyond[b] else (new, leave)
+                if enter:
+                    cut[enter] = leave
+                if len(rest) > 2:
+                    left[f] = rest
+            ring = [min(cut)]
+            while cut[ring[-1]] != ring[0]:
+                ring.append(cut[ring[-1]])
+            left[j] = ring
+            faces, reach = left, 0
+            reach = far()
+        return faces
+
+    m, number = Model(lambda x: x), {}
+    for i in range(count):
+        for j, ring in sorted(cell(i).items()):
+            if j < 0 or j > i:
+                m.facet([number[v] if v in number else number.setdefault(v, m.point(*place(v))) for v in ring])
+    return m
+
+
 def refine(source, levels):
     """Splits every triangle of an OFF file into four."""
     with open(source) as file:
@@ -538,8 +615,8 @@ def main(words):
         print("\n".join(list(MODELS) + ["invalid/" + name for name in [*INVALID, *BROKEN]]))
     elif command == "points" and len(rest) == 3:
         write_node(random_points(rest[0], int(rest[1])), rest[2])
-    elif command in ("surface", "fan", "chazelle", "cylinder") and len(rest) == 2:
-        make = {"surface": blob, "fan": fan, "chazelle": chazelle, "cylinder": sliver_cylinder}[command]
+    elif command in ("surface", "fan", "chazelle", "cylinder", "polycrystal") and len(rest) == 2:
+        make = {"surface": blob, "fan": fan, "chazelle": chazelle, "cylinder": sliver_cylinder, "polycrystal": polycrystal}[command]
         write(make(int(rest[0])), rest[1])
     elif command == "cells" and len(rest) == 3:
         write(cells(int(rest[0]), int(rest[1])), rest[2])

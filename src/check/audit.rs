@@ -2,7 +2,8 @@
 //!
 //! Input points bit for bit; every tetrahedron strictly positive, in exact arithmetic on the doubles handed out; neighbours
 //! mutual, sharing three vertices; subfaces on the tetrahedra they name. That the mesh is constrained Delaunay and covers
-//! the facets is the algorithm's own doing; [`check_mesh`](super::check_mesh) proves it independently.
+//! the facets is the algorithm's own doing; [`check_mesh`](super::check_mesh) proves it independently. What mode preserve
+//! promises is audited in [`promise`](super::promise).
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error, Status};
 use crate::output::TetMesh;

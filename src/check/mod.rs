@@ -31,6 +31,7 @@ mod orientation;
 mod overlaps;
 mod points;
 mod preserved;
+mod promise;
 mod report;
 mod segments;
 mod subfaces;
@@ -39,6 +40,7 @@ mod tests;
 mod topology;
 
 pub use audit::audit;
+pub use promise::{audit_promise, Promise};
 
 use crate::error::Error;
 use crate::options::Preserve;

@@ -9,6 +9,7 @@ pub mod fill;
 pub mod gift_wrap;
 pub mod overlap;
 pub mod placement;
+pub mod polygons;
 mod present;
 pub mod segment;
 pub mod subface;

@@ -181,6 +181,18 @@ impl Segments {
         Ok(new)
     }
 
+    /// Segments that are given up: they have no points, and no pieces any more.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn give_up(&mut self, gone: &[bool]) -> Result<(), Error> {
+        self.pieces.retain(|piece| gone.get(piece.segment as usize) != Some(&true));
+        self.piece_of.clear();
+        let keys = (0..).zip(&self.pieces).map(|(i, piece)| (edge_key(piece.ends[0], piece.ends[1]), i));
+        self.piece_of.extend(keys);
+        Ok(())
+    }
+
     /// Makes the pieces from the Steiner points.
     fn split_pieces(&mut self) -> Result<(), Error> {
         let list = self.steiner_by_segment();

@@ -45,10 +45,56 @@ impl Subfaces {
         let expected = triangles.corners.len() + 2 * steiner.len();
         subfaces.reserve(expected)?;
         subfaces.orient(points, triangles)?;
-        let edge_segment = subfaces.connect(segments)?;
+        let (edge_segment, lone) = subfaces.connect(segments, &[])?;
+        if !lone.is_empty() {
+            return Err(Error::internal("an edge without segment has not two triangles"));
+        }
         subfaces.split_edges(points, segments, &steiner, &edge_segment)?;
         subfaces.make_delaunay(points)?;
         Ok(subfaces)
+    }
+
+    /// The same for polygons that are planar only up to rounding: each is a patch that projects well along its axis. Segments that
+    /// are `soft` divide nothing. Edges are not made Delaunay; patches that have edges in common which are no segments are
+    /// returned too.
+    pub(super) fn of_polygons(
+        points: &Points,
+        triangles: &Triangles,
+        axis: Vec<u8>,
+        segments: &Segments,
+        soft: &[bool],
+    ) -> Result<(Self, Vec<u32>), Error> {
+        let mut subfaces = Subfaces { axis, ..Subfaces::default() };
+        let steiner = segments.steiner_by_segment();
+        subfaces.reserve(triangles.corners.len() + 2 * steiner.len())?;
+        subfaces.orient(points, triangles)?;
+        let (edge_segment, lone) = subfaces.connect(segments, soft)?;
+        subfaces.split_edges(points, segments, &steiner, &edge_segment)?;
+        let mut entangled: Vec<u32> = Vec::new();
+        entangled.try_reserve_exact(lone.len())?;
+        entangled.extend(lone.into_iter().map(|t| subfaces.patch[t as usize]));
+        Ok((subfaces, entangled))
+    }
+
+    /// The projection that keeps the triangulation of a patch.
+    pub(super) fn axis(&self, patch: u32) -> usize {
+        self.axis[patch as usize] as usize
+    }
+
+    /// Adds triangles that are patches of their own.
+    pub fn add_single(&mut self, points: &Points, corners: &[[u32; 3]], facets: &[u32]) -> Result<(), Error> {
+        self.reserve(corners.len())?;
+        self.axis.try_reserve(corners.len())?;
+        for (&[a, b, c], &facet) in corners.iter().zip(facets) {
+            let axis = projection_axis(points, [a, b, c])?;
+            let turned = points.orient_in_plane(axis as usize, a, b, c) == Sign::Negative;
+            self.verts.push(if turned { [a, c, b] } else { [a, b, c] });
+            self.adj.push([NONE; 3]);
+            self.facet.push(facet);
+            self.patch.push(self.axis.len() as u32);
+            self.axis.push(axis);
+        }
+        Ok(())
     }
 
     /// Copies the triangles, turned to be positive in a projection chosen per patch.
@@ -76,12 +122,14 @@ impl Subfaces {
         Ok(())
     }
 
-    /// Links triangles across edges that are no segments; returns the segment of each constrained edge.
-    fn connect(&mut self, segments: &Segments) -> Result<Vec<[u32; 3]>, Error> {
+    /// Links triangles across edges that are no segments, or `soft` ones; returns the segment of each constrained edge, and the
+    /// triangles at other edges that have not two triangles of one patch.
+    fn connect(&mut self, segments: &Segments, soft: &[bool]) -> Result<(Vec<[u32; 3]>, Vec<u32>), Error> {
         // (edge, 0, segment) sorts before (edge, 1, edge code) of the triangles with that edge.
         let mut entries: Vec<([u32; 2], u32, u32)> = Vec::new();
         entries.try_reserve(3 * self.verts.len() + segments.ends.len())?;
-        for (s, e) in segments.ends.iter().enumerate() {
+        let mut lone: Vec<u32> = Vec::new();
+        for (s, e) in segments.ends.iter().enumerate().filter(|x| soft.get(x.0) != Some(&true)) {
             entries.push((edge_key(e[0], e[1]), 0, s as u32));
         }
         for (t, v) in self.verts.iter().enumerate() {
@@ -98,13 +146,17 @@ impl Subfaces {
                 for &(_, _, code) in group.iter().filter(|entry| entry.1 == 1) {
                     edge_segment[(code / 3) as usize][(code % 3) as usize] = group[0].2;
                 }
-            } else if let [x, y] = group {
-                self.link(x.2, y.2);
-            } else {
-                return Err(Error::internal("an edge without segment has not two triangles"));
+                continue;
+            }
+            match group {
+                [x, y] if self.patch[x.2 as usize / 3] == self.patch[y.2 as usize / 3] => self.link(x.2, y.2),
+                _ => {
+                    lone.try_reserve(group.len())?;
+                    lone.extend(group.iter().map(|entry| entry.2 / 3));
+                }
             }
         }
-        Ok(edge_segment)
+        Ok((edge_segment, lone))
     }
 
     fn link(&mut self, a: u32, b: u32) {
@@ -355,7 +407,7 @@ impl Subfaces {
     }
 
     /// The outer edges of the two triangles whose common edge was turned by this code.
-    fn quadrilateral(&self, code: u32) -> [u32; 4] {
+    pub(super) fn quadrilateral(&self, code: u32) -> [u32; 4] {
         let (t, i) = (code / 3, code % 3);
         let inner = self.adj[t as usize][((i + 1) % 3) as usize];
         let (n, j) = (inner / 3, inner % 3);

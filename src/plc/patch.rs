@@ -1,7 +1,8 @@
 //! Edges of the facets' triangles: which of them constrain, and the patches between those.
 //!
 //! An edge is *flat*, and constrains nothing, when exactly two triangles meet there, of one facet or of facets with equal
-//! markers, exactly coplanar and on opposite sides of it, and nothing else asks for the edge. Every other edge is a segment.
+//! markers, exactly coplanar and on opposite sides of it, and nothing else asks for the edge. Every other edge is a segment; those
+//! that only divide a polygon are noted as its diagonals, since others would do.
 //! Edges are grouped by a counting sort on their smaller end, so the segments come out sorted.
 use super::polygon::project;
 use super::surface::Surface;
@@ -34,6 +35,7 @@ pub fn connect(surface: &mut Surface, fixed: &[FixedEdge], marker: impl Fn(u32) 
     let mut patches = Patches::new(count)?;
     surface.segments.clear();
     surface.segment_parent.clear();
+    surface.diagonals.clear();
     for low in 0..surface.points.len() {
         let mut rest = &uses[begin[low] as usize..begin[low + 1] as usize];
         while let Some(&(high, _)) = rest.first() {
@@ -43,6 +45,14 @@ pub fn connect(surface: &mut Surface, fixed: &[FixedEdge], marker: impl Fn(u32) 
                 if (u as usize) < count && is_flat(surface, [low as u32, high], t, u, &marker) {
                     patches.join(t, u);
                     continue;
+                }
+                let facet =
+                    |t: u32| surface.triangle_facet.get(t as usize).filter(|f| **f >= surface.first_polygon);
+                if let (Some(&f), Some(&g)) = (facet(t), facet(u)) {
+                    if f == g {
+                        surface.diagonals.try_reserve(1)?;
+                        surface.diagonals.push((surface.segments.len() as u32, f));
+                    }
                 }
             }
             surface.segments.try_reserve(1)?;

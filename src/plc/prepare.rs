@@ -430,6 +430,7 @@ fn triangulate_facets(
     defects: &mut Defects,
     observer: &mut dyn Observer,
 ) -> Result<(), Error> {
+    surface.first_polygon = plc.triangles.len() as u32;
     surface.triangles.try_reserve(plc.triangles.len())?;
     surface.triangle_facet.try_reserve(plc.triangles.len())?;
     for (i, corners) in plc.triangles.iter().enumerate() {

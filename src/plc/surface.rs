@@ -17,6 +17,10 @@ pub struct Surface {
     pub segments: Vec<[u32; 2]>,
     /// Per segment the first input segment it lies on, or [`INVALID`](crate::INVALID) for an edge of facets only.
     pub segment_parent: Vec<u32>,
+    /// Segments that are diagonals of our own in a polygon that is planar only up to rounding, and its facet: ascending.
+    pub diagonals: Vec<(u32, u32)>,
+    /// The first facet that is a polygon: those before it are triangles of the input.
+    pub first_polygon: u32,
     /// The triangulation of all facets (#triangles by 3).
     pub triangles: Vec<[u32; 3]>,
     /// Per triangle its facet, in the numbering of the PLC.

@@ -15,6 +15,7 @@ pub mod cavity;
 pub mod center;
 pub mod check;
 pub mod corridor;
+pub mod facets;
 pub mod flips;
 pub mod hollow;
 pub mod improve;
@@ -44,11 +45,11 @@ use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::fallible;
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
+use facets::{name_facets, Gone};
 use hollow::Growth;
 use inside::Inside;
 use internal::Internal;
 use retarget::{Retarget, Target};
-use rustc_hash::FxHashMap;
 use settle::Settled;
 use solid::Solid;
 use thin::Thin;
@@ -153,32 +154,41 @@ fn free(
     }
     improve::improve(solid, points, &isolated, &mut || tick(0.99))?;
     statistics.interior = inside.list.len() as u64;
-    let subfaces = subfaces(solid, target, internal)?;
+    let subfaces = subfaces(solid, points, target, internal)?;
     Ok((Freed { inside, settled: Vec::new(), subfaces }, removal.staying))
 }
 
-/// The surface's faces: its triangles, but for those in whose place internal patches have others. (All of a patch has one marker: which
-/// of its facets is named does not matter.)
-fn subfaces(solid: &Solid, target: &Target, internal: &Internal) -> Result<Vec<([u32; 3], u32)>, Error> {
+/// The surface's faces: its triangles, but for those in whose place polygons and internal patches have others.
+fn subfaces(
+    solid: &Solid,
+    points: &Points,
+    target: &Target,
+    internal: &Internal,
+) -> Result<Vec<([u32; 3], u32)>, Error> {
     let mut out = Vec::new();
     out.try_reserve(target.triangles.len())?;
-    let mut facet_of: FxHashMap<u32, u32> = FxHashMap::default();
     let mut left = solid.patch_of.clone();
-    left.retain(|_, patch| internal.patches.contains(patch));
-    for ((&triangle, &patch), &facet) in target.triangles.iter().zip(target.patch).zip(target.facet) {
-        let gone = internal.patches.contains(&patch) && left.remove(&face_key(triangle)).is_none();
-        if gone {
-            facet_of.entry(patch).or_insert(facet);
+    let mut in_mesh: Vec<u32> = Vec::new();
+    in_mesh.try_reserve(left.len())?;
+    in_mesh.extend(left.values().copied());
+    in_mesh.sort_unstable();
+    in_mesh.dedup();
+    let mut gone: Vec<Gone> = Vec::new();
+    for ((&corners, &patch), &facet) in target.triangles.iter().zip(target.patch).zip(target.facet) {
+        let there = left.remove(&face_key(corners)).is_some();
+        let any_will_do = facet >= target.first_polygon || internal.patches.contains(&patch);
+        if there || !any_will_do || in_mesh.binary_search(&patch).is_err() {
+            out.push((corners, facet));
         } else {
-            out.push((triangle, facet));
+            gone.try_reserve(1)?;
+            gone.push(Gone { patch, corners, facet });
         }
     }
     let mut others: Vec<(u32, [u32; 3])> = Vec::new();
     others.try_reserve(left.len())?;
     others.extend(left.into_iter().map(|(face, patch)| (patch, face)));
     others.sort_unstable();
-    out.try_reserve(others.len())?;
-    out.extend(others.into_iter().filter_map(|(patch, face)| Some((face, *facet_of.get(&patch)?))));
+    name_facets(points, &mut gone, &others, &mut out)?;
     Ok(out)
 }
 

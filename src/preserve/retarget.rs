@@ -3,7 +3,7 @@
 //! In the plane, missing edges are inserted one by one: the edges that cross one are flipped where their quadrilateral is strictly
 //! convex, until none is left (Sloan 1993). In space a flip of edge `ab` to `cd` empties, on each side of the plane, the
 //! tetrahedra round `ab`, and fills them again under the two new triangles: by reconnection, or from a point inside near the
-//! crossing of `ab` and `cd`, which all the faces see.
+//! crossing of `ab` and `cd`, which all the faces see. Diagonals of polygons are not inserted: any others will do.
 use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::place::place;
@@ -29,8 +29,18 @@ pub struct Target<'a> {
     pub patch: &'a [u32],
     /// Input facet of each.
     pub facet: &'a [u32],
+    /// The first facet that is a polygon. Of these the edges must be there; which diagonals they have does not matter.
+    pub first_polygon: u32,
     /// Which of them must be faces.
     pub preserve: Preserve,
+}
+
+/// A triangle of the target.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Wanted {
+    patch: u32,
+    corners: [u32; 3],
+    facet: u32,
 }
 
 /// What flips took.
@@ -133,29 +143,24 @@ impl<'a> Retarget<'a> {
         }
         present.sort_unstable();
         present.dedup();
-        let mut wanted: Vec<(u32, [u32; 3])> = Vec::new();
+        let mut wanted: Vec<Wanted> = Vec::new();
         wanted.try_reserve(target.triangles.len())?;
-        wanted.extend(
-            target
-                .patch
-                .iter()
-                .copied()
-                .zip(target.triangles.iter().copied())
-                .filter(|x| wrong.binary_search(&x.0).is_ok()),
-        );
+        let all = target.patch.iter().zip(target.triangles).zip(target.facet);
+        let all = all.map(|((&patch, &corners), &facet)| Wanted { patch, corners, facet });
+        wanted.extend(all.filter(|x| wrong.binary_search(&x.patch).is_ok()));
         wanted.sort_unstable();
         let count = wrong.len() as f64;
         for (i, patch) in wrong.into_iter().enumerate() {
             tick(i as f64 / count)?;
-            let range = |list: &[(u32, [u32; 3])]| {
-                list.partition_point(|x| x.0 < patch)..list.partition_point(|x| x.0 <= patch)
-            };
-            let (now, then) = (&present[range(&present)], &wanted[range(&wanted)]);
+            let from = present.partition_point(|x| x.0 < patch);
+            let now = &present[from..present.partition_point(|x| x.0 <= patch)];
+            let from = wanted.partition_point(|x| x.patch < patch);
+            let then = &wanted[from..wanted.partition_point(|x| x.patch <= patch)];
             // A patch that is not in the mesh was carved; one with points that stay on it has them for corners.
             let corners = now.iter().flat_map(|x| x.1);
             let bent = self.loose.contains(&patch) && corners.into_iter().any(|v| v >= first_steiner);
             if !now.is_empty() && !bent {
-                self.patch(patch, now, then)?;
+                self.patch(patch, now, then, target.first_polygon)?;
             }
         }
         Ok(std::mem::take(&mut self.count))
@@ -179,7 +184,13 @@ impl<'a> Retarget<'a> {
     }
 
     /// One patch: its triangles now, and those it shall have.
-    fn patch(&mut self, patch: u32, now: &[(u32, [u32; 3])], then: &[(u32, [u32; 3])]) -> Result<(), Error> {
+    fn patch(
+        &mut self,
+        patch: u32,
+        now: &[(u32, [u32; 3])],
+        then: &[Wanted],
+        first_polygon: u32,
+    ) -> Result<(), Error> {
         self.apexes.clear();
         self.neighbor.clear();
         let Some(axis) = axis_of(self.points, &now[0].1) else {
@@ -192,22 +203,25 @@ impl<'a> Retarget<'a> {
                 self.neighbor.insert(x, y);
             }
         }
-        let mut edges: Vec<[u32; 2]> = Vec::new();
+        // (edge, facet)
+        let mut edges: Vec<([u32; 2], u32)> = Vec::new();
         edges.try_reserve(3 * then.len())?;
-        for &(_, [a, b, c]) in then {
-            edges.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
+        for &Wanted { corners: [a, b, c], facet, .. } in then {
+            edges.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)].map(|edge| (edge, facet)));
         }
         edges.sort_unstable();
-        edges.dedup();
-        for edge in edges {
-            if !self.apexes.contains_key(&edge) {
+        for run in edges.chunk_by(|x, y| x.0 == y.0) {
+            let edge = run[0].0;
+            let is_diagonal = matches!(run, [(_, f), (_, g)] if f == g && *f >= first_polygon);
+            if !is_diagonal && !self.apexes.contains_key(&edge) {
                 self.insert_edge(patch, edge)?;
             }
         }
         if self.loose.contains(&patch) {
             return Ok(());
         }
-        let missing = then.iter().map(|x| x.1).filter(|t| !self.solid.patch_of.contains_key(&face_key(*t)));
+        let missing = then.iter().filter(|x| x.facet < first_polygon).map(|x| x.corners);
+        let missing = missing.filter(|t| !self.solid.patch_of.contains_key(&face_key(*t)));
         self.count.missing.extend(missing);
         Ok(())
     }

@@ -79,7 +79,13 @@ impl Model {
         let before = volume(&solid, &points);
         let facet = vec![0; self.triangles.len()];
         let preserve = crate::options::Preserve::All;
-        let target = Target { triangles: &self.triangles, patch: &self.patch, facet: &facet, preserve };
+        let target = Target {
+            triangles: &self.triangles,
+            patch: &self.patch,
+            facet: &facet,
+            first_polygon: u32::MAX,
+            preserve,
+        };
         let mut statistics = PreserveStatistics::default();
         let Freed { inside, .. } = from_constrained(
             &mut solid,

@@ -5,7 +5,7 @@
 //! fails. For the second the recovery without merging is run beside it, until it is certain that it takes as many points: each
 //! missing piece of a segment takes one of its own at least. So it mostly ends early, and it is not begun where nothing was flipped, or
 //! where the segments that are missing at the start are as many already.
-use super::{Engine, Run};
+use super::{Engine, Recovered, Run};
 use crate::constrain::segment::Segments;
 use crate::error::{Error, Status};
 use crate::mesh::star::StarSearch;
@@ -106,18 +106,21 @@ impl Run<'_> {
         degrees: f64,
         prepared: Prepared,
         engine: &mut Engine,
-    ) -> Result<(Surface, Segments), Error> {
+    ) -> Result<(Surface, Recovered), Error> {
         let merged = self.merge_and_recover(plc, options, degrees, &prepared, engine)?;
         if options.mode == Mode::Preserve {
             // The points on the surface will go.
             *engine = merged.engine;
-            return Ok((merged.surface, merged.segments));
+            return Ok((merged.surface, Recovered::of(merged.segments)));
         }
         self.unmerged_at_least = merged.segments.steiner_t.len() as u64;
+        if !merged.surface.diagonals.is_empty() {
+            return self.compare_polygons(plc, options, prepared, merged, engine);
+        }
         if !merged.is_flipped {
             // The same would be done again.
             *engine = merged.engine;
-            return Ok((merged.surface, merged.segments));
+            return Ok((merged.surface, Recovered::of(merged.segments)));
         }
         let surface = prepared.connect(plc, self.observer)?;
         let mut plain = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
@@ -125,14 +128,44 @@ impl Run<'_> {
             Ok(true) => {
                 self.unmerged_at_least = plain.steiner_t.len() as u64;
                 self.observer.log(FEWER);
-                return Ok((surface, plain));
+                return Ok((surface, Recovered::of(plain)));
             }
             Err(error) if !may_be_avoided(&error) => return Err(error),
             // As many points, or not possible at all.
             Ok(false) | Err(_) => {}
         }
         *engine = merged.engine;
-        Ok((merged.surface, merged.segments))
+        Ok((merged.surface, Recovered::of(merged.segments)))
+    }
+
+    /// The comparison where polygons have diagonals of their own: merging keeps these as segments, the mesh without it does not.
+    fn compare_polygons(
+        &mut self,
+        plc: &Plc,
+        options: &Options,
+        prepared: Prepared,
+        merged: Merged,
+        engine: &mut Engine,
+    ) -> Result<(Surface, Recovered), Error> {
+        let surface = prepared.connect(plc, self.observer)?;
+        let mut trial = engine.clone();
+        let plain = Segments::new(&trial.points, trial.map(&surface.segments)?)?;
+        match self.recover_with_polygons(&surface, plain, options, &mut trial, true) {
+            Ok(plain)
+                if !merged.is_flipped || plain.segments.steiner_t.len() < merged.segments.steiner_t.len() =>
+            {
+                if merged.is_flipped {
+                    self.observer.log(FEWER);
+                }
+                self.unmerged_at_least = plain.segments.steiner_t.len() as u64;
+                *engine = trial;
+                return Ok((surface, plain));
+            }
+            Err(error) if !may_be_avoided(&error) => return Err(error),
+            _ => {}
+        }
+        *engine = merged.engine;
+        Ok((merged.surface, Recovered::of(merged.segments)))
     }
 
     /// Merges facets and recovers segments. Steiner points on an edge that merging has made beside the input's surface would lie beside it too. So

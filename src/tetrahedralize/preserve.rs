@@ -4,6 +4,7 @@
 //! points on the edges that resist ([`recover`](crate::preserve::recover)). Where that is given up, and where the hull is kept or facets are
 //! merged, from the constrained Delaunay tetrahedralization, which always exists. Either way what is on the surface is
 //! taken away again ([`from_constrained`]).
+use super::promise::promise;
 use super::{assemble, in_terms_of_input, warn, Engine, Run};
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
@@ -63,8 +64,9 @@ impl Run<'_> {
         }
         let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
         self.delaunay_in(&mut engine, &mut order, options.worker_threads())?;
-        let (surface, segments) = self.connect_and_recover(plc, options, prepared, &mut engine)?;
-        let subfaces = self.recover_facets(&surface, &segments, &mut engine)?;
+        let (surface, recovered) = self.connect_and_recover(plc, options, prepared, &mut engine, false)?;
+        let subfaces = self.recover_facets(&surface, &recovered, &mut engine)?;
+        let segments = recovered.segments;
         let counts = &mut self.statistics.preserve;
         counts.missing_edges = segments.missing;
         counts.by_splits = segments.missing;
@@ -91,10 +93,12 @@ impl Run<'_> {
         let carved = std::mem::take(&mut engine.delaunay.mesh);
         let mut solid = Solid::carve(carved, engine.points.len(), &components, &regions, &subfaces)?;
         drop((subfaces, components));
+        self.promise = promise(&engine, surface, &patch, &mut solid, &segments, options.preserve)?;
         let target = Target {
             triangles: &engine.map(&surface.triangles)?,
             patch: &patch,
             facet: &surface.triangle_facet,
+            first_polygon: surface.first_polygon,
             preserve: options.preserve,
         };
         let observer = &mut *self.observer;

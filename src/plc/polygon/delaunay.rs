@@ -303,7 +303,7 @@ impl Triangulation {
     }
 
     /// Turns the diagonal; returns the two sides now opposite the apex of `h`.
-    fn flip(&mut self, h: u32) -> [u32; 2] {
+    pub(super) fn flip(&mut self, h: u32) -> [u32; 2] {
         let g = self.twin[h as usize];
         let (apex, from, to, beyond) =
             (self.corner[h as usize], self.from(h), self.to(h), self.corner[g as usize]);

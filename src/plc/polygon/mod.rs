@@ -3,7 +3,7 @@
 //! Projecting drops one coordinate, so it is exact. For exactly planar polygons every axis that does not lie in their plane
 //! gives the same answer; a polygon that is not exactly planar is taken as its projection shows it, and is refused only when no
 //! axis shows a valid region. Steps: Delaunay triangulation of the corners ([`delaunay`]), insertion of the polygons' edges
-//! ([`constraint`]), inside and outside ([`region`]).
+//! ([`constraint`]), inside and outside ([`region`]), diagonals that are Delaunay in space ([`metric`]).
 //!
 //! Invariant of the result: each triangle has the sense of the outer ring, is not degenerate, and has only corners of the
 //! polygons; each vertex of a polygon that lies on an edge of one divides it.
@@ -14,6 +14,7 @@ use crate::INVALID;
 
 pub mod constraint;
 pub mod delaunay;
+pub mod metric;
 pub mod region;
 mod small;
 
@@ -74,6 +75,7 @@ pub struct Triangulator {
     input: Vec<[u32; 3]>,
     roles: Vec<Role>,
     seeds: Vec<[f64; 2]>,
+    stack: Vec<u32>,
 }
 
 impl Triangulator {
@@ -253,6 +255,8 @@ impl Triangulator {
         if let Err(fault) = self.regions.classify(&self.mesh, covers, &self.roles, interior, &self.seeds)? {
             return Ok(Err(fault));
         }
+        let at = |v: u32| points[self.vertices[v as usize] as usize];
+        metric::improve(&mut self.mesh, &self.regions.inside, axis, at, &mut self.stack)?;
         self.emit(interior)?;
         if self.triangles.is_empty() {
             return Ok(Err(Fault { kind: FaultKind::Degenerate, vertices: [INVALID; 4] }));

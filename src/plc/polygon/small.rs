@@ -1,4 +1,5 @@
 //! Shortcut for the facets most models consist of: one ring of three corners, or of four that are convex in projection.
+use super::metric::is_inside_circle;
 use super::{collinear, project};
 use crate::predicates::{incircle, orient2d, Sign};
 
@@ -11,7 +12,8 @@ pub fn triangulate_small(points: &[[f64; 3]], ring: &[u32]) -> Option<([[u32; 3]
     }
 }
 
-/// A quadrilateral that is strictly convex along the axis of its largest projection: cut by its Delaunay diagonal.
+/// A quadrilateral that is strictly convex along the axis of its largest projection: cut by its Delaunay diagonal in space, or
+/// in projection where it has a circle.
 fn quad(points: &[[f64; 3]], ring: [u32; 4]) -> Option<[[u32; 3]; 2]> {
     let [p, q, r, s] = ring.map(|v| &points[v as usize]);
     let (d, e): ([f64; 3], [f64; 3]) = ([0, 1, 2].map(|k| r[k] - p[k]), [0, 1, 2].map(|k| s[k] - q[k]));
@@ -27,7 +29,15 @@ fn quad(points: &[[f64; 3]], ring: [u32; 4]) -> Option<[[u32; 3]; 2]> {
         return None;
     }
     let [a, b, c, d] = ring;
-    let inside = incircle(at[0], at[1], at[2], at[3]);
-    let flip = inside != Sign::Zero && inside == sense;
+    let turned = if sense == Sign::Positive { [p, q, r, s] } else { [r, q, p, s] };
+    let holds = |corners| is_inside_circle(axis, p, corners);
+    let [k, l, m, n] = turned;
+    let flip = match (holds([k, l, m, n]), holds([l, m, n, k])) {
+        (false, false) => {
+            let inside = incircle(at[0], at[1], at[2], at[3]);
+            inside != Sign::Zero && inside == sense
+        }
+        (flip, _) => flip,
+    };
     Some(if flip { [[a, b, d], [b, c, d]] } else { [[a, b, c], [a, c, d]] })
 }
