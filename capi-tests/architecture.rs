@@ -80,7 +80,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     // What looks at results; it never touches the engine.
     ("check", &["output", "plc", "predicates", "error", "options"]),
     ("mesh_query", &["output", "plc", "predicates", "error"]),
-    ("io", &["plc", "vector", "output", "error", "options", "progress", "warning"]),
+    ("io", &["mesh_query", "plc", "vector", "output", "error", "options", "progress", "warning"]),
+    ("fallible", &[]),
     (
         "ffi",
         &[

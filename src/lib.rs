@@ -16,7 +16,7 @@
 //!  │            ├──► output     └───────────┴──► plc ──► predicates, output
 //!  │            └──► check ──► output, plc, predicates
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
-//! io ──► plc, output
+//! io ──► mesh_query, plc, output
 //! main (the command line) ──► everything above through the public API
 //! doc: pages of text; elementary, error, fallible, options, panics, progress, warning: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
 //! ```

@@ -1,5 +1,6 @@
 //! The arguments.
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use delotet::io::RegionName;
 use std::path::PathBuf;
 
 /// Exact 3D constrained Delaunay tetrahedralization.
@@ -41,11 +42,21 @@ pub enum PreserveArg {
     Outer,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MshVersionArg {
+    /// Of Gmsh 4.
+    #[value(name = "4.1")]
+    V41,
+    /// What many solvers read, and some of them only.
+    #[value(name = "2.2")]
+    V22,
+}
+
 #[derive(Debug, ClapArgs)]
 pub struct MeshArgs {
     /// The surface: .off .stl .obj .ply .poly .smesh, or points: .node
     pub input: PathBuf,
-    /// The mesh: .vtu .vtk .msh .mesh, or .ele (with .node .face .edge .neigh beside it)
+    /// The mesh: .vtu .vtk .msh .inp .mesh, or .ele (with .node .face .edge .neigh beside it)
     #[arg(short, long)]
     pub output: PathBuf,
     /// What is made (default: cdt; delaunay for a .node file)
@@ -75,6 +86,15 @@ pub struct MeshArgs {
     /// With .vtu: write the pieces of the facets too, as STEM_subfaces.vtu
     #[arg(long)]
     pub subfaces: bool,
+    /// Tetrahedra of ten nodes: corners and middles of edges (not in .mesh)
+    #[arg(long)]
+    pub second_order: bool,
+    /// With .msh: the version of the format
+    #[arg(long, value_enum, value_name = "VERSION", default_value = "4.1")]
+    pub msh_version: MshVersionArg,
+    /// With .msh and .inp: the name of the regions with an attribute (may be repeated)
+    #[arg(long, value_name = "ATTRIBUTE=NAME", allow_hyphen_values = true, value_parser = region_name)]
+    pub region_name: Vec<RegionName>,
     /// Print nothing but errors
     #[arg(short, long)]
     pub quiet: bool,
@@ -120,6 +140,16 @@ pub struct ConvertArgs {
     /// The file to write: .off .stl .obj .ply .poly .smesh .node
     #[arg(short, long)]
     pub output: PathBuf,
+}
+
+fn region_name(text: &str) -> Result<RegionName, String> {
+    let parts = text.split_once('=').map(|(attribute, name)| (attribute.trim().parse::<f64>(), name.trim()));
+    match parts {
+        Some((Ok(attribute), name)) if attribute.is_finite() && !name.is_empty() => {
+            Ok(RegionName { attribute, name: name.to_string() })
+        }
+        _ => Err("a number, '=' and a name expected".to_string()),
+    }
 }
 
 /// Numbers separated by commas.

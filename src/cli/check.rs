@@ -1,21 +1,22 @@
 //! `delotet check`.
 use super::args::{CheckArgs, PreserveArg};
-use super::{report, Failure};
+use super::page::Page;
+use super::{paths, report, Failure};
 use delotet::io;
 use delotet::{Defect, DefectKind, Element, Error, Status, SteinerPoint, TetMesh, Warnings};
-use std::io::Write;
 
 /// Reads a mesh and its input and checks the one against the other.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let outcome = check(args);
-    report::write_if_asked(args.report.as_deref(), || match &outcome {
-        Ok(()) => report::of_success(None, &Warnings::default()),
-        Err(failure) => report::of_error(&failure.error),
-    });
-    outcome
+    report::write_if_asked(args.report.as_deref(), outcome, |()| {
+        report::of_success(None, &Warnings::default())
+    })
 }
 
 fn check(args: &CheckArgs) -> Result<(), Failure> {
+    paths::check_input(&args.input)?;
+    paths::check_input(&args.mesh)?;
+    args.report.as_deref().map_or(Ok(()), paths::check_output)?;
     let plc = io::read(&args.input)?;
     let mesh = io::read_mesh(&args.mesh).map_err(|e| Failure::from(e).with_code(1))?;
     let input_point_count = mesh.points.len().min(plc.points.len()) as u32;
@@ -45,15 +46,14 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         None => delotet::check_mesh(&plc, &mesh, !args.no_delaunay, limit),
     };
     verdict.map_err(|e| Failure::from(e).with_code(1))?;
-    let mut out = std::io::stdout().lock();
     let judged = mesh.steiner.len() + plc.points.len() == mesh.points.len();
-    let _ = writeln!(
-        out,
+    let mut page = Page::default();
+    page.text(format_args!(
         "{}: correct ({} points, {} tetrahedra{})",
         args.mesh.display(),
         mesh.points.len(),
         mesh.tets.len(),
         if judged { "" } else { "; no .parents file of this input: conformity was not judged" }
-    );
-    Ok(())
+    ));
+    page.print()
 }

@@ -1,20 +1,22 @@
 //! `delotet convert`.
 use super::args::ConvertArgs;
-use super::mesh::check_folder;
-use super::Failure;
+use super::{paths, report, Failure};
 use delotet::io::Format;
 use delotet::{Error, Status};
 
 /// Reads one surface format and writes another.
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
+    paths::check_input(&args.input)?;
+    paths::check_output(&args.output)?;
     if Format::of(&args.output)?.is_mesh() {
         let message = format!("{}: not a surface format", args.output.display());
         return Err(Error::new(Status::Unsupported, message).into());
     }
-    check_folder(&args.output)?;
     let plc = delotet::io::read(&args.input)?;
-    delotet::io::write_surface(&args.output, &plc).map_err(|error| match error.status {
+    let warnings = delotet::io::write_surface(&args.output, &plc).map_err(|error| match error.status {
         Status::File => Failure::usage(error),
         _ => error.into(),
-    })
+    })?;
+    report::print_warnings(&warnings);
+    Ok(())
 }

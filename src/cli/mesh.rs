@@ -1,12 +1,12 @@
 //! `delotet mesh`.
-use super::args::{MeshArgs, ModeArg, PreserveArg};
+use super::args::{MeshArgs, ModeArg, MshVersionArg, PreserveArg};
 use super::observer::Console;
-use super::{report, summary, Failure};
-use delotet::io::{Format, WriteOptions};
+use super::page::{self, Page};
+use super::{paths, report, summary, Failure};
+use delotet::io::{Format, MshVersion, UnusedOption, WriteOptions};
 use delotet::progress::report as tell;
 use delotet::{Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
 use serde_json::{json, Map, Value};
-use std::path::Path;
 use std::time::Instant;
 
 /// Reads, meshes, writes.
@@ -15,17 +15,17 @@ pub fn run(args: &MeshArgs) -> Result<(), Failure> {
     let outcome = mesh(args, &mut console);
     console.finish();
     let report = args.report.as_deref();
-    match &outcome {
-        Ok(mesh) => report::write_if_asked(report, || report::of_success(Some(mesh), &mesh.warnings)),
-        Err(failure) => report::write_if_asked(report, || report::of_error(&failure.error)),
-    }
-    outcome.map(|_| ())
+    report::write_if_asked(report, outcome, |mesh| report::of_success(Some(mesh), &mesh.warnings)).map(|_| ())
 }
 
 fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
     let start = Instant::now();
+    let write_options = write_options(args);
+    check_files(args, &write_options)?;
     let options = options(args)?;
-    check_output(&args.output)?;
+    if !args.quiet {
+        tell_unused(args, options.mode, &write_options);
+    }
     tell(console, Phase::Read, 0.0)?;
     let mut plc = delotet::io::read(&args.input)?;
     add_seeds(&mut plc, args);
@@ -33,8 +33,8 @@ fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
     let mut mesh = delotet::tetrahedralize(&plc, &options, console)?;
     tell(console, Phase::Write, 0.0)?;
     let write_start = Instant::now();
-    let write_options = WriteOptions { compress: args.compress, subfaces: args.subfaces };
-    delotet::io::write(&args.output, &mesh, &plc, &write_options).map_err(Failure::usage)?;
+    let lost = delotet::io::write(&args.output, &mesh, &plc, &write_options).map_err(Failure::usage)?;
+    mesh.warnings.append(&lost);
     let seconds = &mut mesh.statistics.seconds;
     seconds[Phase::Read as usize] = read;
     seconds[Phase::Write as usize] = write_start.elapsed().as_secs_f64();
@@ -45,7 +45,9 @@ fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
     console.finish();
     if !args.quiet {
         report::print_warnings(&mesh.warnings);
-        summary::print_mesh(&args.output, &mesh, total);
+        let mut page = Page::default();
+        summary::describe_mesh(&mut page, &args.output, &mesh, total);
+        page.print()?;
     }
     Ok(mesh)
 }
@@ -83,23 +85,56 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
     })
 }
 
-/// Refuses what would fail only after meshing: an unknown format, a folder that is not there.
-pub fn check_output(path: &Path) -> Result<(), Failure> {
-    if !Format::of(path)?.is_mesh() {
-        let message = format!("{}: not a mesh format; .vtu .vtk .msh .mesh .ele are", path.display());
-        return Err(Error::new(Status::Unsupported, message).into());
+fn write_options(args: &MeshArgs) -> WriteOptions {
+    WriteOptions {
+        compress: args.compress,
+        subfaces: args.subfaces,
+        second_order: args.second_order,
+        msh_version: match args.msh_version {
+            MshVersionArg::V41 => MshVersion::V41,
+            MshVersionArg::V22 => MshVersion::V22,
+        },
+        region_names: args.region_name.clone(),
+        max_warnings: if args.report.is_some() { 10_000_000 } else { 1000 },
     }
-    check_folder(path)
 }
 
-/// Refuses an output whose folder is not there.
-pub fn check_folder(path: &Path) -> Result<(), Failure> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if folder.is_dir() && !path.is_dir() {
-        return Ok(());
+/// Refuses what would fail only after meshing.
+fn check_files(args: &MeshArgs, options: &WriteOptions) -> Result<(), Failure> {
+    paths::check_input(&args.input)?;
+    let mut outputs = paths::of_mesh(&args.output, options.subfaces);
+    outputs.extend(args.stats.clone());
+    outputs.extend(args.report.clone());
+    outputs.iter().try_for_each(|path| paths::check_output(path))?;
+    options.check(&args.output)?;
+    paths::check_distinct(&args.input, &outputs)
+}
+
+/// Says which options have no effect with the others.
+fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
+    let format = Format::of(&args.output).unwrap_or(Format::Vtu);
+    let name = args.output.extension().unwrap_or_default().to_string_lossy();
+    for option in options.unused(format) {
+        let text = match (option, format) {
+            (UnusedOption::Compress, _) => "--compress: only .vtu is compressed",
+            (UnusedOption::Subfaces, Format::Vtk) => "--subfaces: only .vtu has a second file for them",
+            (UnusedOption::Subfaces, _) => "--subfaces: the file holds the subfaces in any case",
+            (UnusedOption::MshVersion, _) => "--msh-version: the file is no .msh",
+            (UnusedOption::RegionNames, _) => "--region-name: only .msh and .inp have names for regions",
+        };
+        page::tell(format_args!("warning: no effect with .{name}: {text}"));
     }
-    let what = if path.is_dir() { "is a folder" } else { "its folder does not exist" };
-    Err(Failure::usage(Error::new(Status::File, format!("{}: {what}", path.display()))))
+    let delaunay = [
+        (args.merge_facets.is_some(), "--merge-facets"),
+        (args.keep_hull, "--keep-hull"),
+        (!args.hole.is_empty(), "--hole"),
+        (!args.region.is_empty(), "--region"),
+    ];
+    for (_, option) in delaunay.iter().filter(|x| x.0 && mode == Mode::Delaunay) {
+        page::tell(format_args!(
+            "warning: no effect with --mode delaunay: {option}: the mesh is the hull of the points, without facets"
+        ));
+    }
 }
 
 fn add_seeds(plc: &mut Plc, args: &MeshArgs) {

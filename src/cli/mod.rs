@@ -1,8 +1,9 @@
 //! The command line: arguments in, library calls, exit codes out. Imports the library's public API only.
 //!
 //! Exit codes: 0 done; 1 invalid input (also an INPUT that cannot be read, and a mesh that fails its check); 2 usage (also
-//! an OUTPUT that cannot be written and a request that is not supported); 3 limit or cancel; 4 internal (also a mesh that
-//! cannot be rounded to doubles). On failure nothing is written but the report.
+//! an OUTPUT, report or standard output that cannot be written, and a request that is not supported); 3 limit or cancel; 4 internal (also a mesh that
+//! cannot be rounded to doubles). On failure nothing is written but the report;
+//! where only a report or standard output fails, the mesh is there.
 use clap::Parser;
 use delotet::{Error, Status};
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -15,6 +16,8 @@ mod convert;
 mod info;
 mod mesh;
 mod observer;
+mod page;
+mod paths;
 mod report;
 mod summary;
 
@@ -22,10 +25,12 @@ mod summary;
 pub fn run() -> ExitCode {
     let args = match args::Args::try_parse() {
         Ok(args) => args,
-        Err(error) => {
+        Err(error) if error.use_stderr() => {
             let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+            return ExitCode::from(2);
         }
+        // Help and version.
+        Err(error) => return exit(page::finish(error.print())),
     };
     let outcome = catch_unwind(AssertUnwindSafe(|| match args.command {
         args::Command::Mesh(args) => mesh::run(&args),
@@ -34,14 +39,23 @@ pub fn run() -> ExitCode {
         args::Command::Convert(args) => convert::run(&args),
     }));
     match outcome {
-        Ok(Ok(())) => ExitCode::SUCCESS,
-        Ok(Err(failure)) => {
+        Ok(outcome) => exit(outcome),
+        Err(_) => {
+            page::tell(format_args!(
+                "error: internal: the program panicked; please report it with the input"
+            ));
+            ExitCode::from(4)
+        }
+    }
+}
+
+/// Says what failed, and gives the exit code.
+fn exit(outcome: Result<(), Failure>) -> ExitCode {
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
             report::print(&failure.error);
             ExitCode::from(failure.code)
-        }
-        Err(_) => {
-            eprintln!("error: internal: the program panicked; please report it with the input");
-            ExitCode::from(4)
         }
     }
 }

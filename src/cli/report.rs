@@ -1,4 +1,6 @@
 //! Errors for people (stderr) and for programs (JSON).
+use super::page::tell;
+use super::Failure;
 use delotet::{Defect, Element, Error, Status, TetMesh, Warning, WarningKind, Warnings};
 use serde_json::{json, Value};
 use std::io::Write;
@@ -114,10 +116,22 @@ pub fn write(path: &Path, value: &Value) -> Result<(), Error> {
     delotet::io::write_text(path, &text)
 }
 
-/// Writes the report of an outcome where one is asked for. A report that cannot be written is said on stderr: the outcome
-/// itself matters more.
-pub fn write_if_asked(path: Option<&Path>, value: impl FnOnce() -> Value) {
-    if let Some(Err(error)) = path.map(|path| write(path, &value())) {
-        eprintln!("warning: {error}");
+/// Writes the report of an outcome where one is asked for. A report that cannot be written is the failure of a run that has
+/// no other, and else a line on stderr: the outcome itself matters more.
+pub fn write_if_asked<T>(
+    path: Option<&Path>,
+    outcome: Result<T, Failure>,
+    success: impl FnOnce(&T) -> Value,
+) -> Result<T, Failure> {
+    let Some(path) = path else { return outcome };
+    let value = match &outcome {
+        Ok(done) => success(done),
+        Err(failure) => of_error(&failure.error),
+    };
+    match (write(path, &value), &outcome) {
+        (Err(error), Ok(_)) => return Err(Failure::usage(error)),
+        (Err(error), Err(_)) => tell(format_args!("warning: {error}")),
+        (Ok(()), _) => {}
     }
+    outcome
 }

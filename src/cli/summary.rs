@@ -1,22 +1,17 @@
 //! What the program says when all went well.
+use super::page::Page;
 use delotet::{Phase, Plc, TetMesh};
 use std::collections::HashMap;
-use std::io::Write;
 use std::path::Path;
 
-/// One line: a label and a text. A closed stdout is no error.
-pub fn print_line(label: &str, text: impl std::fmt::Display) {
-    let _ = writeln!(std::io::stdout().lock(), "{label:<14} {text}");
-}
-
 /// What became of a mesh.
-pub fn print_mesh(output: &Path, mesh: &TetMesh, total: f64) {
+pub fn describe_mesh(page: &mut Page, output: &Path, mesh: &TetMesh, total: f64) {
     let s = &mesh.statistics;
     let duplicates = match s.duplicate_points {
         0 => String::new(),
         n => format!(", {} of them equal to an earlier one", grouped(n)),
     };
-    print_line(
+    page.line(
         "points",
         format_args!(
             "{} in{duplicates}, {} out",
@@ -24,16 +19,16 @@ pub fn print_mesh(output: &Path, mesh: &TetMesh, total: f64) {
             grouped(mesh.points.len() as u64)
         ),
     );
-    print_line("Steiner points", steiner(mesh));
+    page.line("Steiner points", steiner(mesh));
     if !mesh.facet_flips.is_empty() {
-        print_line("facet flips", grouped(mesh.facet_flips.len() as u64));
+        page.line("facet flips", grouped(mesh.facet_flips.len() as u64));
     }
-    print_line("tetrahedra", grouped(mesh.tets.len() as u64));
+    page.line("tetrahedra", grouped(mesh.tets.len() as u64));
     let volumes = volumes(mesh);
     const LISTED: usize = 12;
     for (i, (region, volume)) in mesh.regions.iter().zip(&volumes).enumerate().take(LISTED) {
         let (count, volume) = volume;
-        print_line(
+        page.line(
             if i == 0 { "regions" } else { "" },
             format_args!(
                 "attribute {}: {} tetrahedra, volume {volume:.6}",
@@ -43,16 +38,16 @@ pub fn print_mesh(output: &Path, mesh: &TetMesh, total: f64) {
         );
     }
     if volumes.len() > LISTED {
-        print_line("", format_args!("… and {} more", volumes.len() - LISTED));
+        page.line("", format_args!("… and {} more", volumes.len() - LISTED));
     }
     if let Some((least, most)) = delotet::io::dihedral_range(mesh) {
-        print_line("dihedrals", format_args!("{least:.3}° to {most:.3}°"));
+        page.line("dihedrals", format_args!("{least:.3}° to {most:.3}°"));
     }
-    print_line("time", times(&s.seconds, total));
+    page.line("time", times(&s.seconds, total));
     if let Some(peak) = delotet::ffi::memory::peak_resident() {
-        print_line("memory", format_args!("{} MB at most", grouped(peak.div_ceil(1_000_000))));
+        page.line("memory", format_args!("{} MB at most", grouped(peak.div_ceil(1_000_000))));
     }
-    print_line("written", output.display());
+    page.line("written", output.display());
 }
 
 /// How many points were added, and where.
@@ -115,29 +110,29 @@ fn grouped(number: u64) -> String {
 }
 
 /// What is in a PLC.
-pub fn print_plc(input: &Path, plc: &Plc) {
-    print_line("file", input.display());
-    print_line("points", grouped(plc.points.len() as u64));
+pub fn describe_plc(page: &mut Page, input: &Path, plc: &Plc) {
+    page.line("file", input.display());
+    page.line("points", grouped(plc.points.len() as u64));
     let polygons = match plc.facets.len() {
         0 => String::new(),
         n => format!(", {} of them general polygons", grouped(n as u64)),
     };
-    print_line("facets", format_args!("{}{polygons}", grouped(plc.facet_count() as u64)));
+    page.line("facets", format_args!("{}{polygons}", grouped(plc.facet_count() as u64)));
     for (label, count) in
         [("segments", plc.segments.len()), ("holes", plc.holes.len()), ("regions", plc.regions.len())]
     {
         if count > 0 {
-            print_line(label, grouped(count as u64));
+            page.line(label, grouped(count as u64));
         }
     }
     if let Some((low, high)) = bounds(plc) {
-        print_line(
+        page.line(
             "box",
             format_args!("({}, {}, {}) to ({}, {}, {})", low[0], low[1], low[2], high[0], high[1], high[2]),
         );
     }
     if plc.facet_count() > 0 {
-        print_line("surface", edges(plc));
+        page.line("surface", edges(plc));
     }
 }
 

@@ -99,7 +99,7 @@ mod files {
     }
 
     pub(super) fn write(path: &Path, mesh: &TetMesh, plc: &Plc) -> Result<(), Error> {
-        crate::io::write(path, mesh, plc, &crate::io::WriteOptions::default())
+        crate::io::write(path, mesh, plc, &crate::io::WriteOptions::default()).map(|_| ())
     }
 }
 

@@ -1,24 +1,32 @@
 //! MEDIT's `.mesh`, in text. Source: Pascal Frey, MEDIT: an interactive mesh visualization software (INRIA RT-0253), chapter 4.
 //!
 //! References: point and facet markers as they are; regions by their tags (see `tags`).
+use super::model::Model;
 use super::output_files::Out;
 use super::tags;
-use crate::output::TetMesh;
-use crate::plc::Plc;
+use crate::mesh_query::NodeOrder;
 use std::io;
 
+/// Integers that stand for what the mesh has.
+pub(super) struct References {
+    /// Subsegments on segments.
+    pub pieces: Vec<u32>,
+    /// The tag of each region.
+    pub regions: Vec<i32>,
+}
+
 /// Writes a mesh.
-pub(super) fn write(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> {
+pub(super) fn write(out: &mut Out, model: &Model<'_>, references: &References) -> io::Result<()> {
+    let mesh = model.mesh;
     out.format(format_args!("MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n{}\n", mesh.points.len()))?;
     for (i, point) in mesh.points.iter().enumerate() {
         out.point(point)?;
-        out.blank_int(plc.point_markers.get(i).copied().unwrap_or(0))?;
+        out.blank_int(model.marker(i))?;
         out.put("\n")?;
     }
-    let pieces = tags::segment_pieces(mesh);
-    if !pieces.is_empty() {
-        out.format(format_args!("\nEdges\n{}\n", pieces.len()))?;
-        for piece in pieces {
+    if !references.pieces.is_empty() {
+        out.format(format_args!("\nEdges\n{}\n", references.pieces.len()))?;
+        for &piece in &references.pieces {
             let piece = &mesh.subsegments[piece as usize];
             element(out, &piece.ends, piece.marker)?;
         }
@@ -27,10 +35,10 @@ pub(super) fn write(out: &mut Out, mesh: &TetMesh, plc: &Plc) -> io::Result<()> 
     for face in &mesh.subfaces {
         element(out, &face.corners, face.marker)?;
     }
-    let region_tags = tags::region_tags(mesh);
     out.format(format_args!("\nTetrahedra\n{}\n", mesh.tets.len()))?;
-    for (i, tet) in mesh.tets.iter().enumerate() {
-        element(out, tet, region_tags[tags::region_of(mesh, i)])?;
+    for i in 0..mesh.tets.len() {
+        let reference = references.regions.get(tags::region_of(mesh, i)).copied().unwrap_or(1);
+        element(out, &model.tet(i, NodeOrder::Vtk), reference)?;
     }
     out.put("\nEnd\n")
 }

@@ -9,11 +9,14 @@
 use crate::error::{Error, Status};
 use crate::output::{Subface, TetMesh};
 use crate::plc::Plc;
+use crate::warning::Warnings;
 use crate::INVALID;
 use std::path::Path;
 
 mod groups;
+mod inp;
 mod medit;
+mod model;
 mod msh;
 mod obj;
 mod off;
@@ -31,10 +34,12 @@ mod tetgen;
 mod text;
 mod vtk;
 mod vtu;
+mod write_mesh;
 mod write_surface;
 mod write_tetgen;
 
 pub use quality::dihedral_range;
+pub use write_mesh::{subfaces_path, write, MshVersion, RegionName, UnusedOption, WriteOptions};
 
 /// A file format, known by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -59,14 +64,17 @@ pub enum Format {
     Vtu,
     /// Legacy VTK (mesh).
     Vtk,
-    /// Gmsh MSH 4.1 (mesh).
+    /// Gmsh MSH 4.1 or 2.2 (mesh).
     Msh,
+    /// Abaqus and CalculiX input decks (mesh).
+    Inp,
     /// MEDIT / INRIA `.mesh` (mesh).
     Medit,
 }
 
 /// The extensions, for messages.
-const KNOWN: &str = "surfaces: .off .stl .obj .ply .poly .smesh .node; meshes: .vtu .vtk .msh .mesh .ele";
+const KNOWN: &str =
+    "surfaces: .off .stl .obj .ply .poly .smesh .node; meshes: .vtu .vtk .msh .inp .mesh .ele";
 
 impl Format {
     /// The format of a path by its extension (upper or lower case).
@@ -87,6 +95,7 @@ impl Format {
             "vtu" => Format::Vtu,
             "vtk" => Format::Vtk,
             "msh" => Format::Msh,
+            "inp" => Format::Inp,
             "mesh" => Format::Medit,
             "" => {
                 return Err(Error::new(
@@ -120,6 +129,7 @@ impl Format {
             Format::Vtu => "a .vtu file",
             Format::Vtk => "a .vtk file",
             Format::Msh => "an .msh file",
+            Format::Inp => "an .inp file",
             Format::Medit => "a .mesh file",
         }
     }
@@ -225,64 +235,22 @@ fn at(path: &Path, error: Error) -> Error {
     error.at(format_args!("{}", path.display()))
 }
 
-/// What [`write()`] may be asked for.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct WriteOptions {
-    /// `.vtu`: compress the arrays (zlib). Smaller and slower.
-    pub compress: bool,
-    /// `.vtu`: also write the subfaces, as `STEM_subfaces.vtu`.
-    pub subfaces: bool,
-}
-
-/// Writes a mesh in the format of the path's extension. `plc` is what it was made of: it gives the attributes and markers.
-///
-/// # Errors
-/// [`Status::Unsupported`]: no mesh format. [`Status::File`]: cannot be written; then nothing is left behind.
-pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> Result<(), Error> {
-    let mut files = output_files::OutputFiles::default();
-    match Format::of(path)? {
-        Format::Ele => write_tetgen::write(&mut files, path, mesh, plc)?,
-        Format::Vtu => {
-            let added = crate::plc::attributes::continue_attributes(plc, mesh)?;
-            files.write(path, |out| vtu::write(out, mesh, plc, &added, options.compress))?;
-            if options.subfaces {
-                let beside = subfaces_path(path);
-                files.write(&beside, |out| vtu::write_subfaces(out, mesh, options.compress))?;
-            }
-        }
-        Format::Vtk => files.write(path, |out| vtk::write(out, mesh))?,
-        Format::Msh => files.write(path, |out| msh::write(out, mesh))?,
-        Format::Medit => files.write(path, |out| medit::write(out, mesh, plc))?,
-        _ => {
-            return Err(Error::new(
-                Status::Unsupported,
-                format_args!("{}: not a mesh format", path.display()),
-            ))
-        }
-    }
-    files.commit()
-}
-
-/// `STEM_subfaces.vtu` for `STEM.vtu`.
-fn subfaces_path(path: &Path) -> std::path::PathBuf {
-    let mut name = path.file_stem().unwrap_or_default().to_os_string();
-    name.push("_subfaces.vtu");
-    path.with_file_name(name)
-}
-
 /// Writes the points, facets and segments of a PLC in the surface format of the path's extension.
 ///
 /// `.poly` and `.smesh` carry everything that TetGen's formats can; `.off`, `.obj` and `.ply` points, simple polygons and
 /// segments with markers; `.stl` triangles: in single precision without markers, as text in full precision with markers. All but
-/// `.node` keep the names of markers.
+/// `.node` keep the names of markers. Returns warnings of the kind [`WarningKind::LostValue`](crate::WarningKind::LostValue): a
+/// point whose coordinates are rounded, the first one with an attribute or a marker where the format has none, the first facet
+/// and segment where it has none.
 ///
 /// # Errors
 /// [`Status::Unsupported`]: no surface format, or the PLC has what the format cannot express (the message says what).
 /// [`Status::NonFinitePoint`]: a coordinate is not finite. [`Status::File`]: cannot be written; then nothing is left behind.
-pub fn write_surface(path: &Path, plc: &Plc) -> Result<(), Error> {
+pub fn write_surface(path: &Path, plc: &Plc) -> Result<Warnings, Error> {
     let mut files = output_files::OutputFiles::default();
     write_surface::write(&mut files, path, plc)?;
-    files.commit()
+    files.commit()?;
+    Ok(write_surface::lost(Format::of(path)?, plc))
 }
 
 /// Writes a text (a report, say) to a file: complete or not at all.

@@ -1,104 +1,129 @@
-//! Gmsh's MSH 4.1, in text. Source: Gmsh Reference Manual, section "MSH file format".
+//! Gmsh's MSH 4.1 and 2.2, in text. Source: Gmsh Reference Manual, sections "MSH file format" and "MSH file format version 2
+//! (Legacy)".
 //!
-//! One volume per region, one surface per facet marker, one curve per segment marker. Physical groups: each region by its
-//! tag (see `tags`), each marker by itself; a marker that is not positive by a free tag, for physical tags are positive.
-//! The names tell attribute and marker. Every entity is in a group: readers want all or none.
+//! One volume per region, one surface per facet marker, one curve per segment marker, each a physical group with tag and name of
+//! its own (see `tags`). Every entity is in a group: readers want all or none. Version 2.2 numbers elementary entities by
+//! their place among those of their dimension, as 4.1 does.
+use super::model::{Model, Nodes};
 use super::output_files::Out;
-use super::tags;
-use crate::output::TetMesh;
+use super::tags::{Group, Groups};
+use crate::mesh_query::NodeOrder;
 use std::io;
 
-/// An entity: its elements (indices of subsegments, subfaces or tetrahedra), its physical tag and name.
-struct Entity {
-    elements: Vec<u32>,
-    physical: i32,
-    name: String,
+/// Entities of one dimension with Gmsh's number for their elements.
+struct Dimension<'a> {
+    dimension: usize,
+    kind: u32,
+    groups: &'a [Group],
 }
 
-/// Writes a mesh.
-pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
-    let curves = by_marker(tags::segment_pieces(mesh), |i| mesh.subsegments[i as usize].marker);
-    let surfaces = by_marker((0..mesh.subfaces.len() as u32).collect(), |i| mesh.subfaces[i as usize].marker);
-    let entities = [curves, surfaces, volumes(mesh)];
+fn dimensions<'a>(model: &Model<'_>, groups: &'a Groups) -> [Dimension<'a>; 3] {
+    // 1 line, 2 triangle, 4 tetrahedron; 8, 9, 11 with nodes on their edges.
+    let kinds = if model.options.second_order { [8, 9, 11] } else { [1, 2, 4] };
+    let lists = [&groups.curves[..], &groups.surfaces[..], &groups.volumes[..]];
+    std::array::from_fn(|i| Dimension { dimension: i + 1, kind: kinds[i], groups: lists[i] })
+}
+
+/// Writes a mesh in version 4.1.
+pub(super) fn write(out: &mut Out, model: &Model<'_>, groups: &Groups) -> io::Result<()> {
+    let dimensions = dimensions(model, groups);
     out.put("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n")?;
-    write_names(out, &entities)?;
-    write_entities(out, mesh, &entities)?;
-    write_nodes(out, mesh)?;
-    write_elements(out, mesh, &entities)
+    write_names(out, &dimensions)?;
+    write_entities(out, model, &dimensions)?;
+    write_nodes(out, model)?;
+    write_elements(out, model, &dimensions)
 }
 
-fn by_marker(elements: Vec<u32>, marker: impl Fn(u32) -> i32) -> Vec<Entity> {
-    let groups = tags::group_by_key(elements, marker);
-    let markers: Vec<f64> = groups.iter().map(|(marker, _)| f64::from(*marker)).collect();
-    let physical = tags::positive_tags(&markers);
-    groups
-        .into_iter()
-        .zip(physical)
-        .map(|((marker, elements), tag)| Entity { elements, physical: tag, name: format!("marker {marker}") })
-        .collect()
-}
-
-fn volumes(mesh: &TetMesh) -> Vec<Entity> {
-    let physical = tags::region_tags(mesh);
-    let mut volumes: Vec<Entity> = physical
-        .iter()
-        .enumerate()
-        .map(|(i, &tag)| Entity {
-            elements: Vec::new(),
-            physical: tag,
-            name: format!("region {}", mesh.regions.get(i).map_or(0.0, |r| r.attribute)),
-        })
-        .collect();
-    for tet in 0..mesh.tets.len() {
-        volumes[tags::region_of(mesh, tet)].elements.push(tet as u32);
+/// Writes a mesh in version 2.2.
+pub(super) fn write_legacy(out: &mut Out, model: &Model<'_>, groups: &Groups) -> io::Result<()> {
+    let dimensions = dimensions(model, groups);
+    out.put("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")?;
+    write_names(out, &dimensions)?;
+    out.format(format_args!("$Nodes\n{}\n", model.node_count()))?;
+    for node in 0..model.node_count() {
+        out.int(node + 1)?;
+        out.put(" ")?;
+        out.point(&model.node(node))?;
+        out.put("\n")?;
     }
-    volumes
+    let count: usize = all_groups(&dimensions).map(|g| g.elements.len()).sum();
+    out.format(format_args!("$EndNodes\n$Elements\n{count}\n"))?;
+    let mut number = 0u64;
+    for Dimension { dimension, kind, groups } in &dimensions {
+        for (i, group) in groups.iter().enumerate() {
+            for &element in &group.elements {
+                number += 1;
+                out.int(number)?;
+                // Two tags: the physical group and the elementary entity.
+                out.format(format_args!(" {kind} 2 {} {}", group.tag, i + 1))?;
+                nodes(model, *dimension, element)
+                    .iter()
+                    .try_for_each(|&n| out.blank_int(u64::from(n) + 1))?;
+                out.put("\n")?;
+            }
+        }
+    }
+    out.put("$EndElements\n")
 }
 
-fn write_names(out: &mut Out, entities: &[Vec<Entity>; 3]) -> io::Result<()> {
+fn all_groups<'a>(dimensions: &[Dimension<'a>; 3]) -> impl Iterator<Item = &'a Group> {
+    let [curves, surfaces, volumes] = dimensions.each_ref().map(|d| d.groups);
+    curves.iter().chain(surfaces).chain(volumes)
+}
+
+/// The names of physical groups, by dimension and tag. Groups with the same tag (regions with the same attribute) are one.
+fn write_names(out: &mut Out, dimensions: &[Dimension<'_>; 3]) -> io::Result<()> {
     let mut names: Vec<(usize, i32, &str)> = Vec::new();
-    for (i, of_dimension) in entities.iter().enumerate() {
-        names.extend(of_dimension.iter().map(|e| (i + 1, e.physical, e.name.as_str())));
+    names.try_reserve_exact(all_groups(dimensions).count()).map_err(|_| io::ErrorKind::OutOfMemory)?;
+    for d in dimensions {
+        names.extend(d.groups.iter().map(|g| (d.dimension, g.tag, g.name())));
     }
     names.sort_unstable();
     names.dedup_by_key(|n| (n.0, n.1));
     out.format(format_args!("$PhysicalNames\n{}\n", names.len()))?;
     for (dimension, tag, name) in names {
-        out.format(format_args!("{dimension} {tag} \"{name}\"\n"))?;
+        out.format(format_args!("{dimension} {tag} \""))?;
+        // A quotation mark would end the name.
+        name.split('"').enumerate().try_for_each(|(i, part)| {
+            out.put(if i > 0 { "'" } else { "" })?;
+            out.put(part)
+        })?;
+        out.put("\"\n")?;
     }
     out.put("$EndPhysicalNames\n")
 }
 
-fn write_entities(out: &mut Out, mesh: &TetMesh, entities: &[Vec<Entity>; 3]) -> io::Result<()> {
-    let [curves, surfaces, volumes] = entities;
-    out.format(format_args!("$Entities\n0 {} {} {}\n", curves.len(), surfaces.len(), volumes.len()))?;
-    for (dimension, of_dimension) in (1..).zip(entities) {
-        for (i, entity) in of_dimension.iter().enumerate() {
+fn write_entities(out: &mut Out, model: &Model<'_>, dimensions: &[Dimension<'_>; 3]) -> io::Result<()> {
+    let [curves, surfaces, volumes] = dimensions.each_ref().map(|d| d.groups.len());
+    out.format(format_args!("$Entities\n0 {curves} {surfaces} {volumes}\n"))?;
+    for Dimension { dimension, groups, .. } in dimensions {
+        for (i, group) in groups.iter().enumerate() {
             out.int(i + 1)?;
-            for x in bounds(mesh, dimension, entity).iter().flatten() {
+            for x in bounds(model, *dimension, group).iter().flatten() {
                 out.blank_float(*x)?;
             }
-            out.format(format_args!(" 1 {}", entity.physical))?;
             // No bounding entities are listed.
-            out.put(" 0\n")?;
+            out.format(format_args!(" 1 {} 0\n", group.tag))?;
         }
     }
     out.put("$EndEntities\n")
 }
 
-fn corners_of(mesh: &TetMesh, dimension: u32, element: u32) -> &[u32] {
+/// The nodes of an element of a dimension.
+fn nodes(model: &Model<'_>, dimension: usize, element: u32) -> Nodes {
     match dimension {
-        1 => &mesh.subsegments[element as usize].ends,
-        2 => &mesh.subfaces[element as usize].corners,
-        _ => &mesh.tets[element as usize],
+        1 => model.piece(element as usize),
+        2 => model.face(element as usize),
+        _ => model.tet(element as usize, NodeOrder::Gmsh),
     }
 }
 
-fn bounds(mesh: &TetMesh, dimension: u32, entity: &Entity) -> [[f64; 3]; 2] {
+fn bounds(model: &Model<'_>, dimension: usize, group: &Group) -> [[f64; 3]; 2] {
     let mut range: Option<[[f64; 3]; 2]> = None;
-    for &element in &entity.elements {
-        for &corner in corners_of(mesh, dimension, element) {
-            let p = mesh.points.get(corner as usize).copied().unwrap_or_default();
+    for &element in &group.elements {
+        // Middles of edges lie between the corners.
+        for &corner in nodes(model, dimension, element).iter().take(dimension + 1) {
+            let p = model.node(corner as usize);
             let [low, high] = range.unwrap_or([p, p]);
             range =
                 Some([std::array::from_fn(|i| low[i].min(p[i])), std::array::from_fn(|i| high[i].max(p[i]))]);
@@ -108,35 +133,34 @@ fn bounds(mesh: &TetMesh, dimension: u32, entity: &Entity) -> [[f64; 3]; 2] {
     range.unwrap_or_default().map(|corner| corner.map(|x| x + 0.0))
 }
 
-fn write_nodes(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
-    let count = mesh.points.len();
+fn write_nodes(out: &mut Out, model: &Model<'_>) -> io::Result<()> {
+    let count = model.node_count();
     out.format(format_args!("$Nodes\n1 {count} 1 {count}\n3 1 0 {count}\n"))?;
     for tag in 1..=count {
         out.int(tag)?;
         out.put("\n")?;
     }
-    for point in &mesh.points {
-        out.point(point)?;
+    for node in 0..count {
+        out.point(&model.node(node))?;
         out.put("\n")?;
     }
     out.put("$EndNodes\n")
 }
 
-fn write_elements(out: &mut Out, mesh: &TetMesh, entities: &[Vec<Entity>; 3]) -> io::Result<()> {
-    let blocks = entities.iter().flatten().filter(|e| !e.elements.is_empty()).count();
-    let count: usize = entities.iter().flatten().map(|e| e.elements.len()).sum();
+fn write_elements(out: &mut Out, model: &Model<'_>, dimensions: &[Dimension<'_>; 3]) -> io::Result<()> {
+    let blocks = all_groups(dimensions).filter(|g| !g.elements.is_empty()).count();
+    let count: usize = all_groups(dimensions).map(|g| g.elements.len()).sum();
     out.format(format_args!("$Elements\n{blocks} {count} {} {count}\n", count.min(1)))?;
     let mut tag = 0u64;
-    // Gmsh's element types: 1 line, 2 triangle, 4 tetrahedron.
-    for ((dimension, kind), of_dimension) in [(1, 1), (2, 2), (3, 4)].into_iter().zip(entities) {
-        for (i, entity) in of_dimension.iter().enumerate().filter(|(_, e)| !e.elements.is_empty()) {
-            out.format(format_args!("{dimension} {} {kind} {}\n", i + 1, entity.elements.len()))?;
-            for &element in &entity.elements {
+    for Dimension { dimension, kind, groups } in dimensions {
+        for (i, group) in groups.iter().enumerate().filter(|(_, g)| !g.elements.is_empty()) {
+            out.format(format_args!("{dimension} {} {kind} {}\n", i + 1, group.elements.len()))?;
+            for &element in &group.elements {
                 tag += 1;
                 out.int(tag)?;
-                for &corner in corners_of(mesh, dimension, element) {
-                    out.blank_int(u64::from(corner) + 1)?;
-                }
+                nodes(model, *dimension, element)
+                    .iter()
+                    .try_for_each(|&n| out.blank_int(u64::from(n) + 1))?;
                 out.put("\n")?;
             }
         }

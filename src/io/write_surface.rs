@@ -1,9 +1,10 @@
 //! Surface files: OFF, STL, OBJ, PLY and TetGen's `.node`, `.poly`, `.smesh`. What a format cannot express is refused, not
 //! dropped. Sources: as the readers of the formats.
 use super::output_files::{Out, OutputFiles};
-use super::Format;
+use super::{Format, WriteOptions};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::plc::{Facet, Interior, Plc};
+use crate::warning::{Warning, WarningKind, Warnings};
 use std::io;
 use std::path::Path;
 
@@ -36,6 +37,30 @@ pub(super) fn write(files: &mut OutputFiles, path: &Path, plc: &Plc) -> Result<(
         }
         _ => files.write(path, |out| stl(out, plc)),
     }
+}
+
+/// What the format does not hold, of a PLC that has been written in it.
+pub(super) fn lost(format: Format, plc: &Plc) -> Warnings {
+    let mut warnings = Warnings::default();
+    let mut lose = |first: Element| {
+        let warning = Warning { kind: WarningKind::LostValue, first, second: None, point: None };
+        warnings.push(warning, WriteOptions::default().max_warnings);
+    };
+    if format == Format::Stl && is_plain(plc) {
+        let rounded = |p: &[f64; 3]| p.iter().any(|&x| f64::from(x as f32) != x);
+        (0..).zip(&plc.points).filter(|(_, p)| rounded(p)).for_each(|(i, _)| lose(Element::Point(i)));
+    }
+    if !matches!(format, Format::Poly | Format::Smesh | Format::Node) {
+        let width = plc.point_attribute_count.max(1);
+        let attribute = plc.point_attributes.iter().position(|&x| x != 0.0).map(|i| i / width);
+        let marker = plc.point_markers.iter().position(|&m| m != 0);
+        attribute.into_iter().chain(marker).for_each(|i| lose(Element::Point(i as u32)));
+    }
+    if format == Format::Node {
+        (plc.facet_count() > 0).then(|| lose(Element::Facet(0)));
+        (!plc.segments.is_empty()).then(|| lose(Element::Segment(0)));
+    }
+    warnings
 }
 
 fn check_finite(plc: &Plc) -> Result<(), Error> {
@@ -188,11 +213,16 @@ fn ply(out: &mut Out, plc: &Plc) -> io::Result<()> {
 }
 
 fn stl(out: &mut Out, plc: &Plc) -> io::Result<()> {
-    if plc.names.is_empty() && rings(plc).all(|(_, marker)| marker == 0) {
+    if is_plain(plc) {
         stl_binary(out, plc)
     } else {
         stl_text(out, plc)
     }
+}
+
+/// Nothing is marked or named: a binary file holds all but the last bits of the coordinates.
+fn is_plain(plc: &Plc) -> bool {
+    plc.names.is_empty() && rings(plc).all(|(_, marker)| marker == 0)
 }
 
 /// A solid for each run of triangles of one marker, named by it: programs that divide a surface by its solids see the same

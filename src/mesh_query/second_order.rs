@@ -16,7 +16,7 @@ pub enum NodeOrder {
 
 impl NodeOrder {
     /// Which of the edges 01 02 03 12 13 23 each mid-edge node sits on.
-    fn edges(self) -> [usize; 6] {
+    pub(crate) fn edges(self) -> [usize; 6] {
         match self {
             NodeOrder::Vtk => [0, 3, 1, 2, 4, 5],
             NodeOrder::Gmsh => [0, 3, 1, 2, 5, 4],

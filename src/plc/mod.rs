@@ -9,6 +9,7 @@ pub mod intersect;
 pub mod merge;
 pub mod open;
 pub mod patch;
+pub mod planarity;
 pub mod polygon;
 pub mod prepare;
 mod radix;

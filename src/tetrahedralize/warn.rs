@@ -3,6 +3,7 @@ use crate::constrain::edge_key;
 use crate::error::{Element, Error};
 use crate::options::{Mode, Options};
 use crate::output::{Subface, TetMesh};
+use crate::plc::planarity::{farthest_corner, NOTABLE};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
 use crate::region::Regions;
@@ -23,6 +24,15 @@ pub(super) fn about_input(plc: &Plc, alias: &[u32], options: &Options, warnings:
             let (kind, first) = (WarningKind::UnusedVolume, Element::Region(i));
             let warning = Warning { kind, first, second: None, point: Some(seed.point) };
             warnings.push(warning, options.max_defects);
+        }
+        for (i, facet) in (plc.triangles.len() as u32..).zip(&plc.facets) {
+            let Some((corner, far)) = farthest_corner(plc, facet) else { continue };
+            if far > NOTABLE {
+                let (kind, first) = (WarningKind::NonPlanarFacet, Element::Facet(i));
+                let point = plc.points.get(corner as usize).copied();
+                let second = Some(Element::Point(corner));
+                warnings.push(Warning { kind, first, second, point }, options.max_defects);
+            }
         }
     }
     warnings.count(WarningKind::EqualPoints)

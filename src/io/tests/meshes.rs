@@ -4,7 +4,7 @@ use super::Folder;
 use crate::output::{Region, Statistics, SteinerPoint, Subsegment};
 
 /// Two tetrahedra of two regions on a common face, one Steiner point.
-fn small_mesh() -> (TetMesh, Plc) {
+pub(super) fn small_mesh() -> (TetMesh, Plc) {
     let subface = |corners, facet, marker, tets| Subface { corners, facet, marker, tets };
     let region = |attribute, seed| Region { attribute, seed, max_volume: None };
     let mesh = TetMesh {
@@ -155,7 +155,7 @@ fn msh_has_entities_and_physical_groups() {
 }
 
 /// The appended arrays of a `.vtu` by name, inflated where compressed.
-fn vtu_arrays(bytes: &[u8]) -> std::collections::HashMap<String, Vec<u8>> {
+pub(super) fn vtu_arrays(bytes: &[u8]) -> std::collections::HashMap<String, Vec<u8>> {
     let start = bytes.windows(2).position(|w| w == b"\n_").unwrap() + 2;
     let header = std::str::from_utf8(&bytes[..start]).unwrap();
     let word = |at: usize| u64::from_le_bytes(bytes[at..at + 8].try_into().unwrap()) as usize;
@@ -187,7 +187,7 @@ fn vtu_raw_and_compressed_hold_the_same_arrays() {
     let (mesh, plc) = small_mesh();
     let mut both = Vec::new();
     for compress in [false, true] {
-        let options = WriteOptions { compress, subfaces: true };
+        let options = WriteOptions { compress, subfaces: true, ..WriteOptions::default() };
         write(&folder.file("m.vtu"), &mesh, &plc, &options).unwrap();
         let arrays = vtu_arrays(&std::fs::read(folder.file("m.vtu")).unwrap());
         let faces = vtu_arrays(&std::fs::read(folder.file("m_subfaces.vtu")).unwrap());

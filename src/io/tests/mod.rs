@@ -1,8 +1,9 @@
-//! Tests of the file formats: `surfaces` (readers and writers of surfaces, malformed files), `meshes` (writers of meshes).
+//! Tests of the file formats: `surfaces` (readers and writers of surfaces, malformed files), `markers` (where markers come from), `meshes` (writers of meshes), `options` (of these writers).
 use std::path::PathBuf;
 
 mod markers;
 mod meshes;
+mod options;
 mod surfaces;
 
 /// A folder of its own per test, removed at the end.

@@ -1,0 +1,164 @@
+//! Meshes to files: what may be asked for, and the writer of each format.
+use super::model::Model;
+use super::output_files::OutputFiles;
+use super::tags::{self, Groups};
+use super::{inp, medit, msh, vtk, vtu, write_tetgen, Format};
+use crate::error::{Error, Status};
+use crate::fallible;
+use crate::output::TetMesh;
+use crate::plc::Plc;
+use crate::warning::Warnings;
+use std::path::{Path, PathBuf};
+
+/// A version of Gmsh's format.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum MshVersion {
+    /// 4.1, of Gmsh 4.
+    #[default]
+    V41,
+    /// 2.2, which many solvers read and some of them only.
+    V22,
+}
+
+/// The name of the regions with an attribute.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RegionName {
+    /// The attribute.
+    pub attribute: f64,
+    /// The name: one line.
+    pub name: String,
+}
+
+/// What [`write()`] may be asked for. `WriteOptions::default()` gives what the field docs call default.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WriteOptions {
+    /// `.vtu`: compress the arrays (zlib). Smaller and slower. Default: false.
+    pub compress: bool,
+    /// `.vtu`: also write the subfaces, as `STEM_subfaces.vtu`. Other formats have them in any case, `.vtk` has none.
+    /// Default: false.
+    pub subfaces: bool,
+    /// Tetrahedra of ten nodes: the corners and the middles of the edges, in the order of the format. All but `.mesh`.
+    /// Default: false.
+    pub second_order: bool,
+    /// `.msh`: the version. Default: 4.1.
+    pub msh_version: MshVersion,
+    /// `.msh`, `.inp`: names of regions, by attribute. Default: none.
+    pub region_names: Vec<RegionName>,
+    /// How many warnings of a kind are listed. Default: 1000.
+    pub max_warnings: usize,
+}
+
+impl Default for WriteOptions {
+    fn default() -> Self {
+        WriteOptions {
+            compress: false,
+            subfaces: false,
+            second_order: false,
+            msh_version: MshVersion::V41,
+            region_names: Vec::new(),
+            max_warnings: 1000,
+        }
+    }
+}
+
+/// An option of [`WriteOptions`] that a format has no use for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UnusedOption {
+    /// [`WriteOptions::compress`].
+    Compress,
+    /// [`WriteOptions::subfaces`].
+    Subfaces,
+    /// [`WriteOptions::msh_version`].
+    MshVersion,
+    /// [`WriteOptions::region_names`].
+    RegionNames,
+}
+
+impl WriteOptions {
+    /// Whether a mesh can be written to `path` with these options.
+    ///
+    /// # Errors
+    /// [`Status::Unsupported`]: no mesh format, or second order where the format has none in common use.
+    pub fn check(&self, path: &Path) -> Result<(), Error> {
+        let format = Format::of(path)?;
+        let what = if !format.is_mesh() {
+            "not a mesh format; .vtu .vtk .msh .inp .mesh .ele are"
+        } else if self.second_order && format == Format::Medit {
+            "second-order tetrahedra have no common form in .mesh files; .vtu .vtk .msh .inp .ele have"
+        } else {
+            return Ok(());
+        };
+        Err(Error::new(Status::Unsupported, fallible::text(format_args!("{}: {what}", path.display()))?))
+    }
+
+    /// Options that differ from the default and do nothing in a format.
+    pub fn unused(&self, format: Format) -> impl Iterator<Item = UnusedOption> {
+        let named = matches!(format, Format::Msh | Format::Inp);
+        let set = [
+            (self.compress && format != Format::Vtu, UnusedOption::Compress),
+            (self.subfaces && format != Format::Vtu, UnusedOption::Subfaces),
+            (self.msh_version != MshVersion::V41 && format != Format::Msh, UnusedOption::MshVersion),
+            (!self.region_names.is_empty() && !named, UnusedOption::RegionNames),
+        ];
+        set.into_iter().filter(|x| x.0).map(|x| x.1)
+    }
+}
+
+/// Writes a mesh in the format of the path's extension. `plc` is what it was made of: it gives the attributes and markers of points
+/// and the names of markers. Returns warnings of the kind [`WarningKind::LostValue`](crate::WarningKind::LostValue) for what the
+/// format cannot hold as it is.
+///
+/// # Errors
+/// [`Status::Unsupported`]: as [`WriteOptions::check`]. [`Status::File`]: cannot be written; then nothing is left behind.
+/// [`Status::InvalidArgument`], [`Status::IndexOutOfRange`]: second order of a mesh that contradicts itself.
+/// [`Status::TooLarge`]: more second-order nodes than 32-bit indices can address. [`Status::OutOfMemory`].
+pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> Result<Warnings, Error> {
+    options.check(path)?;
+    let mut warnings = Warnings::default();
+    let model = Model::new(mesh, plc, options)?;
+    let mut files = OutputFiles::default();
+    match Format::of(path)? {
+        Format::Ele => write_tetgen::write(&mut files, path, &model)?,
+        Format::Vtk => files.write(path, |out| vtk::write(out, &model))?,
+        Format::Msh => {
+            let groups = Groups::new(&model, &mut warnings)?;
+            model.lose_attributes(&mut warnings);
+            model.lose_markers(&mut warnings);
+            files.write(path, |out| match options.msh_version {
+                MshVersion::V41 => msh::write(out, &model, &groups),
+                MshVersion::V22 => msh::write_legacy(out, &model, &groups),
+            })?;
+        }
+        Format::Inp => {
+            let groups = Groups::new(&model, &mut warnings)?;
+            let names = inp::Names::new(&groups)?;
+            model.lose_attributes(&mut warnings);
+            model.lose_markers(&mut warnings);
+            inp::lose_digits(&model, &mut warnings);
+            files.write(path, |out| inp::write(out, &model, &groups, &names))?;
+        }
+        Format::Medit => {
+            let regions = tags::region_tags(mesh)?;
+            tags::lose_attributes(&model, &regions, &mut warnings);
+            model.lose_attributes(&mut warnings);
+            let references = medit::References { pieces: tags::segment_pieces(mesh)?, regions };
+            files.write(path, |out| medit::write(out, &model, &references))?;
+        }
+        _ => {
+            files.write(path, |out| vtu::Grid::tets(&model).write(out))?;
+            if options.subfaces {
+                let grid = vtu::Grid::subfaces(&model)?;
+                files.write(&subfaces_path(path), |out| grid.write(out))?;
+            }
+        }
+    }
+    files.commit()?;
+    Ok(warnings)
+}
+
+/// Where [`WriteOptions::subfaces`] go: `STEM_subfaces.vtu` for `STEM.vtu`.
+pub fn subfaces_path(path: &Path) -> PathBuf {
+    let mut name = path.file_stem().unwrap_or_default().to_os_string();
+    name.push("_subfaces.vtu");
+    path.with_file_name(name)
+}
