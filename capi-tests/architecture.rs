@@ -81,7 +81,6 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("check", &["output", "plc", "predicates", "error", "options"]),
     ("mesh_query", &["output", "plc", "predicates", "error"]),
     ("io", &["mesh_query", "plc", "vector", "output", "error", "options", "progress", "warning"]),
-    ("fallible", &[]),
     (
         "ffi",
         &[

@@ -51,7 +51,7 @@ fn two_rooms() -> String {
 fn a_cube_in_every_mesh_format() {
     let dir = folder("formats");
     std::fs::write(dir.join("cube.off"), CUBE).unwrap();
-    for output in ["c.ele", "c.vtu", "c.vtk", "c.msh", "c.mesh"] {
+    for output in ["c.ele", "c.vtu", "c.vtk", "c.msh", "c.inp", "c.mesh"] {
         let result =
             delotet(&["mesh", "cube.off", "-o", output, "--stats", "s.json", "--report", "r.json"], &dir);
         assert_eq!(result.status.code(), Some(0), "{output}: {}", error_line(&result));

@@ -4,9 +4,9 @@
 use std::path::{Path, PathBuf};
 
 /// In the order in which the header explains them.
-const SOURCES: [&str; 12] = [
+const SOURCES: [&str; 13] = [
     "version", "status", "view", "error", "options", "plc", "plc_view", "mesh", "warning", "run", "query",
-    "file",
+    "file", "write",
 ];
 
 fn root() -> &'static Path {

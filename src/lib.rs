@@ -57,7 +57,7 @@ pub mod warning;
 
 pub use check::{check_mesh, check_preserved, check_preserved_outer};
 pub use error::{Defect, DefectKind, Element, Error, Status};
-pub use options::{Mode, Options, Preserve};
+pub use options::{Mode, MshVersion, Options, Preserve, RegionName, WriteOptions};
 pub use output::{
     FacetFlip, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment,
     TetMesh,

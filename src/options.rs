@@ -1,4 +1,5 @@
 //! What the caller may choose, with the defaults.
+use crate::error::Error;
 
 /// What is made of the input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -80,5 +81,76 @@ impl Default for Options {
             exact_form: false,
             points_sorted: false,
         }
+    }
+}
+
+/// A version of Gmsh's format.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum MshVersion {
+    /// 4.1, of Gmsh 4.
+    #[default]
+    V41,
+    /// 2.2, which many solvers read and some of them only.
+    V22,
+}
+
+/// The name of the regions with an attribute.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RegionName {
+    /// The attribute.
+    pub attribute: f64,
+    /// The name: one line.
+    pub name: String,
+}
+
+/// How a mesh is written. `WriteOptions::default()` gives what the field docs call default.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WriteOptions {
+    /// `.vtu`: compress the arrays (zlib). Smaller and slower. Default: false.
+    pub compress: bool,
+    /// `.vtu`: also write the subfaces, as `STEM_subfaces.vtu`. Other formats have them in any case, `.vtk` has none.
+    /// Default: false.
+    pub subfaces: bool,
+    /// Tetrahedra of ten nodes: the corners and the middles of the edges, in the order of the format. All but `.mesh`.
+    /// Default: false.
+    pub second_order: bool,
+    /// `.msh`: the version. Default: 4.1.
+    pub msh_version: MshVersion,
+    /// `.msh`, `.inp`: names of regions, by attribute. Default: none.
+    pub region_names: Vec<RegionName>,
+    /// How many warnings of a kind are listed. Default: 1000.
+    pub max_warnings: usize,
+}
+
+impl Default for WriteOptions {
+    fn default() -> Self {
+        WriteOptions {
+            compress: false,
+            subfaces: false,
+            second_order: false,
+            msh_version: MshVersion::V41,
+            region_names: Vec::new(),
+            max_warnings: 1000,
+        }
+    }
+}
+
+impl WriteOptions {
+    /// Names the regions with an attribute.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    pub fn set_region_name(&mut self, attribute: f64, name: &str) -> Result<(), Error> {
+        let mut kept = String::new();
+        kept.try_reserve_exact(name.len())?;
+        kept.push_str(name);
+        match self.region_names.iter_mut().find(|n| n.attribute == attribute) {
+            Some(known) => known.name = kept,
+            None => {
+                self.region_names.try_reserve(1)?;
+                self.region_names.push(RegionName { attribute, name: kept });
+            }
+        }
+        Ok(())
     }
 }

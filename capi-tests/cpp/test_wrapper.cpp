@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 static void inputs()
 {
@@ -94,6 +95,27 @@ static void files()
     CHECK(file != nullptr);
     std::fclose(file);
     std::remove("cxx_wrapper.vtk");
+
+    delotet::WriteOptions options;
+    options.compress(true).subfaces(true).second_order(true).msh_version(delotet::MshVersion::v2_2).region_name(1, "steel");
+    CHECK(options.compress() && options.subfaces() && options.second_order());
+    CHECK(options.msh_version() == delotet::MshVersion::v2_2 && std::strcmp(options.region_name(1), "steel") == 0);
+    std::string told;
+    options.on_log([&](const char *line) { told += line; });
+    const delotet::Mesh mesh = delotet::tetrahedralize(plc);
+    mesh.write(plc, "cxx_wrapper.msh", options);
+    CHECK(told.find("compress has no effect") != std::string::npos);
+    char line[64] = "";
+    file = std::fopen("cxx_wrapper.msh", "r");
+    CHECK(file != nullptr);
+    CHECK(std::fgets(line, sizeof line, file) && std::fgets(line, sizeof line, file));
+    std::fclose(file);
+    CHECK(std::strcmp(line, "2.2 0 8\n") == 0);
+    std::remove("cxx_wrapper.msh");
+    delotet::Error error;
+    CHECK(mesh.write(plc, "cxx_wrapper.mesh", options, error) == DELOTET_STATUS_UNSUPPORTED);
+    CHECK(mesh.write(plc, "cxx_wrapper.vtu", delotet::WriteOptions().compress(true), error) == DELOTET_STATUS_OK);
+    std::remove("cxx_wrapper.vtu");
 }
 
 static void options()

@@ -418,6 +418,12 @@ typedef struct DelotetOptions DelotetOptions;
 typedef struct DelotetPlc DelotetPlc;
 
 /**
+ * How a mesh is written. One object may serve any number of calls, also at the same time (the log is then called from all their
+ * threads).
+ */
+typedef struct DelotetWriteOptions DelotetWriteOptions;
+
+/**
  * One defect: kind, the one or two elements involved, and a point where it is seen.
  */
 typedef struct DelotetDefect {
@@ -1130,6 +1136,11 @@ typedef struct DelotetSecondOrderView {
 } DelotetSecondOrderView;
 
 /**
+ * A version of Gmsh's format: one of the DELOTET_MSH_ constants.
+ */
+typedef uint32_t DelotetMshVersion;
+
+/**
  * The Delaunay tetrahedralization of the points; segments and facets are ignored.
  */
 #define DELOTET_MODE_DELAUNAY 0
@@ -1181,6 +1192,16 @@ typedef struct DelotetSecondOrderView {
  * TetGen (-o2): nodes on the edges 23 03 01 12 13 02.
  */
 #define DELOTET_NODE_ORDER_TETGEN 2
+
+/**
+ * 4.1, of Gmsh 4. The default.
+ */
+#define DELOTET_MSH_4_1 41
+
+/**
+ * 2.2, which many solvers read and some of them only.
+ */
+#define DELOTET_MSH_2_2 22
 
 #ifdef __cplusplus
 extern "C" {
@@ -2134,6 +2155,131 @@ enum DelotetStatus delotet_mesh_write(const struct DelotetMesh *mesh,
                                       const struct DelotetPlc *plc,
                                       const char *path,
                                       struct DelotetError **out_error);
+
+/**
+ * New options with the defaults that the setters document. The caller owns them: free with delotet_write_options_free. NULL only
+ * if memory ran out.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+struct DelotetWriteOptions *delotet_write_options_new(void);
+
+/**
+ * .vtu: compress the arrays (zlib); smaller and slower. Other formats ignore it. Default: false. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_compress(struct DelotetWriteOptions *options,
+                                                      bool compress,
+                                                      struct DelotetError **out_error);
+
+/**
+ * .vtu: also write the subfaces, as STEM_subfaces.vtu for STEM.vtu. Other formats ignore it: they have them in any case, but for .vtk.
+ * Default: false. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_subfaces(struct DelotetWriteOptions *options,
+                                                      bool subfaces,
+                                                      struct DelotetError **out_error);
+
+/**
+ * Tetrahedra of ten nodes: the corners, then the middles of the edges in the order of the format. Writing .mesh fails with it.
+ * Default: false. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_second_order(struct DelotetWriteOptions *options,
+                                                          bool second_order,
+                                                          struct DelotetError **out_error);
+
+/**
+ * .msh: the version, a DELOTET_MSH_ constant. Other formats ignore it. Default: DELOTET_MSH_4_1. Errors: INVALID_ARGUMENT (other
+ * values).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_msh_version(struct DelotetWriteOptions *options,
+                                                         DelotetMshVersion version,
+                                                         struct DelotetError **out_error);
+
+/**
+ * .msh, .inp: the name of the regions with an attribute; other formats ignore it. `name`: zero-terminated UTF-8, copied, of which
+ * the first line counts; NULL or an empty one takes the name away. Default: no names.
+ * Errors: INVALID_ARGUMENT (NULL, an attribute that is not finite, a name that is not UTF-8), OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_region_name(struct DelotetWriteOptions *options,
+                                                         double attribute,
+                                                         const char *name,
+                                                         struct DelotetError **out_error);
+
+/**
+ * Lines of text about what is written go to `callback` together with `user_data`, which is only handed through: a line
+ * "warning: ..." for each kind of thing that the format cannot hold or that has no effect in it. NULL: nowhere, the default.
+ * Errors: INVALID_ARGUMENT (options is NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_log(struct DelotetWriteOptions *options,
+                                                 DelotetLogFn callback,
+                                                 void *user_data,
+                                                 struct DelotetError **out_error);
+
+/**
+ * Whether arrays are compressed. For NULL, here and in all getters of options: the default.
+ */
+DELOTET_API bool delotet_write_options_compress(const struct DelotetWriteOptions *options);
+
+/**
+ * Whether subfaces are written too, as delotet_write_options_set_subfaces() sets it.
+ */
+DELOTET_API bool delotet_write_options_subfaces(const struct DelotetWriteOptions *options);
+
+/**
+ * Whether tetrahedra have ten nodes, as delotet_write_options_set_second_order() sets it.
+ */
+DELOTET_API bool delotet_write_options_second_order(const struct DelotetWriteOptions *options);
+
+/**
+ * The version of .msh, as delotet_write_options_set_msh_version() sets it.
+ */
+DELOTET_API DelotetMshVersion delotet_write_options_msh_version(const struct DelotetWriteOptions *options);
+
+/**
+ * The name of the regions with an attribute: UTF-8, NULL if they have none. Borrowed from `options` until it is changed.
+ */
+DELOTET_API
+const char *delotet_write_options_region_name(const struct DelotetWriteOptions *options,
+                                              double attribute);
+
+/**
+ * The log callback, NULL if there is none, as delotet_write_options_set_log() sets it.
+ * `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
+ */
+DELOTET_API
+DelotetLogFn delotet_write_options_log(const struct DelotetWriteOptions *options,
+                                       void **out_user_data);
+
+/**
+ * Frees options. NULL is ignored. Not while a call uses them.
+ */
+DELOTET_API void delotet_write_options_free(struct DelotetWriteOptions *options);
+
+/**
+ * Writes a mesh to a file as delotet_mesh_write() does, in the way that `options` ask for (NULL: the defaults). What the format
+ * cannot hold as it is goes to the options' log; the guide's page on formats says what each one holds.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one without second order, or a library built without files), FILE,
+ * TOO_LARGE, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_write_with(const struct DelotetMesh *mesh,
+                                           const struct DelotetPlc *plc,
+                                           const char *path,
+                                           const struct DelotetWriteOptions *options,
+                                           struct DelotetError **out_error);
 
 #ifdef __cplusplus
 }  // extern "C"

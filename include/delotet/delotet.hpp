@@ -83,6 +83,8 @@ enum class Preserve : std::uint32_t { all = DELOTET_PRESERVE_ALL, outer = DELOTE
 /// How the rings of a facet bound it.
 enum class FacetRule : std::uint32_t { rings = DELOTET_FACET_RULE_RINGS, seeds = DELOTET_FACET_RULE_SEEDS };
 
+enum class MshVersion : std::uint32_t { v4_1 = DELOTET_MSH_4_1, v2_2 = DELOTET_MSH_2_2 };
+
 enum class NodeOrder : std::uint32_t {
     vtk = DELOTET_NODE_ORDER_VTK,
     gmsh = DELOTET_NODE_ORDER_GMSH,
@@ -684,9 +686,110 @@ class Options {
     LogFunction log_;
 };
 
+/// How a mesh is written. Setters throw, or take an Error, as those of Options do.
+class WriteOptions {
+  public:
+    WriteOptions() noexcept : handle_(delotet_write_options_new())
+    {
+        Error error; // Cannot fail but for a handle that could not be made, which every use of it reports.
+        change(error, [&](auto e) { return delotet_write_options_set_log(get(), &detail::Running::log, nullptr, e); });
+    }
+
+    Status compress(bool on, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_write_options_set_compress(get(), on, e); });
+    }
+    bool compress() const noexcept { return delotet_write_options_compress(get()); }
+    Status subfaces(bool on, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_write_options_set_subfaces(get(), on, e); });
+    }
+    bool subfaces() const noexcept { return delotet_write_options_subfaces(get()); }
+    Status second_order(bool on, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_write_options_set_second_order(get(), on, e); });
+    }
+    bool second_order() const noexcept { return delotet_write_options_second_order(get()); }
+    Status msh_version(MshVersion version, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) {
+            return delotet_write_options_set_msh_version(get(), static_cast<DelotetMshVersion>(version), e);
+        });
+    }
+    MshVersion msh_version() const noexcept { return static_cast<MshVersion>(delotet_write_options_msh_version(get())); }
+    /// The name of the regions with an attribute; an empty one takes it away.
+    Status region_name(double attribute, const char *name, Error &error) noexcept
+    {
+        return change(error,
+                      [&](DelotetError **e) { return delotet_write_options_set_region_name(get(), attribute, name, e); });
+    }
+    /// NULL without a name. Valid until the options change.
+    const char *region_name(double attribute) const & noexcept { return delotet_write_options_region_name(get(), attribute); }
+    void region_name(double) const && = delete;
+
+#if DELOTET_EXCEPTIONS
+    WriteOptions &compress(bool on) &
+    {
+        return chain([&](Error &e) { return compress(on, e); });
+    }
+    WriteOptions &&compress(bool on) && { return std::move(compress(on)); }
+    WriteOptions &subfaces(bool on) &
+    {
+        return chain([&](Error &e) { return subfaces(on, e); });
+    }
+    WriteOptions &&subfaces(bool on) && { return std::move(subfaces(on)); }
+    WriteOptions &second_order(bool on) &
+    {
+        return chain([&](Error &e) { return second_order(on, e); });
+    }
+    WriteOptions &&second_order(bool on) && { return std::move(second_order(on)); }
+    WriteOptions &msh_version(MshVersion version) &
+    {
+        return chain([&](Error &e) { return msh_version(version, e); });
+    }
+    WriteOptions &&msh_version(MshVersion version) && { return std::move(msh_version(version)); }
+    WriteOptions &region_name(double attribute, const char *name) &
+    {
+        return chain([&](Error &e) { return region_name(attribute, name, e); });
+    }
+    WriteOptions &&region_name(double attribute, const char *name) && { return std::move(region_name(attribute, name)); }
+#endif
+    /// Lines about what a format cannot hold. `log` may throw: the exception comes out of the call, and the file is there.
+    WriteOptions &on_log(LogFunction log) & noexcept
+    {
+        log_ = std::move(log);
+        return *this;
+    }
+    WriteOptions &&on_log(LogFunction log) && noexcept { return std::move(on_log(std::move(log))); }
+
+    /// No call that writes reports progress.
+    const ProgressFunction &progress() const & noexcept { return progress_; }
+    void progress() const && = delete;
+    const LogFunction &log() const & noexcept { return log_; }
+    void log() const && = delete;
+    /// NULL if memory ran out when the options were made, and after a move.
+    DelotetWriteOptions *get() const noexcept { return handle_.get(); }
+
+  private:
+    template <class Call> Status change(Error &error, Call &&call) noexcept
+    {
+        return handle_ ? detail::run(error, call) : detail::out_of_memory(error);
+    }
+#if DELOTET_EXCEPTIONS
+    template <class Call> WriteOptions &chain(Call &&call)
+    {
+        detail::require(call);
+        return *this;
+    }
+#endif
+    std::unique_ptr<DelotetWriteOptions, detail::Free<DelotetWriteOptions, delotet_write_options_free>> handle_;
+    ProgressFunction progress_;
+    LogFunction log_;
+};
+
 namespace detail {
 /// Runs a call that takes options, with their callbacks in place.
-template <class Call> Status run(const Options &options, Error &error, Call &&call)
+template <class Settings, class Call> Status run(const Settings &options, Error &error, Call &&call)
 {
     if (!options.get())
         return detail::out_of_memory(error);
@@ -1202,6 +1305,12 @@ class Mesh {
         return detail::run(error,
                            [&](DelotetError **e) { return delotet_mesh_write(get(), plc.get(), path.c_str(), e); });
     }
+    Status write(const Plc &plc, const Path &path, const WriteOptions &options, Error &error) const
+    {
+        return detail::run(options, error, [&](DelotetError **e) {
+            return delotet_mesh_write_with(get(), plc.get(), path.c_str(), options.get(), e);
+        });
+    }
 
 #if DELOTET_EXCEPTIONS
     Span<const double> tet_attributes() const &
@@ -1263,6 +1372,10 @@ class Mesh {
     void write(const Plc &plc, const Path &path) const
     {
         detail::require([&](Error &e) { return write(plc, path, e); });
+    }
+    void write(const Plc &plc, const Path &path, const WriteOptions &options) const
+    {
+        detail::require([&](Error &e) { return write(plc, path, options, e); });
     }
 #endif
 

@@ -5,6 +5,8 @@ use super::mesh::DelotetMesh;
 use super::plc::DelotetPlc;
 use super::status::DelotetStatus;
 use crate::error::Error;
+use crate::options::WriteOptions;
+use crate::progress::Silent;
 use libc::c_char;
 use std::ffi::CStr;
 use std::path::Path;
@@ -13,7 +15,7 @@ use std::path::Path;
 ///
 /// # Safety
 /// `path` is null or a zero-terminated string that lives during `'a`.
-unsafe fn path_of<'a>(path: *const c_char) -> Result<&'a Path, Error> {
+pub(super) unsafe fn path_of<'a>(path: *const c_char) -> Result<&'a Path, Error> {
     if path.is_null() {
         return Err(null("path"));
     }
@@ -80,14 +82,16 @@ pub unsafe extern "C" fn delotet_mesh_write(
     unsafe {
         guard(out_error, || {
             let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
-            files::write(path_of(path)?, mesh, plc)
+            write(path_of(path)?, mesh, plc, &WriteOptions::default(), &mut Silent)
         })
     }
 }
 
+pub(super) use files::write;
+
 #[cfg(feature = "io")]
 mod files {
-    use crate::{error::Error, Plc, TetMesh};
+    use crate::{error::Error, fallible, Observer, Plc, TetMesh, WriteOptions};
     use std::path::Path;
 
     pub(super) fn read(path: &Path) -> Result<Plc, Error> {
@@ -95,18 +99,30 @@ mod files {
     }
 
     pub(super) fn write_surface(path: &Path, plc: &Plc) -> Result<(), Error> {
-        crate::io::write_surface(path, plc)
+        crate::io::write_surface(path, plc).map(|_| ())
     }
 
-    pub(super) fn write(path: &Path, mesh: &TetMesh, plc: &Plc) -> Result<(), Error> {
-        crate::io::write(path, mesh, plc, &crate::io::WriteOptions::default()).map(|_| ())
+    pub(in crate::ffi) fn write(
+        path: &Path,
+        mesh: &TetMesh,
+        plc: &Plc,
+        options: &WriteOptions,
+        log: &mut dyn Observer,
+    ) -> Result<(), Error> {
+        let lost = crate::io::write(path, mesh, plc, options)?;
+        for option in options.unused(crate::io::Format::of(path)?) {
+            let name = option.name();
+            log.log(&fallible::text(format_args!("warning: {name} has no effect in this format"))?);
+        }
+        lost.log(log);
+        Ok(())
     }
 }
 
 #[cfg(not(feature = "io"))]
 mod files {
     use crate::error::{Error, Status};
-    use crate::{Plc, TetMesh};
+    use crate::{Observer, Plc, TetMesh, WriteOptions};
     use std::path::Path;
 
     fn absent() -> Error {
@@ -121,7 +137,13 @@ mod files {
         Err(absent())
     }
 
-    pub(super) fn write(_: &Path, _: &TetMesh, _: &Plc) -> Result<(), Error> {
+    pub(in crate::ffi) fn write(
+        _: &Path,
+        _: &TetMesh,
+        _: &Plc,
+        _: &WriteOptions,
+        _: &mut dyn Observer,
+    ) -> Result<(), Error> {
         Err(absent())
     }
 }

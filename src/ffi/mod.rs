@@ -30,6 +30,7 @@ pub mod status;
 pub mod version;
 pub mod view;
 pub mod warning;
+pub mod write;
 
 #[cfg(test)]
 mod tests;

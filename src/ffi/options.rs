@@ -49,8 +49,8 @@ pub struct DelotetOptions {
 pub(super) struct Callbacks {
     progress: DelotetProgressFn,
     progress_data: *mut c_void,
-    log: DelotetLogFn,
-    log_data: *mut c_void,
+    pub(super) log: DelotetLogFn,
+    pub(super) log_data: *mut c_void,
 }
 
 // SAFETY: the pointers are only handed back to the caller's own functions; the header tells the caller that runs on several

@@ -38,8 +38,9 @@ mod write_mesh;
 mod write_surface;
 mod write_tetgen;
 
+pub use crate::options::{MshVersion, RegionName, WriteOptions};
 pub use quality::dihedral_range;
-pub use write_mesh::{subfaces_path, write, MshVersion, RegionName, UnusedOption, WriteOptions};
+pub use write_mesh::{subfaces_path, write, UnusedOption};
 
 /// A file format, known by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

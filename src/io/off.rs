@@ -59,21 +59,19 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
 
 /// The group of a face by what follows its corners, 0 for none.
 fn colour_group(line: &mut Line<'_>, groups: &mut Groups) -> Result<i32, Error> {
-    let (mut values, mut count, mut integers) = ([0.0; 4], 0, true);
+    let (mut values, mut count, mut integers, mut index) = ([0.0; 4], 0, true, 0);
     while let Some(token) = line.token() {
         let Some(value) = float(token).filter(|_| count < 4) else { return Ok(0) };
         values[count] = value;
         count += 1;
+        index = int(token).unwrap_or(0);
         integers &= int(token).is_some();
     }
-    match (count, integers) {
-        (1, true) if values[0] == f64::from(values[0] as i32) => {
-            let marker = values[0] as i32;
-            groups.of_marker(marker)
-        }
-        (3 | 4, true) => groups.of_colour(&values[..count]),
-        // Reals go from 0 to 1.
-        (3 | 4, false) => groups.of_colour(&values.map(|x| 255.0 * x)[..count]),
+    let most = if integers { 255.0 } else { 1.0 };
+    let colour = (3..=4).contains(&count) && values.iter().all(|x| (0.0..=most).contains(x));
+    match (count, i32::try_from(index)) {
+        (1, Ok(marker)) if integers => groups.of_marker(marker),
+        _ if colour => groups.of_colour(&values.map(|x| x * (255.0 / most))[..count]),
         _ => Ok(0),
     }
 }

@@ -31,12 +31,11 @@ impl OutputFiles {
 
     /// Moves every file to its place.
     pub fn commit(mut self) -> Result<(), Error> {
-        for (temporary, target) in std::mem::take(&mut self.renames).iter() {
-            if let Err(error) = fs::rename(temporary, target) {
-                let _ = fs::remove_file(temporary);
-                return Err(file_error(target, "write", &error));
-            }
-        }
+        // Where one fails, dropping the list removes what has not been moved.
+        self.renames
+            .iter()
+            .try_for_each(|(from, to)| fs::rename(from, to).map_err(|e| file_error(to, "write", &e)))?;
+        self.renames.clear();
         Ok(())
     }
 
@@ -45,6 +44,10 @@ impl OutputFiles {
         if fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir()) {
             return OpenOptions::new().write(true).open(path);
         }
+        // A link stays one: what it leads to is replaced.
+        let linked = fs::symlink_metadata(path).is_ok_and(|m| m.file_type().is_symlink());
+        let target = if linked { fs::canonicalize(path).ok() } else { None };
+        let path = target.as_deref().unwrap_or(path);
         let name = path.file_name().ok_or_else(|| io::Error::other("no file name"))?;
         for attempt in 0..100 {
             let mut temporary = std::ffi::OsString::from(".");

@@ -392,7 +392,12 @@ fn item(
             (Role::Colour(i), None) => {
                 let value = values.float(property.scalar)?;
                 coloured = true;
-                colour[i] = if property.scalar.is_float() { 255.0 * value } else { value };
+                // Reals go from 0 to 1; what does not counts as 0.
+                colour[i] = match property.scalar.is_float() {
+                    true if (0.0..=1.0).contains(&value) => 255.0 * value,
+                    true => 0.0,
+                    false => value,
+                };
             }
             (Role::Marker, _) => {
                 let value = values.int(property.scalar)?;

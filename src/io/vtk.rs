@@ -1,6 +1,7 @@
 //! Legacy VTK, binary (big endian). Source: VTK User's Guide, "VTK File Formats", simple legacy formats.
 //!
-//! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers.
+//! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers. Scalars
+//! do not count their components: some readers make columns of them where they do.
 use super::model::Model;
 use super::output_files::Out;
 use super::quality::{corners, dihedrals};
@@ -36,18 +37,18 @@ pub(super) fn write(out: &mut Out, model: &Model<'_>) -> io::Result<()> {
         out.format(format_args!("\nPOINT_DATA {points}"))?;
     }
     for k in 0..model.attribute_count() {
-        out.format(format_args!("\nSCALARS attribute_{k} double 1\nLOOKUP_TABLE default\n"))?;
+        out.format(format_args!("\nSCALARS attribute_{k} double\nLOOKUP_TABLE default\n"))?;
         (0..points).try_for_each(|node| out.put(model.attribute(node, k).to_be_bytes()))?;
     }
     if model.is_marked() {
-        out.put("\nSCALARS marker int 1\nLOOKUP_TABLE default\n")?;
+        out.put("\nSCALARS marker int\nLOOKUP_TABLE default\n")?;
         (0..points).try_for_each(|node| out.put(model.marker(node).to_be_bytes()))?;
     }
-    out.format(format_args!("\nCELL_DATA {count}\nSCALARS region double 1\nLOOKUP_TABLE default\n"))?;
+    out.format(format_args!("\nCELL_DATA {count}\nSCALARS region double\nLOOKUP_TABLE default\n"))?;
     for tet in 0..count {
         out.put(attribute_of(mesh, tet).to_be_bytes())?;
     }
-    out.put("\nSCALARS min_dihedral float 1\nLOOKUP_TABLE default\n")?;
+    out.put("\nSCALARS min_dihedral float\nLOOKUP_TABLE default\n")?;
     for tet in &mesh.tets {
         out.put((dihedrals(corners(mesh, tet))[0] as f32).to_be_bytes())?;
     }

@@ -5,61 +5,11 @@ use super::tags::{self, Groups};
 use super::{inp, medit, msh, vtk, vtu, write_tetgen, Format};
 use crate::error::{Error, Status};
 use crate::fallible;
+use crate::options::{MshVersion, WriteOptions};
 use crate::output::TetMesh;
 use crate::plc::Plc;
 use crate::warning::Warnings;
 use std::path::{Path, PathBuf};
-
-/// A version of Gmsh's format.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum MshVersion {
-    /// 4.1, of Gmsh 4.
-    #[default]
-    V41,
-    /// 2.2, which many solvers read and some of them only.
-    V22,
-}
-
-/// The name of the regions with an attribute.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RegionName {
-    /// The attribute.
-    pub attribute: f64,
-    /// The name: one line.
-    pub name: String,
-}
-
-/// What [`write()`] may be asked for. `WriteOptions::default()` gives what the field docs call default.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WriteOptions {
-    /// `.vtu`: compress the arrays (zlib). Smaller and slower. Default: false.
-    pub compress: bool,
-    /// `.vtu`: also write the subfaces, as `STEM_subfaces.vtu`. Other formats have them in any case, `.vtk` has none.
-    /// Default: false.
-    pub subfaces: bool,
-    /// Tetrahedra of ten nodes: the corners and the middles of the edges, in the order of the format. All but `.mesh`.
-    /// Default: false.
-    pub second_order: bool,
-    /// `.msh`: the version. Default: 4.1.
-    pub msh_version: MshVersion,
-    /// `.msh`, `.inp`: names of regions, by attribute. Default: none.
-    pub region_names: Vec<RegionName>,
-    /// How many warnings of a kind are listed. Default: 1000.
-    pub max_warnings: usize,
-}
-
-impl Default for WriteOptions {
-    fn default() -> Self {
-        WriteOptions {
-            compress: false,
-            subfaces: false,
-            second_order: false,
-            msh_version: MshVersion::V41,
-            region_names: Vec::new(),
-            max_warnings: 1000,
-        }
-    }
-}
 
 /// An option of [`WriteOptions`] that a format has no use for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -72,6 +22,18 @@ pub enum UnusedOption {
     MshVersion,
     /// [`WriteOptions::region_names`].
     RegionNames,
+}
+
+impl UnusedOption {
+    /// The option's name, as setters have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            UnusedOption::Compress => "compress",
+            UnusedOption::Subfaces => "subfaces",
+            UnusedOption::MshVersion => "msh_version",
+            UnusedOption::RegionNames => "region_name",
+        }
+    }
 }
 
 impl WriteOptions {

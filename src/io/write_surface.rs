@@ -47,7 +47,9 @@ pub(super) fn lost(format: Format, plc: &Plc) -> Warnings {
         warnings.push(warning, WriteOptions::default().max_warnings);
     };
     if format == Format::Stl && is_plain(plc) {
-        let rounded = |p: &[f64; 3]| p.iter().any(|&x| f64::from(x as f32) != x);
+        // A cast beyond the range of singles would raise an exception of the floating-point unit.
+        let held = |x: f64| x.abs() <= f64::from(f32::MAX) && f64::from(x as f32) == x;
+        let rounded = |p: &[f64; 3]| !p.iter().all(|&x| held(x));
         (0..).zip(&plc.points).filter(|(_, p)| rounded(p)).for_each(|(i, _)| lose(Element::Point(i)));
     }
     if !matches!(format, Format::Poly | Format::Smesh | Format::Node) {

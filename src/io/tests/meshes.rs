@@ -122,6 +122,31 @@ fn a_failed_write_leaves_nothing_behind() {
 }
 
 #[test]
+fn an_output_that_cannot_be_moved_to_its_place_leaves_no_temporary_file() {
+    let folder = Folder::new("unmoved");
+    let (mesh, plc) = small_mesh();
+    // A folder that is in use cannot be replaced by a file; it is the last but one of the six.
+    std::fs::create_dir(folder.file("m.neigh")).unwrap();
+    let error = write(&folder.file("m.ele"), &mesh, &plc, &WriteOptions::default()).unwrap_err();
+    assert_eq!(error.status, Status::File);
+    assert!(folder.names().iter().all(|name| !name.ends_with(".tmp")), "{:?}", folder.names());
+}
+
+#[test]
+#[cfg(unix)]
+fn a_link_stays_one_and_what_it_leads_to_is_replaced() {
+    let folder = Folder::new("linked");
+    let (mesh, plc) = small_mesh();
+    std::fs::create_dir(folder.file("beyond")).unwrap();
+    std::fs::write(folder.file("beyond/real.mesh"), "old").unwrap();
+    std::os::unix::fs::symlink("beyond/real.mesh", folder.file("m.mesh")).unwrap();
+    write(&folder.file("m.mesh"), &mesh, &plc, &WriteOptions::default()).unwrap();
+    assert!(std::fs::symlink_metadata(folder.file("m.mesh")).unwrap().file_type().is_symlink());
+    assert!(std::fs::read_to_string(folder.file("beyond/real.mesh")).unwrap().starts_with("MeshVersion"));
+    assert_eq!(folder.names(), ["beyond", "m.mesh"]);
+}
+
+#[test]
 fn medit_to_the_letter() {
     let folder = Folder::new("medit");
     let (mesh, plc) = small_mesh();

@@ -90,7 +90,7 @@ fn vtk_formats_in_second_order() {
     let big: Vec<u32> =
         bytes[at..at + 88].chunks_exact(4).map(|w| u32::from_be_bytes(w.try_into().unwrap())).collect();
     assert_eq!((big[0], &big[1..11], big[11], &big[12..]), (10, &cells[..10], 10, &cells[10..]));
-    for name in ["POINT_DATA 14", "SCALARS attribute_0 double 1", "SCALARS marker int 1"] {
+    for name in ["POINT_DATA 14", "SCALARS attribute_0 double\n", "SCALARS marker int\n"] {
         assert!(bytes.windows(name.len()).any(|w| w == name.as_bytes()), "{name}");
     }
 }

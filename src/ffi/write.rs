@@ -1,0 +1,307 @@
+//! How meshes are written: settings by setters that check at once, and the call.
+use super::error::DelotetError;
+use super::file::path_of;
+use super::guard::{free, get, get_mut, guard, invalid, make, null, read};
+use super::mesh::DelotetMesh;
+use super::options::{Callbacks, DelotetLogFn};
+use super::plc::DelotetPlc;
+use super::status::DelotetStatus;
+use crate::error::Error;
+use crate::options::{MshVersion, WriteOptions};
+use libc::{c_char, c_void};
+use std::ffi::{CStr, CString};
+
+/// A version of Gmsh's format: one of the DELOTET_MSH_ constants.
+pub type DelotetMshVersion = u32;
+/// 4.1, of Gmsh 4. The default.
+pub const DELOTET_MSH_4_1: DelotetMshVersion = 41;
+/// 2.2, which many solvers read and some of them only.
+pub const DELOTET_MSH_2_2: DelotetMshVersion = 22;
+
+/// How a mesh is written. One object may serve any number of calls, also at the same time (the log is then called from all their
+/// threads).
+pub struct DelotetWriteOptions {
+    options: WriteOptions,
+    /// The names of `options.region_names`, as C reads them back.
+    names: Vec<CString>,
+    callbacks: Callbacks,
+}
+
+/// New options with the defaults that the setters document. The caller owns them: free with delotet_write_options_free. NULL only
+/// if memory ran out.
+#[no_mangle]
+#[must_use]
+pub extern "C" fn delotet_write_options_new() -> *mut DelotetWriteOptions {
+    make(|| DelotetWriteOptions {
+        options: WriteOptions::default(),
+        names: Vec::new(),
+        callbacks: Callbacks::NONE,
+    })
+}
+
+/// Runs the body of a setter.
+///
+/// # Safety
+/// `options` is null or valid, and nothing else uses it; `out_error` is null or valid for one write.
+unsafe fn change(
+    options: *mut DelotetWriteOptions,
+    out_error: *mut *mut DelotetError,
+    body: impl FnOnce(&mut DelotetWriteOptions) -> Result<(), Error>,
+) -> DelotetStatus {
+    // SAFETY: the caller promises that a handle that is not null is valid and not shared, and so for `out_error`.
+    unsafe { guard(out_error, || body(get_mut(options, "options")?)) }
+}
+
+/// .vtu: compress the arrays (zlib); smaller and slower. Other formats ignore it. Default: false. Errors: INVALID_ARGUMENT (NULL).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_compress(
+    options: *mut DelotetWriteOptions,
+    compress: bool,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            o.options.compress = compress;
+            Ok(())
+        })
+    }
+}
+
+/// .vtu: also write the subfaces, as STEM_subfaces.vtu for STEM.vtu. Other formats ignore it: they have them in any case, but for .vtk.
+/// Default: false. Errors: INVALID_ARGUMENT (NULL).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_subfaces(
+    options: *mut DelotetWriteOptions,
+    subfaces: bool,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            o.options.subfaces = subfaces;
+            Ok(())
+        })
+    }
+}
+
+/// Tetrahedra of ten nodes: the corners, then the middles of the edges in the order of the format. Writing .mesh fails with it.
+/// Default: false. Errors: INVALID_ARGUMENT (NULL).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_second_order(
+    options: *mut DelotetWriteOptions,
+    second_order: bool,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            o.options.second_order = second_order;
+            Ok(())
+        })
+    }
+}
+
+/// .msh: the version, a DELOTET_MSH_ constant. Other formats ignore it. Default: DELOTET_MSH_4_1. Errors: INVALID_ARGUMENT (other
+/// values).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_msh_version(
+    options: *mut DelotetWriteOptions,
+    version: DelotetMshVersion,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            o.options.msh_version = match version {
+                DELOTET_MSH_4_1 => MshVersion::V41,
+                DELOTET_MSH_2_2 => MshVersion::V22,
+                _ => return Err(invalid(format!("msh_version: {version} is not a DELOTET_MSH_ constant"))),
+            };
+            Ok(())
+        })
+    }
+}
+
+/// .msh, .inp: the name of the regions with an attribute; other formats ignore it. `name`: zero-terminated UTF-8, copied, of which
+/// the first line counts; NULL or an empty one takes the name away. Default: no names.
+/// Errors: INVALID_ARGUMENT (NULL, an attribute that is not finite, a name that is not UTF-8), OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_region_name(
+    options: *mut DelotetWriteOptions,
+    attribute: f64,
+    name: *const c_char,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, NULL or a zero-terminated name, and NULL or a valid
+    // out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            let name = if name.is_null() { c"" } else { CStr::from_ptr(name) };
+            o.set_region_name(attribute, name)
+        })
+    }
+}
+
+impl DelotetWriteOptions {
+    fn set_region_name(&mut self, attribute: f64, name: &CStr) -> Result<(), Error> {
+        let text = name.to_str().map_err(|_| invalid("region_name: the name is not UTF-8"))?;
+        if !attribute.is_finite() {
+            return Err(invalid("region_name: the attribute is not finite"));
+        }
+        if let Some(at) = self.options.region_names.iter().position(|n| n.attribute == attribute) {
+            self.options.region_names.remove(at);
+            self.names.remove(at);
+        }
+        if text.is_empty() {
+            return Ok(());
+        }
+        let mut bytes = Vec::new();
+        bytes.try_reserve_exact(text.len() + 1)?;
+        bytes.extend_from_slice(text.as_bytes());
+        // No zero is within: it came as a C string.
+        let kept = CString::new(bytes).map_err(|_| invalid("region_name: the name has a zero"))?;
+        self.names.try_reserve(1)?;
+        self.options.set_region_name(attribute, text)?;
+        self.names.push(kept);
+        Ok(())
+    }
+}
+
+/// Lines of text about what is written go to `callback` together with `user_data`, which is only handed through: a line
+/// "warning: ..." for each kind of thing that the format cannot hold or that has no effect in it. NULL: nowhere, the default.
+/// Errors: INVALID_ARGUMENT (options is NULL).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_log(
+    options: *mut DelotetWriteOptions,
+    callback: DelotetLogFn,
+    user_data: *mut c_void,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            o.callbacks.log = callback;
+            o.callbacks.log_data = user_data;
+            Ok(())
+        })
+    }
+}
+
+/// The settings of a handle, the defaults for NULL.
+///
+/// # Safety
+/// `options` is null or valid.
+unsafe fn setting<R>(options: *const DelotetWriteOptions, body: impl FnOnce(&WriteOptions) -> R) -> R {
+    // SAFETY: the caller promises that a handle that is not null is valid.
+    match unsafe { options.as_ref() } {
+        Some(options) => body(&options.options),
+        None => body(&WriteOptions::default()),
+    }
+}
+
+/// Whether arrays are compressed. For NULL, here and in all getters of options: the default.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_compress(options: *const DelotetWriteOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |o| o.compress) }
+}
+
+/// Whether subfaces are written too, as delotet_write_options_set_subfaces() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_subfaces(options: *const DelotetWriteOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |o| o.subfaces) }
+}
+
+/// Whether tetrahedra have ten nodes, as delotet_write_options_set_second_order() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_second_order(options: *const DelotetWriteOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |o| o.second_order) }
+}
+
+/// The version of .msh, as delotet_write_options_set_msh_version() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_msh_version(
+    options: *const DelotetWriteOptions,
+) -> DelotetMshVersion {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe {
+        setting(options, |o| match o.msh_version {
+            MshVersion::V41 => DELOTET_MSH_4_1,
+            MshVersion::V22 => DELOTET_MSH_2_2,
+        })
+    }
+}
+
+/// The name of the regions with an attribute: UTF-8, NULL if they have none. Borrowed from `options` until it is changed.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_region_name(
+    options: *const DelotetWriteOptions,
+    attribute: f64,
+) -> *const c_char {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe {
+        read(options, std::ptr::null(), |o| {
+            let at = o.options.region_names.iter().position(|n| n.attribute == attribute);
+            at.and_then(|at| o.names.get(at)).map_or(std::ptr::null(), |name| name.as_ptr())
+        })
+    }
+}
+
+/// The log callback, NULL if there is none, as delotet_write_options_set_log() sets it.
+/// `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_log(
+    options: *const DelotetWriteOptions,
+    out_user_data: *mut *mut c_void,
+) -> DelotetLogFn {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    let callbacks = unsafe { read(options, Callbacks::NONE, |o| o.callbacks) };
+    if !out_user_data.is_null() {
+        // SAFETY: not null, and the caller promises that it is valid for a write.
+        unsafe { out_user_data.write(callbacks.log_data) };
+    }
+    callbacks.log
+}
+
+/// Frees options. NULL is ignored. Not while a call uses them.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_free(options: *mut DelotetWriteOptions) {
+    // SAFETY: the caller passes NULL or options that it owns.
+    unsafe { free(options) }
+}
+
+/// Writes a mesh to a file as delotet_mesh_write() does, in the way that `options` ask for (NULL: the defaults). What the format
+/// cannot hold as it is goes to the options' log; the guide's page on formats says what each one holds.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one without second order, or a library built without files), FILE,
+/// TOO_LARGE, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_mesh_write_with(
+    mesh: *const DelotetMesh,
+    plc: *const DelotetPlc,
+    path: *const c_char,
+    options: *const DelotetWriteOptions,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes handles that nothing changes meanwhile and a zero-terminated path.
+    unsafe {
+        guard(out_error, || {
+            let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
+            if path.is_null() {
+                return Err(null("path"));
+            }
+            let mut log = options.as_ref().map_or(Callbacks::NONE, |o| o.callbacks);
+            let path = path_of(path)?;
+            setting(options, |o| super::file::write(path, mesh, plc, o, &mut log))
+        })
+    }
+}
