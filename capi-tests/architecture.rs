@@ -89,6 +89,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "options",
             "output",
             "error",
+            "fallible",
             "progress",
             "check",
             "mesh_query",

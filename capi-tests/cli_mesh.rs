@@ -264,7 +264,7 @@ fn an_interrupt_ends_cleanly_with_3() {
     let points: String = (0..800_000).map(|i| format!("{i} {} {} {}\n", next(), next(), next())).collect();
     std::fs::write(dir.join("p.node"), format!("800000 3 0 0\n{points}")).unwrap();
     let child = Command::new(env!("CARGO_BIN_EXE_delotet"))
-        .args(["mesh", "p.node", "-o", "p.ele"])
+        .args(["mesh", "p.node", "-o", "m.ele"])
         .current_dir(&dir)
         .stderr(std::process::Stdio::piped())
         .spawn()
