@@ -47,9 +47,7 @@ pub(super) fn lost(format: Format, plc: &Plc) -> Warnings {
         warnings.push(warning, WriteOptions::default().max_warnings);
     };
     if format == Format::Stl && is_plain(plc) {
-        // A cast beyond the range of singles would raise an exception of the floating-point unit.
-        let held = |x: f64| x.abs() <= f64::from(f32::MAX) && f64::from(x as f32) == x;
-        let rounded = |p: &[f64; 3]| !p.iter().all(|&x| held(x));
+        let rounded = |p: &[f64; 3]| p.iter().any(|&x| f64::from(x as f32) != x);
         (0..).zip(&plc.points).filter(|(_, p)| rounded(p)).for_each(|(i, _)| lose(Element::Point(i)));
     }
     if !matches!(format, Format::Poly | Format::Smesh | Format::Node) {
@@ -222,9 +220,11 @@ fn stl(out: &mut Out, plc: &Plc) -> io::Result<()> {
     }
 }
 
-/// Nothing is marked or named: a binary file holds all but the last bits of the coordinates.
+/// Nothing is marked or named, and no coordinate is beyond single precision: a binary file holds all but the last bits.
 fn is_plain(plc: &Plc) -> bool {
-    plc.names.is_empty() && rings(plc).all(|(_, marker)| marker == 0)
+    plc.names.is_empty()
+        && rings(plc).all(|(_, marker)| marker == 0)
+        && plc.points.iter().flatten().all(|x| x.abs() <= f64::from(f32::MAX))
 }
 
 /// A solid for each run of triangles of one marker, named by it: programs that divide a surface by its solids see the same

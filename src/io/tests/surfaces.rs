@@ -103,7 +103,18 @@ fn stl_is_rounded_to_single_precision_and_joined() {
     let back = read(&folder.file("a.stl")).unwrap();
     assert_eq!(back.triangles, plc.triangles);
     assert_eq!(back.points[3][2], f64::from(0.1f32));
+    let lost = write_surface(&folder.file("a.stl"), &plc).unwrap();
+    assert_eq!(lost.list().iter().map(|w| w.first).collect::<Vec<_>>(), [crate::Element::Point(3)]);
     assert_eq!(back.points.len(), 4);
+}
+
+#[test]
+fn stl_beyond_single_precision_is_text() {
+    let folder = Folder::new("stl-range");
+    let points = vec![[0.0, 0.0, 0.0], [1e39, 0.0, 0.0], [0.0, 1e39, 0.0]];
+    let plc = Plc { points, triangles: vec![[0, 1, 2]], ..Plc::default() };
+    assert!(write_surface(&folder.file("a.stl"), &plc).unwrap().is_empty());
+    assert_eq!(read(&folder.file("a.stl")).unwrap().points, plc.points);
 }
 
 #[test]
