@@ -151,7 +151,7 @@ pub(super) fn write(out: &mut Out, model: &Model<'_>, groups: &Groups, names: &N
         }
     }
     if !mesh.tets.is_empty() {
-        out.format(format_args!("*ELSET, ELSET=ALL, GENERATE\n1, {}\n", mesh.tets.len()))?;
+        out.format(format_args!("*ELSET, ELSET=ALL, GENERATE\n1, {}, 1\n", mesh.tets.len()))?;
     }
     for (group, name) in groups.surfaces.iter().zip(&names.surfaces) {
         node_set(out, name, group, |face| model.face(face as usize))?;

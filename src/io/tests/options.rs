@@ -20,7 +20,7 @@ fn second_order() -> WriteOptions {
 
 const DECK: &str = "*HEADING\ndelotet: points, tetrahedra and their sets\n*NODE, NSET=ALL\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 0.1, 0\n\
     4, 0, 0, 1e-310\n5, 0.3333333333333333, -0, -1\n*ELEMENT, TYPE=C3D4, ELSET=REGION_1\n1, 1, 2, 3, 4\n\
-    *ELEMENT, TYPE=C3D4, ELSET=REGION_3\n2, 1, 3, 2, 5\n*ELSET, ELSET=ALL, GENERATE\n1, 2\n*NSET, NSET=MARKER_MINUS_4\n1, 2, 3\n\
+    *ELEMENT, TYPE=C3D4, ELSET=REGION_3\n2, 1, 3, 2, 5\n*ELSET, ELSET=ALL, GENERATE\n1, 2, 1\n*NSET, NSET=MARKER_MINUS_4\n1, 2, 3\n\
     *SURFACE, NAME=MARKER_MINUS_4, TYPE=ELEMENT\n2, S1\n*NSET, NSET=MARKER_6\n1, 2, 4\n\
     *SURFACE, NAME=MARKER_6, TYPE=ELEMENT\n1, S2\n*NSET, NSET=SEGMENT_8\n1, 5\n";
 
