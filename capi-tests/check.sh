@@ -139,7 +139,7 @@ grep 'tests passed' "$log"
 
 step "ABI: abidiff of two builds, and of one with a function removed"
 if command -v abidiff >/dev/null; then
-    "$root/capi-tests/abi/guard.sh" "$work"
+    "$root/capi-tests/abi/guard.sh" "$work" "$target"
 else
     echo "skipped: abidiff is not installed"
 fi

@@ -100,3 +100,28 @@ fn help_and_version_exit_with_0() {
         concat!("delotet ", env!("CARGO_PKG_VERSION"))
     );
 }
+
+/// What the program says of itself is in the guide, too.
+#[test]
+fn the_guide_names_every_option() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/doc/options.md");
+    let guide = std::fs::read_to_string(path).expect("the guide");
+    let (mut found, mut missing) = (0, Vec::new());
+    for command in ["mesh", "check", "info", "convert"] {
+        assert!(guide.contains(&format!("`delotet {command} ")), "options.md lacks the command {command}");
+        let help = delotet(&[command, "--help"], Path::new("."));
+        for line in
+            String::from_utf8_lossy(&help.stdout).lines().map(str::trim).filter(|line| line.starts_with('-'))
+        {
+            let Some(start) = line.find("--") else { continue };
+            let option =
+                line[start..].split(|c: char| !(c.is_alphanumeric() || c == '-')).next().unwrap_or_default();
+            found += 1;
+            if option != "--help" && !guide.contains(&format!("`{option}")) {
+                missing.push(format!("{command} {option}"));
+            }
+        }
+    }
+    assert!(found >= 20, "only {found} options found: has the help another form?");
+    assert!(missing.is_empty(), "options.md lacks {missing:?}");
+}

@@ -14,7 +14,7 @@ A comment before a block says what is done with it; a block without one fails th
     run: c NAME, run: cpp NAME    written to NAME, compiled under strict warnings, linked by pkg-config, run
     run: sh [NAME=VALUE ...]      run by bash -e in the clone, with the variables in the environment
     run: cmake NAME               a CMakeLists.txt beside the sources of the blocks before it: configured, built, `cube` run
-    run: rust                     compiled and run by `cargo test --doc`, since src/doc.rs includes the page; here only looked for there
+    run: rust                     compiled and run by `cargo test --doc`; here it is made sure that src/doc.rs includes the page
 
 A block `text` after `prints` is what the block before it wrote to stdout; `prints in part`: each of its lines appears there.
 Links between documents are followed, too.
@@ -71,6 +71,9 @@ def blocks(text):
 
 
 def git(*arguments):
+    """What git says of the project; None where this is no repository of its own, but an unpacked archive."""
+    if not (ROOT / '.git').exists():
+        return None
     run = subprocess.run(['git', '-C', str(ROOT), *arguments], capture_output=True, text=True)
     return run.stdout if run.returncode == 0 else None
 
@@ -120,9 +123,9 @@ class Runner:
             self.command('git', 'init', '--quiet', cwd=self.clone)
         else:
             self.command('git', 'clone', '--quiet', ROOT, self.clone, cwd=ROOT)
-        for name in set(git('ls-files', '-z') .split('\0') if git('ls-files') else []) - set(tracked()):
-            if name:
-                (self.clone / name).unlink()
+        # What is committed, as it stands in the working tree, with the time stamps that it has there.
+        for name in self.command('git', 'ls-files', '-z', cwd=self.clone).split('\0')[:-1]:
+            (self.clone / name).unlink()
         for name in tracked():
             (self.clone / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, self.clone / name)
