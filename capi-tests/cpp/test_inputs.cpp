@@ -102,6 +102,8 @@ static void paths()
     std::filesystem::remove(path);
     delotet::Error error;
     CHECK(plc.write(std::string("no/such/folder.off"), error) == DELOTET_STATUS_FILE);
+    const delotet::WriteOptions options = delotet::WriteOptions().region_name(2.5, std::string("steel"));
+    CHECK(std::strcmp(options.region_name(2.5), "steel") == 0 && options.region_name(1) == nullptr);
 }
 
 static void read_back()

@@ -718,10 +718,10 @@ class WriteOptions {
     }
     MshVersion msh_version() const noexcept { return static_cast<MshVersion>(delotet_write_options_msh_version(get())); }
     /// The name of the regions with an attribute; an empty one takes it away.
-    Status region_name(double attribute, const char *name, Error &error) noexcept
+    Status region_name(double attribute, const Text &name, Error &error) noexcept
     {
         return change(error,
-                      [&](DelotetError **e) { return delotet_write_options_set_region_name(get(), attribute, name, e); });
+                      [&](DelotetError **e) { return delotet_write_options_set_region_name(get(), attribute, name.c_str(), e); });
     }
     /// NULL without a name. Valid until the options change.
     const char *region_name(double attribute) const & noexcept { return delotet_write_options_region_name(get(), attribute); }
@@ -748,11 +748,11 @@ class WriteOptions {
         return chain([&](Error &e) { return msh_version(version, e); });
     }
     WriteOptions &&msh_version(MshVersion version) && { return std::move(msh_version(version)); }
-    WriteOptions &region_name(double attribute, const char *name) &
+    WriteOptions &region_name(double attribute, const Text &name) &
     {
         return chain([&](Error &e) { return region_name(attribute, name, e); });
     }
-    WriteOptions &&region_name(double attribute, const char *name) && { return std::move(region_name(attribute, name)); }
+    WriteOptions &&region_name(double attribute, const Text &name) && { return std::move(region_name(attribute, name)); }
 #endif
     /// Lines about what a format cannot hold. `log` may throw: the exception comes out of the call, and the file is there.
     WriteOptions &on_log(LogFunction log) & noexcept
