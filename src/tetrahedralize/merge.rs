@@ -74,6 +74,7 @@ impl Run<'_> {
         self.warnings = warnings;
         let seconds = self.statistics.seconds;
         let statistics = std::mem::take(&mut self.statistics);
+        let promise = std::mem::take(&mut self.promise);
         self.statistics.seconds = seconds;
         self.statistics.duplicate_points = statistics.duplicate_points;
         let options = Options { merge_facets: None, ..options.clone() };
@@ -95,6 +96,7 @@ impl Run<'_> {
         let seconds = self.statistics.seconds;
         self.statistics = statistics;
         self.statistics.seconds = seconds;
+        self.promise = promise;
         merged
     }
 
