@@ -55,12 +55,12 @@ pub mod tetrahedralize;
 mod vector;
 pub mod warning;
 
-pub use check::{check_mesh, check_preserved, check_preserved_outer};
+pub use check::{check_guarantee, check_mesh, check_preserved, check_preserved_outer};
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, MshVersion, Options, Preserve, RegionName, WriteOptions};
 pub use output::{
-    FacetFlip, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment,
-    TetMesh,
+    FacetFlip, Guarantee, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface,
+    Subsegment, TetMesh,
 };
 pub use plc::{Facet, Interior, MarkerName, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};

@@ -81,6 +81,20 @@ pub struct Region {
     pub max_volume: Option<f64>,
 }
 
+/// What a mesh is beyond being valid, by the mode in which it was made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Guarantee {
+    /// Every facet and segment is a union of faces and edges, and all other faces are locally Delaunay.
+    #[default]
+    ConstrainedDelaunay,
+    /// The Delaunay tetrahedralization of the points: facets and segments play no part.
+    Delaunay,
+    /// The surface is kept as it was ([`Preserve::All`](crate::Preserve::All)).
+    Preserved,
+    /// The outer boundary is kept as it was ([`Preserve::Outer`](crate::Preserve::Outer)).
+    PreservedOuter,
+}
+
 /// A flip of two facets' triangles that facet merging made before meshing: edge `old` became edge `new`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
@@ -182,6 +196,8 @@ pub struct TetMesh {
     pub facet_flips: Vec<FacetFlip>,
     /// The mesh is the convex hull's (nothing outside was carved).
     pub hull_kept: bool,
+    /// What the mesh is beyond being valid.
+    pub guarantee: Guarantee,
     /// The surface's triangles and segments are faces and edges as they are: Steiner points lie inside, and faces are not
     /// necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)). With [`Preserve::Outer`](crate::Preserve::Outer) that
     /// holds for the outer boundary.

@@ -13,6 +13,8 @@
 //! What follows from these: the mesh's boundary is the input's. What does not: that no two layers of tetrahedra without a
 //! common vertex cover the same space.
 //!
+//! Of a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not asked for.
+//!
 //! A mesh read from files does not know the parents of its Steiner points and subfaces. Then only doubles are judged: topology,
 //! orientation, points; segments if there are no Steiner points. Of faces that have such points the Delaunay property is only counted
 //! (their rounding may break it), and whether the facets are covered is not judged.
@@ -44,7 +46,7 @@ pub use promise::{audit_promise, Promise};
 
 use crate::error::Error;
 use crate::options::Preserve;
-use crate::output::TetMesh;
+use crate::output::{Guarantee, TetMesh};
 use crate::plc::Plc;
 use context::Context;
 use report::Report;
@@ -84,6 +86,19 @@ pub fn check_preserved_outer(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> R
     check(plc, mesh, Wish { constrained_delaunay: false, preserved: Some(Preserve::Outer) }, max_defects)
 }
 
+/// Checks `mesh` for what the mode in which it was made guarantees ([`TetMesh::guarantee`]): as [`check_mesh`] with the
+/// Delaunay property, [`check_preserved`] or [`check_preserved_outer`] does.
+///
+/// # Errors
+/// As [`check_mesh`].
+pub fn check_guarantee(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<(), Error> {
+    match mesh.guarantee {
+        Guarantee::ConstrainedDelaunay | Guarantee::Delaunay => check_mesh(plc, mesh, true, max_defects),
+        Guarantee::Preserved => check_preserved(plc, mesh, max_defects),
+        Guarantee::PreservedOuter => check_preserved_outer(plc, mesh, max_defects),
+    }
+}
+
 /// What is asked beyond validity.
 struct Wish {
     constrained_delaunay: bool,
@@ -93,6 +108,15 @@ struct Wish {
 fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<(), Error> {
     let mut report = Report::new(max_defects);
     arrays::check_arrays(plc, mesh, &mut report);
+    let mut points_only = Plc::default();
+    let plc = match mesh.guarantee {
+        Guarantee::Delaunay => {
+            points_only.points.try_reserve_exact(plc.points.len())?;
+            points_only.points.extend_from_slice(&plc.points);
+            &points_only
+        }
+        _ => plc,
+    };
     if report.count() > 0 {
         return report.finish();
     }

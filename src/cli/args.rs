@@ -113,7 +113,7 @@ pub struct CheckArgs {
     /// The surface that it was made of
     #[arg(long)]
     pub input: PathBuf,
-    /// Do not require the mesh to be constrained Delaunay
+    /// Do not require what a mesh promises by its mode (as STEM.parents says): to be constrained Delaunay, or to keep the surface
     #[arg(long)]
     pub no_delaunay: bool,
     /// Require the surface, or its outer boundary, as it was: every triangle a face, no added point on it (implies --no-delaunay)

@@ -3,7 +3,7 @@ use super::args::{CheckArgs, PreserveArg};
 use super::page::Page;
 use super::{paths, report, Failure};
 use delotet::io;
-use delotet::{Defect, DefectKind, Element, Error, Status, SteinerPoint, TetMesh, Warnings};
+use delotet::{Defect, DefectKind, Element, Error, Guarantee, Status, SteinerPoint, TetMesh, Warnings};
 
 /// Reads a mesh and its input and checks the one against the other.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
@@ -26,7 +26,13 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         mesh.steiner.clear();
         mesh.steiner_terms.clear();
     }
-    if args.preserved == Some(PreserveArg::All) {
+    let preserved = args.preserved.or(match mesh.guarantee {
+        _ if args.no_delaunay => None,
+        Guarantee::Preserved => Some(PreserveArg::All),
+        Guarantee::PreservedOuter => Some(PreserveArg::Outer),
+        Guarantee::ConstrainedDelaunay | Guarantee::Delaunay => None,
+    });
+    if preserved == Some(PreserveArg::All) {
         // Where added points lie is not in the files; here none may lie on the surface.
         let added = |v: &u32| *v as usize >= plc.points.len();
         if let Some(&v) = mesh.subfaces.iter().flat_map(|face| &face.corners).find(|v| added(v)) {
@@ -40,16 +46,22 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
     }
     super::attribute::attribute_subfaces(&plc, &mut mesh)?;
     let limit = if args.report.is_some() { 10_000_000 } else { 1000 };
-    let verdict = match args.preserved {
+    let verdict = match preserved {
         Some(PreserveArg::All) => delotet::check_preserved(&plc, &mesh, limit),
         Some(PreserveArg::Outer) => delotet::check_preserved_outer(&plc, &mesh, limit),
         None => delotet::check_mesh(&plc, &mesh, !args.no_delaunay, limit),
     };
     verdict.map_err(|e| Failure::from(e).with_code(1))?;
     let judged = mesh.steiner.len() + plc.points.len() == mesh.points.len();
+    let what = match (preserved, mesh.guarantee) {
+        (Some(PreserveArg::All), _) => "; the surface is kept",
+        (Some(PreserveArg::Outer), _) => "; the outer boundary is kept",
+        (None, Guarantee::Delaunay) => "; Delaunay, without facets",
+        (None, _) => "",
+    };
     let mut page = Page::default();
     page.text(format_args!(
-        "{}: correct ({} points, {} tetrahedra{})",
+        "{}: correct ({} points, {} tetrahedra{what}{})",
         args.mesh.display(),
         mesh.points.len(),
         mesh.tets.len(),

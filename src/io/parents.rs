@@ -1,7 +1,8 @@
 //! `.parents`, beside TetGen's files: what they cannot say and an exact check needs. Ours, plain text, numbered from 0.
 //!
 //! First line: the number of Steiner points (the last points of `.node`), of faces (those of `.face`), of facet flips, and 1 if
-//! the convex hull was kept, else 0, of tetrahedra that rounding had to replace, and of faces and edges that are not meshed. Then a line per Steiner point: the two ends `a` and `b` of its edge (input points), the
+//! the convex hull was kept, else 0, of tetrahedra that rounding had to replace, of faces and edges that are not
+//! meshed, and what the mesh guarantees: 0 constrained Delaunay, 1 Delaunay, 2 the surface kept, 3 the outer boundary kept. Then a line per Steiner point: the two ends `a` and `b` of its edge (input points), the
 //! input segment or -1, and the parameter `t` with any further terms of it: exactly, the point is `a + t (b − a)`. Then a line
 //! per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two facets. Then a line per replaced
 //! tetrahedron, ascending: its number. Then a line per piece of a facet that bounds no tetrahedron: its corners, its facet, its marker;
@@ -10,9 +11,13 @@
 use super::output_files::Out;
 use super::text::{bad, float, Line, Lines};
 use crate::error::{Error, Status};
-use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+use crate::output::{FacetFlip, Guarantee, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::INVALID;
 use std::io;
+
+/// What the numbers of the last field of the first line stand for.
+const GUARANTEES: [Guarantee; 4] =
+    [Guarantee::ConstrainedDelaunay, Guarantee::Delaunay, Guarantee::Preserved, Guarantee::PreservedOuter];
 
 /// Writes the file.
 pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
@@ -20,7 +25,10 @@ pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     let (hull, replaced) = (u8::from(mesh.hull_kept), mesh.replaced.len());
     let (faces, edges) = (mesh.unmeshed_subfaces.len(), mesh.unmeshed_subsegments.len());
     let [steiner, subfaces, flips] = counts;
-    out.format(format_args!("{steiner}  {subfaces}  {flips}  {hull}  {replaced}  {faces}  {edges}\n"))?;
+    let guarantee = GUARANTEES.iter().position(|&guarantee| guarantee == mesh.guarantee).unwrap_or(0);
+    out.format(format_args!(
+        "{steiner}  {subfaces}  {flips}  {hull}  {replaced}  {faces}  {edges}  {guarantee}\n"
+    ))?;
     let mut terms = mesh.steiner_terms.iter().peekable();
     for (i, point) in mesh.steiner.iter().enumerate() {
         out.int(point.ends[0])?;
@@ -88,6 +96,10 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
     };
     let unmeshed_faces = unmeshed("the number of faces that are not meshed")?;
     let unmeshed_edges = unmeshed("the number of edges that are not meshed")?;
+    let guarantee = line.optional_int("what the mesh guarantees")?.unwrap_or(0);
+    let guarantee = usize::try_from(guarantee).ok().and_then(|i| GUARANTEES.get(i));
+    mesh.guarantee =
+        *guarantee.ok_or_else(|| bad(line.number(), "what the mesh guarantees is a number from 0 to 3"))?;
     if steiner > mesh.points.len() || faces != mesh.subfaces.len() {
         let message = "the numbers of points and faces are not those of the mesh beside it";
         return Err(Error::new(Status::Format, message));

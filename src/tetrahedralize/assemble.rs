@@ -7,7 +7,7 @@ use crate::delaunay::Delaunay;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::fallible;
 use crate::mesh::{flag, Tetrahedra};
-use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+use crate::output::{Guarantee, Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
 use crate::predicates::{scale, Expansion};
@@ -230,6 +230,7 @@ pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<Tet
         tets: mesh.verts,
         neighbors: mesh.adj,
         hull_kept: true,
+        guarantee: Guarantee::Delaunay,
         ..TetMesh::default()
     };
     out.points.try_reserve_exact(plc.points.len())?;

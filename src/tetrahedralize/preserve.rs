@@ -12,8 +12,8 @@ use crate::constrain::subface::{Subfaces, Triangles};
 use crate::elementary::{exponent_above, power_of_two};
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::options::Options;
-use crate::output::TetMesh;
+use crate::options::{Options, Preserve};
+use crate::output::{Guarantee, TetMesh};
 use crate::plc::patch::Patches;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
@@ -125,6 +125,10 @@ impl Run<'_> {
         self.statistics.steiner_exact =
             mesh.steiner.iter().filter(|point| point.exact && !point.is_inside()).count() as u64;
         mesh.hull_kept = options.keep_hull;
+        mesh.guarantee = match options.preserve {
+            Preserve::All => Guarantee::Preserved,
+            Preserve::Outer => Guarantee::PreservedOuter,
+        };
         warn::about_seeds(plc, &regions, options, &mut self.warnings);
         self.lap(Phase::Preserve);
         Ok(mesh)
