@@ -60,7 +60,7 @@ fn tetgen_files_to_the_letter() {
     assert_eq!(text("m.edge"), "2  1\n0 0 4 8\n1 0 1 0\n");
     assert_eq!(text("m.neigh"), "2  4\n0 -1 -1 -1 1\n1 -1 -1 -1 0\n");
     let facets: Vec<String> = mesh.subfaces.iter().map(|face| format!("{}\n", face.facet as i32)).collect();
-    assert_eq!(text("m.parents"), format!("1  2  0  0  1  0  0\n0 1 -1 0.25\n{}1\n", facets.concat()));
+    assert_eq!(text("m.parents"), format!("1  2  0  0  1  0  0  0\n0 1 -1 0.25\n{}1\n", facets.concat()));
     for path in ["m.ele", "m.node", "m"] {
         let back = read_mesh(&folder.file(path)).unwrap();
         assert_eq!(
