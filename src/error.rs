@@ -38,7 +38,7 @@ pub enum Status {
     SteinerLimit = 31,
     /// A Steiner point would have been needed where they are forbidden.
     SteinerForbidden = 32,
-    /// The exact mesh exists, but some Steiner points have no valid position in doubles.
+    /// The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
     Rounding = 33,
     /// Memory ran out.
     OutOfMemory = 40,
@@ -106,7 +106,7 @@ pub enum DefectKind {
     SeedOutside,
     /// An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
     OpenEdge,
-    /// A Steiner point has no valid position in doubles.
+    /// Two elements are too close to each other: no double fits where a Steiner point is needed at the first one, and the other is the nearest.
     Rounding,
     /// A tetrahedron is flat (zero volume) or inverted.
     NotPositive,
@@ -307,7 +307,7 @@ impl DefectKind {
             DefectKind::SeedOnFacet => "seed on facet",
             DefectKind::SeedOutside => "seed outside",
             DefectKind::OpenEdge => "open edge",
-            DefectKind::Rounding => "no valid position in doubles",
+            DefectKind::Rounding => "too close for doubles",
             DefectKind::NotPositive => "tetrahedron not positive",
             DefectKind::NotConforming => "not conforming",
             DefectKind::PointMoved => "point moved",

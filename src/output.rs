@@ -187,7 +187,8 @@ pub struct TetMesh {
     /// Terms of parameters that are no doubles, in the order of `steiner`, each point's largest first.
     pub steiner_terms: Vec<SteinerTerm>,
     /// Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive in
-    /// `points`, like all, but not necessarily Delaunay, nor positive in the exact positions of Steiner points.
+    /// `points`, like all, but not necessarily Delaunay, nor positive in the exact positions of Steiner points. Where no doubles were
+    /// found at all, the mesh is [`preserved`](Self::preserved), and these are the tetrahedra at faces that are not locally Delaunay.
     pub replaced: Vec<u32>,
     /// Points (indices into `points`) without a valid position in doubles; empty unless
     /// [`Options::exact_form`](crate::Options::exact_form) was set and rounding failed.

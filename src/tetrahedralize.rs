@@ -13,6 +13,7 @@ use crate::fallible;
 use crate::mesh::flag;
 use crate::options::{Mode, Options};
 use crate::output::{Statistics, TetMesh};
+use crate::plc::near::Home;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
 use crate::predicates::{scale, Points};
@@ -24,11 +25,16 @@ use crate::INVALID;
 use std::time::Instant;
 
 mod assemble;
+mod crowding;
 mod merge;
 mod preserve;
 mod promise;
 mod unmeshed;
+mod unrounded;
 mod warn;
+
+use crowding::crowding;
+use preserve::Embedded;
 
 /// Makes a tetrahedral mesh of a PLC.
 ///
@@ -47,9 +53,6 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     }
     outcome
 }
-
-/// How often segments are recovered anew because Steiner points have no valid position in doubles.
-const MOST_ATTEMPTS: u32 = 6;
 
 /// The engine's segments in an error become the caller's: an edge of facets is named by the first facet that has it. So is the place.
 fn in_terms_of_input(mut error: Error, segments: &Segments, input_of: &[u32], surface: &Surface) -> Error {
@@ -152,6 +155,19 @@ impl Engine {
         Ok((engine, order))
     }
 
+    /// Takes everything out.
+    fn take(&mut self) -> Engine {
+        let empty = Engine {
+            points: Points::new(Vec::new()),
+            delaunay: Delaunay::new(),
+            input_of: Vec::new(),
+            rounds: Vec::new(),
+            engine_of: Vec::new(),
+            scale: 0,
+        };
+        std::mem::replace(self, empty)
+    }
+
     fn map<const N: usize>(&self, list: &[[u32; N]]) -> Result<Vec<[u32; N]>, Error> {
         let mut mapped = Vec::new();
         mapped.try_reserve(list.len())?;
@@ -173,10 +189,18 @@ impl Run<'_> {
                 self.delaunay(&mut engine, options.worker_threads())?;
                 assemble::delaunay(engine, plc, alias)?
             }
-            Mode::Constrained | Mode::Preserve => match options.merge_facets {
-                None => self.mesh_surface(plc, options, prepared)?,
-                Some(_) => self.merged_or_not(plc, options, prepared)?,
-            },
+            Mode::Constrained | Mode::Preserve => {
+                let made = match options.merge_facets {
+                    None => self.mesh_surface(plc, options, prepared),
+                    Some(_) => self.merged_or_not(plc, options, prepared),
+                };
+                match made {
+                    Err(error) if error.status == Status::Rounding && options.mode == Mode::Preserve => {
+                        return Err(unrounded::with_hint(plc, options, error, self.observer))
+                    }
+                    made => made?,
+                }
+            }
         };
         self.audit(plc, options, &mut mesh)?;
         unmeshed::set_apart(&mut mesh)?;
@@ -326,8 +350,7 @@ impl Run<'_> {
         engine: &mut Engine,
     ) -> Result<TetMesh, Error> {
         let mut careful = fallible::filled(0u8, surface.segments.len())?;
-        let mut attempt = 0;
-        let mut fewest = usize::MAX;
+        let mut fewest: Option<usize> = None;
         let mut any_diagonals = true;
         loop {
             let subfaces = match self.recover_facets(surface, &recovered, engine) {
@@ -357,13 +380,14 @@ impl Run<'_> {
                 (engine.scale, !options.exact_form),
             )?;
             self.lap(Phase::Round);
-            // Twice at least, and as long as that helps.
-            let hopeful = attempt < 2 || rounded.crowded.len() < fewest;
-            fewest = fewest.min(rounded.crowded.len());
-            if !rounded.crowded.is_empty() && attempt < MOST_ATTEMPTS && hopeful {
+            // Once at least, and as long as each attempt leaves half as many at most; not where other points might be needed on edges that
+            // merging has made.
+            let hopeful = surface.edges_beside.is_empty()
+                && fewest.is_none_or(|fewest| 2 * rounded.crowded.len() <= fewest);
+            if !rounded.crowded.is_empty() && hopeful {
                 // The exact mesh is valid but has no counterpart in doubles: other parameters on those segments make another
                 // exact mesh.
-                attempt += 1;
+                fewest = Some(rounded.crowded.len());
                 for &v in &rounded.crowded {
                     careful[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize] += 1;
                 }
@@ -371,18 +395,36 @@ impl Run<'_> {
                 recovered = self.recover_anew(surface, options, engine, first, &careful, any_diagonals)?;
                 continue;
             }
-            let mut mesh = assemble::mesh(
-                engine,
-                plc,
-                surface,
-                &components,
-                &regions,
-                &rounded,
-                Some((segments, &subfaces)),
-            )?;
             if !rounded.crowded.is_empty() && !options.exact_form {
-                return Err(assemble::crowded(&mesh, segments, &rounded));
+                let place = |&v: &u32| {
+                    let segment = segments.steiner_segment[(v - segments.first_steiner) as usize];
+                    let ends = segments.ends[segment as usize].map(|v| engine.input_of[v as usize]);
+                    (Home::Edge(ends), *engine.points.xyz(v))
+                };
+                let places = fallible::collect(rounded.crowded.iter().map(place))?;
+                drop((rounded, components, regions));
+                let mut subfaces = subfaces;
+                if !recovered.polygons.facets.is_empty() {
+                    // What will be kept are the surface's own triangles.
+                    let first = recovered.segments.first_steiner;
+                    recovered = self.recover_anew(surface, options, engine, first, &careful, false)?;
+                    subfaces = self.recover_facets(surface, &recovered, engine)?;
+                }
+                let engine = engine.take();
+                let patch = fallible::copied(&surface.triangle_patch)?;
+                let segments = recovered.segments;
+                let embedded = Embedded { engine, segments, subfaces, patch, inside: Vec::new() };
+                return self.without_boundary_points(plc, surface, options, embedded).map_err(|other| {
+                    if other.status != Status::Rounding {
+                        return other;
+                    }
+                    let hint = "; nor is there room in any mesh without points on the surface";
+                    crowding(surface, &places, hint, options.max_defects)
+                });
             }
+            let constraints = Some((&*segments, &subfaces));
+            let mut mesh =
+                assemble::mesh(engine, plc, surface, &components, &regions, &rounded, constraints)?;
             mesh.hull_kept = options.keep_hull;
             warn::about_seeds(plc, &regions, options, &mut self.warnings);
             self.statistics.missing_segments = segments.missing;
@@ -536,3 +578,5 @@ mod polygon_tests;
 mod preserve_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod unrounded_tests;

@@ -138,7 +138,7 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_STEINER_FORBIDDEN = 32,
     /**
-     * The exact mesh exists, but some Steiner points have no valid position in doubles.
+     * The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
      */
     DELOTET_STATUS_ROUNDING = 33,
     /**
@@ -316,7 +316,7 @@ typedef enum DelotetDefectKind {
      */
     DELOTET_DEFECT_KIND_OPEN_EDGE = 16,
     /**
-     * A Steiner point has no valid position in doubles.
+     * Two elements are too close to each other: no double fits where a Steiner point is needed at the first one, and the other is the nearest.
      */
     DELOTET_DEFECT_KIND_ROUNDING = 17,
     /**
@@ -1842,7 +1842,8 @@ struct DelotetIndicesView delotet_mesh_crowded_points(const struct DelotetMesh *
 
 /**
  * Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive, but
- * not necessarily Delaunay. Borrowed from `mesh`. Empty for NULL.
+ * not necessarily Delaunay. Where sheets leave doubles no room for points on the surface, the mesh has none there, and these are all
+ * tetrahedra at faces that are not locally Delaunay. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_replaced_tets(const struct DelotetMesh *mesh);

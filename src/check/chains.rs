@@ -1,8 +1,9 @@
 //! Chains: the mesh edges that an input edge consists of.
 //!
 //! An input edge is subdivided by its Steiner points (known by parents and parameter) and by input vertices that lie exactly on
-//! it. The first are looked up in order; where two consecutive ones are not joined by an edge of the mesh, the mesh is walked:
-//! from a vertex of the edge there is at most one mesh edge along it.
+//! it. The first are looked up in order; where two consecutive ones are not joined by an edge of the mesh, the mesh is walked: from a vertex
+//! of the edge to the nearest neighbour on it. There is one at most where tetrahedra are positive in the exact positions; a tetrahedron
+//! that took another's place need not be, and may have an edge that passes a point by.
 use super::context::Context;
 use crate::error::Error;
 
@@ -23,8 +24,15 @@ impl<'a, 'b> Chains<'a, 'b> {
             let (ends, t) = if a < b { ([a, b], s.t) } else { ([b, a], 1.0 - s.t) };
             steiner.push((ends, t, (inputs + i) as u32));
         }
-        // 1 - t may round two parameters of an edge given in both directions to one: then the walk decides.
-        steiner.sort_unstable_by(|x, y| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1)).then(x.2.cmp(&y.2)));
+        // Parameters and 1 - t are right to half an ulp of one each: what is nearer to each other has its order from exact positions.
+        let along = |x: &([u32; 2], f64, u32), y: &([u32; 2], f64, u32)| {
+            if (x.1 - y.1).abs() > 2.0 * f64::EPSILON {
+                return x.1.total_cmp(&y.1);
+            }
+            let before = |v, w| context.geometry.strictly_between(v, x.0[0], w);
+            before(y.2, x.2).cmp(&before(x.2, y.2))
+        };
+        steiner.sort_unstable_by(|x, y| x.0.cmp(&y.0).then_with(|| along(x, y)).then(x.2.cmp(&y.2)));
         Ok(Chains { context, steiner })
     }
 
@@ -40,16 +48,13 @@ impl<'a, 'b> Chains<'a, 'b> {
         let (low, high) = (a.min(b), a.max(b));
         chain.try_reserve(2)?;
         chain.push(low);
-        let mut joined = self.context.has_edge(low, high);
-        if !joined {
-            joined = true;
-            for s in self.of_edge(low, high) {
-                joined &= self.context.has_edge(chain[chain.len() - 1], s);
-                chain.try_reserve(2)?;
-                chain.push(s);
-            }
-            joined &= self.context.has_edge(chain[chain.len() - 1], high);
+        let mut joined = true;
+        for s in self.of_edge(low, high) {
+            joined &= self.context.has_edge(chain[chain.len() - 1], s);
+            chain.try_reserve(2)?;
+            chain.push(s);
         }
+        joined &= self.context.has_edge(chain[chain.len() - 1], high);
         if joined {
             chain.push(high);
         } else {
@@ -69,11 +74,16 @@ impl<'a, 'b> Chains<'a, 'b> {
         let context = self.context;
         let mut current = chain[0];
         while current != end {
-            let next = if context.has_edge(current, end) {
-                Some(end)
-            } else {
-                context.neighbors(current).find(|&v| context.geometry.strictly_between(v, current, end))
-            };
+            let mut next = None;
+            for v in context.neighbors(current) {
+                let to = next.unwrap_or(end);
+                if v != to && context.geometry.strictly_between(v, current, to) {
+                    next = Some(v);
+                }
+            }
+            if next.is_none() && context.has_edge(current, end) {
+                next = Some(end);
+            }
             match next {
                 Some(v) => current = v,
                 None => return Ok(false),

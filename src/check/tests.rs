@@ -1,7 +1,7 @@
 //! Hand-made meshes, all valid; then each kind of defect, made by one change to a valid mesh, must be found.
 use super::check_mesh;
 use crate::error::{DefectKind, Error, Status};
-use crate::output::{Region, SteinerPoint, Subface, Subsegment, TetMesh};
+use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::{Facet, Plc, Segment};
 use crate::predicates::{orient3d, Sign};
 use crate::INVALID;
@@ -661,4 +661,38 @@ fn a_surface_that_is_not_kept() {
         change(&mut wrong.steiner[0]);
         assert_eq!(check_kept(&plc, &wrong), vec![DefectKind::IndexOutOfRange]);
     }
+}
+
+/// Two Steiner points on a segment, their parameters equal but for the last terms, and tetrahedra that took the places of others, with an
+/// edge that passes one of the points by: the pieces of the segment are found in their exact order.
+#[test]
+fn edges_of_replaced_tetrahedra_may_pass_points_of_a_segment_by() {
+    let plc = Plc {
+        points: vec![[0.0; 3], [4.0, 0.0, 0.0], [2.0, 3.0, 0.0], [2.0, -2.0, 3.0], [2.0, -2.0, -3.0]],
+        segments: vec![Segment { ends: [0, 1], marker: 7 }],
+        ..Plc::default()
+    };
+    let (a, b, far, near) = (0, 1, 5, 6);
+    let mut points = plc.points.clone();
+    points.extend([[2.4, 0.0, 0.0], [1.6, 0.25, 0.75]]);
+    let mut tets = vec![[a, far, 3, 4], [a, far, 4, 2]];
+    tets.extend([[near, far, 2, 3], [a, near, 2, 3], [a, far, near, 3], [a, far, 2, near]]);
+    tets.extend([[far, b, 2, 3], [far, b, 3, 4], [far, b, 4, 2]]);
+    for tet in &mut tets {
+        let [p, q, r, s] = tet.map(|v| points[v as usize]);
+        if orient3d(&p, &q, &r, &s) != Sign::Positive {
+            tet.swap(2, 3);
+        }
+    }
+    let mut mesh = mesh(&plc, points, tets);
+    mesh.hull_kept = true;
+    mesh.replaced = (0..9).collect();
+    let steiner = SteinerPoint { ends: [a, b], t: 0.5, segment: 0, exact: false };
+    mesh.steiner = vec![steiner; 2];
+    mesh.steiner_terms = vec![SteinerTerm { steiner: 0, value: 1e-20 }];
+    let piece = |ends| Subsegment { ends, segment: 0, marker: 7 };
+    mesh.subsegments = vec![piece([a, near]), piece([near, far]), piece([far, b])];
+    assert_eq!(check(&plc, &mesh), []);
+    mesh.subsegments = vec![piece([a, far]), piece([far, b])];
+    assert_eq!(check(&plc, &mesh), [DefectKind::NotConforming, DefectKind::SegmentMissing]);
 }

@@ -95,7 +95,8 @@ pub unsafe extern "C" fn delotet_mesh_crowded_points(mesh: *const DelotetMesh) -
 }
 
 /// Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive, but
-/// not necessarily Delaunay. Borrowed from `mesh`. Empty for NULL.
+/// not necessarily Delaunay. Where sheets leave doubles no room for points on the surface, the mesh has none there, and these are all
+/// tetrahedra at faces that are not locally Delaunay. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_replaced_tets(mesh: *const DelotetMesh) -> DelotetIndicesView {
     // SAFETY: the caller passes NULL or a mesh that is alive.

@@ -42,7 +42,7 @@ pub enum DelotetStatus {
     SteinerLimit = 31,
     /// A Steiner point would have been needed where they are forbidden.
     SteinerForbidden = 32,
-    /// The exact mesh exists, but some Steiner points have no valid position in doubles.
+    /// The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
     Rounding = 33,
     /// Memory ran out.
     OutOfMemory = 40,
@@ -114,7 +114,7 @@ pub enum DelotetDefectKind {
     SeedOutside = 15,
     /// An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
     OpenEdge = 16,
-    /// A Steiner point has no valid position in doubles.
+    /// Two elements are too close to each other: no double fits where a Steiner point is needed at the first one, and the other is the nearest.
     Rounding = 17,
     /// A tetrahedron is flat (zero volume) or inverted.
     NotPositive = 18,

@@ -7,6 +7,7 @@ pub mod attributes;
 pub mod duplicates;
 pub mod intersect;
 pub mod merge;
+pub mod near;
 pub mod open;
 pub mod patch;
 pub mod planarity;

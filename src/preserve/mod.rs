@@ -41,7 +41,7 @@ pub mod widen;
 
 use crate::constrain::face_key;
 use crate::constrain::segment::Segments;
-use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::error::Error;
 use crate::fallible;
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
@@ -72,10 +72,35 @@ pub struct Freed {
     pub subfaces: Vec<([u32; 3], u32)>,
 }
 
+/// Where a point inside has no valid position in doubles.
+#[derive(Clone, Copy, Debug)]
+pub enum Spot {
+    /// At a point on a segment with these ends (vertex ids), which must go.
+    Edge([u32; 2], [f64; 3]),
+    /// At a triangle of this facet, which must come.
+    Facet(u32, [f64; 3]),
+}
+
+/// Why there is no mesh.
+#[derive(Clone, Debug)]
+pub enum Failure {
+    /// Doubles are too coarse at these places.
+    Crowded(Vec<Spot>),
+    /// Something else.
+    Other(Error),
+}
+
+impl<E: Into<Error>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Failure::Other(error.into())
+    }
+}
+
 /// Takes all points off the surface, or off the outer boundary; the mesh then has the target's triangles as faces.
 ///
 /// # Errors
-/// [`Status::Rounding`] if a point inside has no valid position in doubles; [`Status::Cancelled`], [`Status::OutOfMemory`].
+/// [`Failure::Crowded`] if a point inside has no valid position in doubles;
+/// [`Status::Cancelled`](crate::Status::Cancelled), [`Status::OutOfMemory`](crate::Status::OutOfMemory).
 pub fn from_constrained(
     solid: &mut Solid,
     points: &mut Points,
@@ -84,7 +109,7 @@ pub fn from_constrained(
     mut inside: Inside,
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-) -> Result<Freed, Error> {
+) -> Result<Freed, Failure> {
     inside.sweep(solid);
     let mut internal = Internal::find(target.preserve, solid, segments)?;
     let mut done = 0.0;
@@ -120,18 +145,17 @@ fn free(
     mut inside: Inside,
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-) -> Result<(Freed, Vec<u32>), Error> {
+) -> Result<(Freed, Vec<u32>), Failure> {
     let both = (segments, internal);
     let removal = removal::remove_all(solid, points, both, target, &mut inside, &mut |f| tick(0.6 * f))?;
     statistics.deleted += removal.deleted;
     statistics.relocated += removal.relocated;
-    let crowded: Vec<[u32; 2]> = removal
-        .left
-        .iter()
-        .map(|&v| segments.ends[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize])
-        .collect();
-    if !crowded.is_empty() {
-        return Err(crowding(target, points, |t| crowded.iter().any(|e| e.iter().all(|v| t.contains(v)))));
+    if !removal.left.is_empty() {
+        let spot = |&v: &u32| {
+            let segment = segments.steiner_segment[(v - segments.first_steiner) as usize];
+            Spot::Edge(segments.ends[segment as usize], *points.xyz(v))
+        };
+        return Err(Failure::Crowded(fallible::collect(removal.left.iter().map(spot))?));
     }
     let isolated = removal.isolated;
     let growth = Growth { budget: BUDGET, ..MORE };
@@ -141,7 +165,12 @@ fn free(
         &mut |f| tick(0.6 + 0.2 * f),
     )?;
     if !flips.missing.is_empty() {
-        return Err(crowding(target, points, |t| flips.missing.contains(t)));
+        let missing = target.triangles.iter().zip(target.facet).filter(|(t, _)| flips.missing.contains(t));
+        let spots = missing.map(|(t, &facet)| {
+            let [a, b, c] = t.map(|v| points.xyz(v));
+            Spot::Facet(facet, [0, 1, 2].map(|k| (a[k] + b[k] + c[k]) / 3.0))
+        });
+        return Err(Failure::Crowded(fallible::collect(spots)?));
     }
     if !inside.list.is_empty() {
         let mut thin = Thin::default();
@@ -190,35 +219,6 @@ fn subfaces(
     others.sort_unstable();
     name_facets(points, &mut gone, &others, &mut out)?;
     Ok(out)
-}
-
-/// The error that names the facets round which points inside have no room.
-fn crowding(target: &Target, points: &Points, near: impl Fn(&[u32; 3]) -> bool) -> Error {
-    let near = target.triangles.iter().zip(target.facet).filter(|(triangle, _)| near(triangle));
-    let mut facets = match fallible::collect(near.map(|(triangle, &facet)| (facet, triangle[0]))) {
-        Ok(facets) => facets,
-        Err(short) => return short.into(),
-    };
-    facets.sort_unstable();
-    facets.dedup_by_key(|f| f.0);
-    let defects = fallible::collect(facets.iter().map(|&(facet, v)| Defect {
-        kind: DefectKind::Rounding,
-        first: Element::Facet(facet),
-        second: None,
-        point: Some(*points.xyz(v)),
-    }));
-    let message = match facets.len() {
-        0 => "the surface cannot be kept in doubles: points inside have no valid position beside a segment"
-            .into(),
-        count => format_args!(
-            "the surface cannot be kept in doubles: points inside have no valid position at {count} facets"
-        )
-        .into(),
-    };
-    match defects {
-        Ok(defects) => Error::with_defects(Status::Rounding, message, defects, facets.len()),
-        Err(short) => short.into(),
-    }
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use crate::constrain::segment::Recovery;
 use crate::constrain::subface::{Subfaces, Triangles};
 use crate::constrain::{edge_key, face_key};
 use crate::delaunay::Delaunay;
+use crate::error::Status;
 use crate::mesh::star::StarSearch;
 use crate::mesh::NONE;
 use crate::predicates::Sign;

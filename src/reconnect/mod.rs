@@ -61,6 +61,11 @@ impl Reconnect {
         self.fill_another(points, polyhedron, budget, tets)
     }
 
+    /// How many steps the last search took.
+    pub fn steps(&self) -> u32 {
+        self.search.steps
+    }
+
     /// Forgets all vertices.
     pub fn forget(&mut self) {
         self.search.forget();

@@ -45,6 +45,8 @@ pub struct Search {
     pub(super) tets: Vec<[u8; 4]>,
     /// Apexes of the face at hand, and what each is worth.
     pub(super) apexes: Vec<(f64, u8)>,
+    /// How many apexes the last search tried.
+    pub(super) steps: u32,
     /// Per pair of vertices how much more often it is used in one direction; zero between uses.
     balance: Vec<i16>,
 }
@@ -67,6 +69,7 @@ impl Default for Search {
             depth: 0,
             tets: Vec::new(),
             apexes: Vec::new(),
+            steps: 0,
             balance: Vec::new(),
         }
     }
@@ -82,6 +85,7 @@ impl Search {
 
     /// Sets the front; false if the polyhedron is too large or not closed. What is known of vertices is kept, as far as there is room.
     pub fn begin(&mut self, points: &Points, polyhedron: &Polyhedron) -> Result<bool, Error> {
+        self.steps = 0;
         if !self.number(points, polyhedron)? {
             self.forget();
             if !self.number(points, polyhedron)? {
@@ -209,7 +213,6 @@ impl Search {
         if !self.descend(points)? {
             return Ok(false);
         }
-        let mut steps = 0;
         // Invariant: level `depth − 1` has a face, and none of its apexes is applied.
         while self.depth > 0 {
             let level = self.depth - 1;
@@ -218,8 +221,8 @@ impl Search {
                 self.retreat();
                 continue;
             };
-            steps += 1;
-            if steps > budget {
+            self.steps += 1;
+            if self.steps > budget {
                 return Ok(false);
             }
             if !self.apply(level, face, apex)? {

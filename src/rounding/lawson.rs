@@ -37,9 +37,8 @@ impl Lawson {
                 continue;
             }
             for code in 4 * t..4 * t + 4 {
-                if left > 0 && self.find(site, points, code)? {
+                if left > 0 && self.find(site, points, code)? && site.put(&self.old, &self.new)? {
                     left -= 1;
-                    site.put(&self.old, &self.new)?;
                     stack.try_reserve(self.new.len())?;
                     stack.extend_from_slice(&site.refill.fresh);
                     break;

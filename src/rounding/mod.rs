@@ -5,7 +5,7 @@
 //! exact mesh stays constrained Delaunay; else to a neighbouring lattice point; else along its segment to a parameter whose
 //! rounding is kinder. Every such move lowers the number of tetrahedra that are not positive. Where none helps, the points at these
 //! tetrahedra go to doubles nearest to the planes that they are close to ([`precise`]), or the tetrahedra are replaced ([`untangle`]),
-//! a fixed number of times ([`STAGES`]); so the search ends.
+//! a fixed number of times ([`STAGES`]); so the search ends. It ends earlier where its budget is spent ([`work`]).
 mod candidates;
 mod lawson;
 mod moves;
@@ -14,10 +14,12 @@ mod precise;
 mod tests;
 mod untangle;
 mod wedge;
+mod work;
 
 use crate::constrain::segment::Segments;
 use crate::delaunay::Delaunay;
 use crate::error::Error;
+use crate::fallible;
 use crate::mesh::star::StarSearch;
 use crate::mesh::Tetrahedra;
 use crate::predicates::{orient3d, scale, to_range, Points, Sign};
@@ -25,6 +27,7 @@ use crate::region::{Components, Regions};
 use crate::INVALID;
 use precise::Reach;
 use rustc_hash::FxHashSet;
+use work::Work;
 
 /// What is done where moving points one by one has not helped.
 #[derive(Clone, Copy, Debug)]
@@ -85,7 +88,8 @@ impl Kept<'_> {
 }
 
 /// Finds positions in doubles for all vertices. `scale_exponent`: coordinates are the caller's times two to this power.
-/// `reconnect`: tetrahedra may be replaced where moving points is not enough.
+/// `reconnect`: tetrahedra may be replaced where moving points is not enough. Where that fails too the exact mesh is left as it was, but for
+/// parameters on segments.
 pub fn round(
     delaunay: &mut Delaunay,
     points: &mut Points,
@@ -100,7 +104,9 @@ pub fn round(
     let mut bad: Vec<u32> = (0..delaunay.mesh.slot_count() as u32)
         .filter(|&t| kept.has(&delaunay.mesh, t) && !is_positive(&delaunay.mesh, points, &rounded.xyz, t))
         .collect();
+    let work = Work::for_mesh(delaunay.mesh.slot_count());
     let mut repair = Repair {
+        work,
         delaunay,
         points,
         segments,
@@ -112,6 +118,7 @@ pub fn round(
         moved: FxHashSet::default(),
         moves: 0,
         replaced: FxHashSet::default(),
+        exact: None,
     };
     let mut stages = STAGES.iter();
     let mut far = false;
@@ -120,13 +127,14 @@ pub fn round(
         if bad.is_empty() {
             break;
         }
-        match stages.next() {
+        match stages.next().filter(|_| !repair.work.is_done()) {
             Some(&Stage::Place(reach)) => repair.place_all(&mut bad, reach)?,
             Some(Stage::Stray) => far = true,
             Some(Stage::Reconnect) if reconnect => repair.reconnect(&mut bad)?,
             Some(Stage::Reconnect) => {}
             None => {
                 rounded.crowded = crowded(&repair, &bad);
+                repair.restore();
                 return Ok(rounded);
             }
         }
@@ -172,6 +180,8 @@ fn positive(xyz: &[[f64; 3]], verts: [u32; 4]) -> bool {
 }
 
 struct Repair<'a, 'b> {
+    /// What may still be spent.
+    work: Work,
     delaunay: &'a mut Delaunay,
     points: &'a mut Points,
     segments: &'a mut Segments,
@@ -186,6 +196,16 @@ struct Repair<'a, 'b> {
     moves: u64,
     /// Tetrahedra that took the place of others.
     replaced: FxHashSet<u32>,
+    /// The exact mesh, once tetrahedra may have been replaced. No parameter changes from then on: nothing would show any more that the
+    /// exact mesh stays valid.
+    exact: Option<ExactMesh>,
+}
+
+/// The exact mesh as it was before tetrahedra were replaced.
+struct ExactMesh {
+    mesh: Tetrahedra,
+    vertex_tet: Vec<u32>,
+    component: Vec<u32>,
 }
 
 impl Repair<'_, '_> {
@@ -194,6 +214,9 @@ impl Repair<'_, '_> {
         loop {
             let before = self.moves;
             for &t in bad.iter() {
+                if self.work.is_done() {
+                    break;
+                }
                 self.mend(t, far)?;
             }
             // A move may trade two bad tetrahedra of a star for another one.
@@ -213,6 +236,30 @@ impl Repair<'_, '_> {
             self.kept.has(&self.delaunay.mesh, t)
                 && !is_positive(&self.delaunay.mesh, self.points, self.xyz, t)
         });
+    }
+
+    /// Keeps the exact mesh, for the case that replacing tetrahedra does not help either.
+    fn keep_exact(&mut self) -> Result<(), Error> {
+        if self.exact.is_none() {
+            let Tetrahedra { verts, adj, flags, free } = &self.delaunay.mesh;
+            let (verts, adj) = (fallible::copied(verts)?, fallible::copied(adj)?);
+            let (flags, free) = (fallible::copied(flags)?, fallible::copied(free)?);
+            self.exact = Some(ExactMesh {
+                mesh: Tetrahedra { verts, adj, flags, free },
+                vertex_tet: fallible::copied(&self.delaunay.vertex_tet)?,
+                component: fallible::copied(&self.kept.components.of)?,
+            });
+        }
+        Ok(())
+    }
+
+    /// Puts the exact mesh back.
+    fn restore(&mut self) {
+        if let Some(exact) = self.exact.take() {
+            self.delaunay.mesh = exact.mesh;
+            self.delaunay.vertex_tet = exact.vertex_tet;
+            self.kept.components.of = exact.component;
+        }
     }
 
     fn note_move(&mut self, v: u32) {

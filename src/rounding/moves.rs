@@ -1,7 +1,7 @@
 //! Moves of single points that lower the number of tetrahedra that are not positive in their stars.
 use super::candidates::{lattice, Candidate};
 use super::wedge::{escape, Plane, MOST};
-use super::{is_positive, surviving, Repair};
+use super::{is_positive, surviving, work, Repair};
 use crate::error::Error;
 use crate::mesh::flag;
 use crate::predicates::{orient3d, Expansion, Sign};
@@ -27,6 +27,9 @@ impl Repair<'_, '_> {
                     2 => self.try_parameters(v)?,
                     _ => self.try_wedge(v),
                 };
+                if self.work.is_done() && !moved {
+                    return Ok(());
+                }
                 if moved {
                     self.touched.try_reserve(self.search.tets.len())?;
                     self.touched.extend_from_slice(&self.search.tets);
@@ -43,6 +46,7 @@ impl Repair<'_, '_> {
     fn bad_in_star(&self, v: u32, at: [f64; 3], limit: usize) -> usize {
         let mesh = &self.delaunay.mesh;
         let mut count = 0;
+        let mut tests = 1;
         for &t in &self.search.tets {
             if count >= limit {
                 break;
@@ -52,7 +56,9 @@ impl Repair<'_, '_> {
             }
             let [a, b, c, d] = mesh.verts[t as usize].map(|w| if w == v { at } else { self.xyz[w as usize] });
             count += (orient3d(&a, &b, &c, &d) != Sign::Positive) as usize;
+            tests += 1;
         }
+        self.work.spend(tests);
         count
     }
 
@@ -61,6 +67,9 @@ impl Repair<'_, '_> {
         let bad = self.bad_in_star(v, self.xyz[v as usize], usize::MAX);
         let mut best = (bad, self.xyz[v as usize]);
         for step in lattice() {
+            if self.work.is_done() {
+                break;
+            }
             let Some(at) = self.step_from(v, step) else { continue };
             let count = self.bad_in_star(v, at, best.0);
             if count < best.0 {
@@ -136,6 +145,9 @@ impl Repair<'_, '_> {
 
     /// Moves `v` along its segment to where it is an exact double.
     fn try_exact(&mut self, v: u32) -> Result<bool, Error> {
+        if self.exact.is_some() {
+            return Ok(false);
+        }
         let Some(candidate) = Candidate::of(self.points, self.segments, v) else { return Ok(false) };
         for t in candidate.exact_parameters(self.points) {
             if self.try_parameter(v, &candidate, t)? {
@@ -147,8 +159,14 @@ impl Repair<'_, '_> {
 
     /// Moves `v` along its segment to where its rounding is better.
     fn try_parameters(&mut self, v: u32) -> Result<bool, Error> {
+        if self.exact.is_some() {
+            return Ok(false);
+        }
         let Some(candidate) = Candidate::of(self.points, self.segments, v) else { return Ok(false) };
         for t in candidate.nearby_parameters() {
+            if self.work.is_done() {
+                break;
+            }
             if self.try_parameter(v, &candidate, t)? {
                 return Ok(true);
             }
@@ -160,6 +178,7 @@ impl Repair<'_, '_> {
     fn try_parameter(&mut self, v: u32, candidate: &Candidate, t: f64) -> Result<bool, Error> {
         let old = self.xyz[v as usize];
         let bad = self.bad_in_star(v, old, usize::MAX);
+        self.work.spend(work::MOVE);
         self.points.move_on_segment(v, candidate.ends, &Expansion::from(t))?;
         let at = self.points.xyz(v).map(|x| surviving(x, self.scale_exponent));
         if self.bad_in_star(v, at, bad) < bad && self.star_is_valid() {
@@ -179,6 +198,7 @@ impl Repair<'_, '_> {
             if mesh.is_ghost(t) {
                 return true;
             }
+            self.work.spend(work::EXACT_TET);
             let [a, b, c, d] = mesh.verts[t as usize];
             if self.points.orient3d(a, b, c, d) != Sign::Positive {
                 return false;

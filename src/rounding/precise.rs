@@ -7,7 +7,7 @@
 //!
 //! Everything here is approximate: it chooses a position, and the caller tests tetrahedra exactly.
 use super::candidates::Candidate;
-use super::{is_positive, surviving, Repair};
+use super::{is_positive, surviving, work, Repair};
 use crate::error::Error;
 use crate::predicates::Expansion;
 use crate::vector::dot;
@@ -37,6 +37,9 @@ impl Repair<'_, '_> {
             for v in self.delaunay.mesh.verts[t as usize] {
                 let spoilt = self.kept.has(&self.delaunay.mesh, t)
                     && !is_positive(&self.delaunay.mesh, self.points, self.xyz, t);
+                if self.work.is_done() {
+                    break;
+                }
                 if !spoilt || self.points.is_explicit(v) || !placed.insert(v) {
                     continue;
                 }
@@ -56,12 +59,14 @@ impl Repair<'_, '_> {
         let at = *self.points.xyz(v);
         let unit = at.iter().fold(0.0, |m, &x| f64::max(m, unit_of(x)));
         let normals: Vec<[f64; 3]> = self.planes(v, 64.0 * unit).iter().map(|p| p.normal).collect();
+        self.work.spend(cells(reach.radius, normals.len()));
         let here = nearest(self.error(v), at.map(unit_of), &normals, reach.radius);
         if reach.parameters > 0 {
             if let Some(candidate) = Candidate::of(self.points, self.segments, v) {
                 let mut others: Vec<(f64, f64)> = Vec::new();
                 others.try_reserve(reach.parameters)?;
                 for t in candidate.nearby_parameters().into_iter().take(reach.parameters) {
+                    self.work.spend(work::MOVE + cells(reach.radius, normals.len()));
                     self.points.move_on_segment(v, candidate.ends, &Expansion::from(t))?;
                     let at = self.points.xyz(v).map(unit_of);
                     let off = nearest(self.error(v), at, &normals, reach.radius).1;
@@ -100,6 +105,12 @@ impl Repair<'_, '_> {
         }
         Ok(())
     }
+}
+
+/// What a search among the doubles round a point counts.
+fn cells(radius: i32, normals: usize) -> u64 {
+    let side = 2 * radius.unsigned_abs() as u64 + 1;
+    side * side * side * (normals as u64 + 1) / 4
 }
 
 /// A unit in the last place.

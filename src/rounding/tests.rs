@@ -71,7 +71,7 @@ fn turned_prisms_need_precise_positions_only() {
         let mut plc = prism(20 + 2 * seed as u32, &mut numbers);
         rotated(&mut plc, &mut numbers);
         let mesh = run(&plc);
-        assert_eq!(mesh.replaced, [], "seed {seed}");
+        assert!(mesh.replaced.is_empty(), "seed {seed}");
         moved += mesh.statistics.steiner_moved;
     }
     assert!(moved > 0);

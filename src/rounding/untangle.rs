@@ -9,12 +9,13 @@
 //! cavity reaches across a subface, and none holds ghosts. What is given up is the Delaunay property of the new tetrahedra, and that they are positive in the
 //! exact positions too: so they are listed.
 use super::lawson::Lawson;
+use super::work::{self, Work};
 use super::{positive, Repair};
 use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::mesh::refill::Refill;
-use crate::mesh::tables::EDGE;
-use crate::mesh::{edge_key, flag, Tetrahedra, NONE};
+use crate::mesh::tables::{EDGE, FACE};
+use crate::mesh::{edge_key, face_key, flag, Tetrahedra, NONE};
 use crate::predicates::Points;
 use crate::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
 use rustc_hash::FxHashSet;
@@ -36,13 +37,21 @@ pub struct Site<'a> {
     pub edges: FxHashSet<[u32; 2]>,
     /// Puts tetrahedra in place.
     pub refill: Refill,
+    /// Scratch space: faces, and which side a tetrahedron is on.
+    pub sides: Vec<([u32; 3], bool)>,
     /// Slots of tetrahedra that took the place of others.
     pub replaced: &'a mut FxHashSet<u32>,
 }
 
 impl Site<'_> {
-    /// Replaces tetrahedra of one component by others with the same boundary.
-    pub fn put(&mut self, old: &[u32], new: &[[u32; 4]]) -> Result<(), Error> {
+    /// Replaces tetrahedra of one component by others with the same boundary; false (and nothing is changed) if these do not fit.
+    ///
+    /// As long as some tetrahedra are not positive, the boundary of a cavity may cross itself. Positive tetrahedra that fill it cover some places
+    /// twice then, and may have a face four times, or one that is beside the cavity already.
+    pub fn put(&mut self, old: &[u32], new: &[[u32; 4]]) -> Result<bool, Error> {
+        if !self.fits(old, new)? {
+            return Ok(false);
+        }
         let label = self.component[old[0] as usize];
         let Delaunay { mesh, vertex_tet, .. } = &mut *self.delaunay;
         self.refill.replace(mesh, vertex_tet, old, new, std::iter::empty())?;
@@ -57,13 +66,37 @@ impl Site<'_> {
             self.component[fresh as usize] = label;
             self.replaced.insert(fresh);
         }
-        Ok(())
+        Ok(true)
     }
+
+    /// Every face is there twice: from either side.
+    fn fits(&mut self, old: &[u32], new: &[[u32; 4]]) -> Result<bool, Error> {
+        let mesh = &self.delaunay.mesh;
+        let sides = &mut self.sides;
+        sides.clear();
+        sides.try_reserve(4 * (old.len() + new.len()))?;
+        for code in old.iter().flat_map(|&t| 4 * t..4 * t + 4) {
+            let beyond = mesh.across(code);
+            if !old.contains(&(beyond >> 2)) {
+                sides.push(side(mesh.face(beyond)));
+            }
+        }
+        sides.extend(new.iter().flat_map(|tet| FACE.map(|face| side(face.map(|k| tet[k as usize])))));
+        sides.sort_unstable();
+        let mut runs = sides.chunk_by(|x, y| x.0 == y.0);
+        Ok(runs.all(|run| matches!(run, [x, y] if x.1 != y.1)))
+    }
+}
+
+/// A face by its corners in order, and whether these are turned the other way round.
+fn side([a, b, c]: [u32; 3]) -> ([u32; 3], bool) {
+    (face_key([a, b, c]), (a > b) ^ (b > c) ^ (a > c))
 }
 
 impl Repair<'_, '_> {
     /// Replaces the tetrahedra of the list, and leaves those in it that no filling replaces.
     pub(super) fn reconnect(&mut self, bad: &mut Vec<u32>) -> Result<(), Error> {
+        self.keep_exact()?;
         let mut edges: FxHashSet<[u32; 2]> = FxHashSet::default();
         edges.try_reserve(self.segments.pieces.len())?;
         edges.extend(self.segments.pieces.iter().map(|piece| edge_key(piece.ends[0], piece.ends[1])));
@@ -72,15 +105,17 @@ impl Repair<'_, '_> {
         xyz.extend_from_slice(self.xyz);
         let points = Points::new(xyz);
         let component = &mut self.kept.components.of;
-        let (refill, replaced) = (Refill::default(), &mut self.replaced);
-        let mut site = Site { delaunay: self.delaunay, component, edges, refill, replaced };
+        let replaced = &mut self.replaced;
+        let (refill, sides) = (Refill::default(), Vec::new());
+        let mut site = Site { delaunay: self.delaunay, component, edges, refill, sides, replaced };
         let (mut untangle, mut lawson) = (Untangle::default(), Lawson::default());
         for &t in bad.iter() {
             let mesh = &site.delaunay.mesh;
             // An earlier replacement may have taken it, and its slot.
-            if mesh.is_live(t)
+            if !self.work.is_done()
+                && mesh.is_live(t)
                 && !positive(self.xyz, mesh.verts[t as usize])
-                && untangle.replace(&mut site, &points, t)?
+                && untangle.replace(&mut site, &points, t, &self.work)?
             {
                 self.moves += 1;
                 let fresh = site.refill.fresh.clone();
@@ -104,10 +139,16 @@ struct Untangle {
 
 impl Untangle {
     /// Replaces the tetrahedron `t` and some around it by positive ones, if a filling is found; they are in `site.refill.fresh`.
-    fn replace(&mut self, site: &mut Site, points: &Points, t: u32) -> Result<bool, Error> {
+    fn replace(&mut self, site: &mut Site, points: &Points, t: u32, work: &Work) -> Result<bool, Error> {
         for cavity in cavities(&site.delaunay.mesh, t)? {
-            if self.fill(site, points, &cavity)? {
-                site.put(&cavity, &self.new)?;
+            if work.is_done() {
+                break;
+            }
+            let filled = self.fill(site, points, &cavity)?;
+            work.spend(
+                work::STEP * u64::from(self.reconnect.steps()) + work::EXACT_TET * cavity.len() as u64,
+            );
+            if filled && site.put(&cavity, &self.new)? {
                 return Ok(true);
             }
         }

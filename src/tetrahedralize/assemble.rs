@@ -4,7 +4,7 @@ use crate::constrain::segment::Segments;
 use crate::constrain::subface::Subfaces;
 use crate::constrain::{edge_key, face_key};
 use crate::delaunay::Delaunay;
-use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::error::Error;
 use crate::fallible;
 use crate::mesh::{flag, Tetrahedra};
 use crate::output::{Guarantee, Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
@@ -238,29 +238,6 @@ pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<Tet
     out.tet_region.try_reserve_exact(count as usize)?;
     out.tet_region.resize(count as usize, 0);
     Ok(out)
-}
-
-/// The error that names the Steiner points without a valid position in doubles.
-pub(super) fn crowded(out: &TetMesh, segments: &Segments, rounded: &Rounded) -> Error {
-    let count = rounded.crowded.len();
-    let defects = fallible::collect(rounded.crowded.iter().map(|&v| {
-        let index = (v - segments.first_steiner) as usize;
-        let point = out.input_point_count + index as u32;
-        let parent = out.steiner.get(index).map(|s| Element::Point(s.ends[0]));
-        Defect {
-            kind: DefectKind::Rounding,
-            first: Element::Point(point),
-            second: parent,
-            point: out.points.get(point as usize).copied(),
-        }
-    }));
-    let message =
-        format_args!("the exact mesh exists, but {count} Steiner points have no valid position in doubles")
-            .into();
-    match defects {
-        Ok(defects) => Error::with_defects(Status::Rounding, message, defects, count),
-        Err(short) => short.into(),
-    }
 }
 
 /// Tetrahedra that stay, their neighbours and regions; returns the new number of each slot.

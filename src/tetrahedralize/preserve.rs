@@ -4,6 +4,7 @@
 //! points on the edges that resist ([`recover`](crate::preserve::recover)). Where that is given up, and where the hull is kept or facets are
 //! merged, from the constrained Delaunay tetrahedralization, which always exists. Either way what is on the surface is
 //! taken away again ([`from_constrained`]).
+use super::crowding::crowding;
 use super::promise::promise;
 use super::{assemble, in_terms_of_input, warn, Engine, Run};
 use crate::constrain::edge_key;
@@ -14,28 +15,28 @@ use crate::error::{Error, Status};
 use crate::fallible;
 use crate::options::{Options, Preserve};
 use crate::output::{Guarantee, TetMesh};
+use crate::plc::near::Home;
 use crate::plc::patch::Patches;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
-use crate::predicates::scale;
-use crate::preserve::from_constrained;
 use crate::preserve::inside::Inside;
 use crate::preserve::order::first_points;
 use crate::preserve::recover::{Recovery, Round, ROUNDS};
 use crate::preserve::retarget::Target;
 use crate::preserve::solid::Solid;
+use crate::preserve::{from_constrained, Failure, Spot};
 use crate::progress::{report, Phase};
 use rustc_hash::FxHashMap;
 
 /// A mesh with the surface in it, perhaps with points on its segments.
-struct Embedded {
-    engine: Engine,
-    segments: Segments,
-    subfaces: Subfaces,
+pub(super) struct Embedded {
+    pub(super) engine: Engine,
+    pub(super) segments: Segments,
+    pub(super) subfaces: Subfaces,
     /// Patch of each triangle of the surface.
-    patch: Vec<u32>,
+    pub(super) patch: Vec<u32>,
     /// Points inside.
-    inside: Vec<u32>,
+    pub(super) inside: Vec<u32>,
 }
 
 impl Run<'_> {
@@ -80,7 +81,7 @@ impl Run<'_> {
     }
 
     /// Carves the domain and takes all points off the surface.
-    fn free_surface(
+    pub(super) fn free_surface(
         &mut self,
         plc: &Plc,
         surface: &Surface,
@@ -102,7 +103,6 @@ impl Run<'_> {
             preserve: options.preserve,
         };
         let observer = &mut *self.observer;
-        let exponent = engine.scale;
         let freed = from_constrained(
             &mut solid,
             &mut engine.points,
@@ -112,11 +112,19 @@ impl Run<'_> {
             &mut self.statistics.preserve,
             &mut |fraction| report(observer, Phase::Preserve, fraction),
         )
-        .map_err(|mut error| {
-            for point in error.defects.iter_mut().filter_map(|d| d.point.as_mut()) {
-                *point = point.map(|x| scale(x, -exponent));
+        .map_err(|failure| match failure {
+            Failure::Other(error) => error,
+            Failure::Crowded(spots) => {
+                let input = |v: u32| engine.input_of[v as usize];
+                let place = |spot: &Spot| match *spot {
+                    Spot::Edge(ends, at) => (Home::Edge(ends.map(input)), at),
+                    Spot::Facet(facet, at) => (Home::Facet(facet), at),
+                };
+                match fallible::collect(spots.iter().map(place)) {
+                    Ok(places) => crowding(surface, &places, "", options.max_defects),
+                    Err(short) => short.into(),
+                }
             }
-            error
         })?;
         self.statistics.missing_segments = segments.missing;
         self.statistics.steiner = freed.settled.len() as u64;
