@@ -17,7 +17,7 @@ use crate::plc::near::Home;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
 use crate::predicates::{scale, Points};
-use crate::progress::{report, Observer, Phase};
+use crate::progress::{report, Observer, Phase, Steady};
 use crate::region::{components, label, Components, Regions, Seeds};
 use crate::rounding::{round, Kept};
 use crate::warning::Warnings;
@@ -44,6 +44,7 @@ use preserve::Embedded;
 pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<TetMesh, Error> {
     let (statistics, warnings) = (Statistics::default(), Warnings::default());
     let promise = Promise::default();
+    let observer = &mut Steady::new(observer);
     let mut run =
         Run { clock: Instant::now(), statistics, warnings, unmerged_at_least: 0, promise, observer };
     let outcome = run.mesh(plc, options);

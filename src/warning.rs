@@ -1,5 +1,6 @@
 //! What a caller should know about a mesh that was made all the same. No C types here: `ffi` translates.
 use crate::error::Element;
+use crate::fallible;
 use crate::progress::Observer;
 use std::fmt;
 
@@ -177,19 +178,24 @@ impl Warnings {
     /// are none.
     pub fn line(&self, kind: WarningKind) -> Option<String> {
         let count = self.count(kind);
-        let text = format!("{count} {}", kind.sentence(count == 1));
+        let text = kind.sentence(count == 1);
         match self.of(kind).next() {
             _ if count == 0 => None,
-            Some(first) if count == 1 => Some(format!("{text} ({})", Place(first))),
-            Some(first) => Some(format!("{text} (first: {})", Place(first))),
-            None => Some(text),
+            Some(first) if count == 1 => {
+                fallible::text(format_args!("{count} {text} ({})", Place(first))).ok()
+            }
+            Some(first) => fallible::text(format_args!("{count} {text} (first: {})", Place(first))).ok(),
+            None => fallible::text(format_args!("{count} {text}")).ok(),
         }
     }
 
     /// Hands one line per kind to the observer's log.
     pub fn log(&self, observer: &mut dyn Observer) {
         for line in WarningKind::ALL.into_iter().filter_map(|kind| self.line(kind)) {
-            observer.log(&format!("warning: {line}"));
+            // A line that there is no memory for is left out: the warnings themselves are in the mesh.
+            if let Ok(line) = fallible::text(format_args!("warning: {line}")) {
+                observer.log(&line);
+            }
         }
     }
 }

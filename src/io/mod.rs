@@ -7,10 +7,12 @@
 //! Points keep their order. OFF and TetGen's formats keep equal points as they are (the engine maps them); STL, OBJ and PLY
 //! are read with equal points joined, since these formats (or most writers of them) repeat a point per triangle or patch.
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::output::{Subface, TetMesh};
 use crate::plc::Plc;
 use crate::warning::Warnings;
 use crate::INVALID;
+use rustc_hash::FxHashMap;
 use std::path::Path;
 
 mod groups;
@@ -83,8 +85,8 @@ impl Format {
     /// # Errors
     /// [`Status::Unsupported`] for an extension that is none of ours.
     pub fn of(path: &Path) -> Result<Format, Error> {
-        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
-        Ok(match extension.as_str() {
+        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        Ok(match lowercase(extension, &mut [0; 8]) {
             "off" => Format::Off,
             "stl" => Format::Stl,
             "obj" => Format::Obj,
@@ -156,7 +158,8 @@ impl Format {
 pub fn read(path: &Path) -> Result<Plc, Error> {
     let format = Format::of(path)?;
     let bytes = bytes_of(path)?;
-    read_with(&bytes, format, || bytes_of(&path.with_extension("node"))).map_err(|e| at(path, e))
+    read_with(&bytes, format, || bytes_of(&output_files::with_extension(path, "node")?))
+        .map_err(|e| at(path, e))
 }
 
 /// Reads a PLC from the content of a file of a surface format.
@@ -228,6 +231,14 @@ fn refuse_endless(path: &Path) -> Result<(), Error> {
     Err(Error::new(Status::File, format_args!("{}: cannot read: it is {what}, not a file", path.display())))
 }
 
+/// The text in lower case; as it is if it is longer than the buffer.
+fn lowercase<'a>(text: &'a str, buffer: &'a mut [u8]) -> &'a str {
+    let Some(buffer) = buffer.get_mut(..text.len()) else { return text };
+    buffer.copy_from_slice(text.as_bytes());
+    buffer.make_ascii_lowercase();
+    std::str::from_utf8(buffer).unwrap_or(text)
+}
+
 /// Puts the file's name before the message.
 fn at(path: &Path, error: Error) -> Error {
     if error.status == Status::File {
@@ -280,14 +291,14 @@ pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
         ));
     }
     let beside = |suffix: &str| match known {
-        true => path.with_extension(suffix),
-        false => std::path::PathBuf::from(format!("{}.{suffix}", path.display())),
+        true => output_files::with_extension(path, suffix),
+        false => output_files::with_suffix(path, &[".", suffix]),
     };
-    let ele = beside("ele");
+    let ele = beside("ele")?;
     let tetgen::Tets { nodes, tets, attributes } =
-        tetgen::read_tets(&bytes_of(&beside("node"))?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
+        tetgen::read_tets(&bytes_of(&beside("node")?)?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
     let mut mesh = TetMesh { tets, ..TetMesh::default() };
-    let face = beside("face");
+    let face = beside("face")?;
     if face.exists() {
         let faces = tetgen::read_faces(&bytes_of(&face)?, &nodes).map_err(|e| at(&face, e))?;
         mesh.subfaces.try_reserve_exact(faces.len())?;
@@ -299,18 +310,21 @@ pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
         }));
     }
     mesh.points = nodes.points;
-    let parents = beside("parents");
+    let parents = beside("parents")?;
     if parents.exists() {
         parents::read(&bytes_of(&parents)?, &mut mesh).map_err(|e| at(&parents, e))?;
     }
-    let mut known_regions = std::collections::HashMap::new();
+    // Looked up only, never iterated.
+    let mut known_regions = FxHashMap::default();
     mesh.tet_region.try_reserve_exact(mesh.tets.len())?;
     for tet in 0..mesh.tets.len() {
         let attribute = attributes.get(tet).copied().unwrap_or(0.0);
         let next = mesh.regions.len() as u32;
+        known_regions.try_reserve(1)?;
         let region = *known_regions.entry(attribute.to_bits()).or_insert(next);
         if region == next {
-            mesh.regions.push(crate::output::Region { attribute, seed: INVALID, max_volume: None });
+            let region = crate::output::Region { attribute, seed: INVALID, max_volume: None };
+            fallible::push(&mut mesh.regions, region)?;
         }
         mesh.tet_region.push(region);
     }

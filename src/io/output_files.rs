@@ -2,7 +2,7 @@
 //! all are complete.
 use crate::error::{Error, Status};
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// An error of the file system about `path`.
@@ -25,8 +25,14 @@ impl OutputFiles {
     /// Writes one file by `fill`.
     pub fn write(&mut self, path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Error> {
         let file = self.create(path).map_err(|e| file_error(path, "create", &e))?;
-        let mut out = Out { inner: BufWriter::with_capacity(1 << 18, file) };
-        fill(&mut out).and_then(|()| out.inner.flush()).map_err(|e| file_error(path, "write", &e))
+        let mut out = Out { inner: Buffered::new(file)?, refused: None };
+        let written = fill(&mut out).and_then(|()| out.inner.flush());
+        written.map_err(|e| match out.refused {
+            Some(reason) => {
+                Error::new(Status::File, format_args!("{}: cannot write: {reason}", path.display()))
+            }
+            None => file_error(path, "write", &e),
+        })
     }
 
     /// Moves every file to its place.
@@ -48,22 +54,35 @@ impl OutputFiles {
         let linked = fs::symlink_metadata(path).is_ok_and(|m| m.file_type().is_symlink());
         let target = if linked { fs::canonicalize(path).ok() } else { None };
         let path = target.as_deref().unwrap_or(path);
-        let name = path.file_name().ok_or_else(|| io::Error::other("no file name"))?;
+        let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+        self.renames.try_reserve(1)?;
         for attempt in 0..100 {
-            let mut temporary = std::ffi::OsString::from(".");
-            temporary.push(name);
-            temporary.push(format!(".{}-{attempt}.tmp", std::process::id()));
-            let temporary = path.with_file_name(temporary);
+            // Longer than the two numbers and what is between them.
+            let mut temporary = copied(path, 64)?;
+            temporary.set_file_name(".");
+            let text = temporary.as_mut_os_string();
+            text.push(name);
+            text.push(".");
+            text.push(itoa::Buffer::new().format(std::process::id()));
+            text.push("-");
+            text.push(itoa::Buffer::new().format(attempt));
+            text.push(".tmp");
             match OpenOptions::new().write(true).create_new(true).open(&temporary) {
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(error),
                 Ok(file) => {
-                    self.renames.push((temporary, path.to_path_buf()));
+                    match copied(path, 0) {
+                        Ok(path) => self.renames.push((temporary, path)),
+                        Err(error) => {
+                            let _ = fs::remove_file(temporary);
+                            return Err(error);
+                        }
+                    }
                     return Ok(file);
                 }
             }
         }
-        Err(io::Error::other("no free temporary name"))
+        Err(io::ErrorKind::AlreadyExists.into())
     }
 }
 
@@ -75,9 +94,76 @@ impl Drop for OutputFiles {
     }
 }
 
+/// A copy of a path with room for `more` bytes.
+fn copied(path: &Path, more: usize) -> io::Result<PathBuf> {
+    let mut copy = PathBuf::new();
+    copy.try_reserve(path.as_os_str().len() + more)?;
+    copy.push(path);
+    Ok(copy)
+}
+
+/// A path with another extension, as [`Path::with_extension`].
+pub(super) fn with_extension(path: &Path, extension: &str) -> Result<PathBuf, Error> {
+    let mut copy = copied(path, extension.len() + 1).map_err(|e| file_error(path, "copy the name", &e))?;
+    copy.set_extension(extension);
+    Ok(copy)
+}
+
+/// A path with a suffix after its last byte.
+pub(super) fn with_suffix(path: &Path, suffixes: &[&str]) -> Result<PathBuf, Error> {
+    let more = suffixes.iter().map(|suffix| suffix.len()).sum();
+    let mut copy = copied(path, more).map_err(|e| file_error(path, "copy the name", &e))?;
+    suffixes.iter().for_each(|suffix| copy.as_mut_os_string().push(suffix));
+    Ok(copy)
+}
+
+/// Collects what is written into large pieces. (The standard library's `BufWriter` ends the process where its buffer cannot be had.)
+struct Buffered {
+    file: File,
+    /// Never longer than its capacity.
+    waiting: Vec<u8>,
+}
+
+impl Buffered {
+    /// Bytes that are collected.
+    const SIZE: usize = 1 << 18;
+
+    fn new(file: File) -> Result<Buffered, Error> {
+        let mut waiting = Vec::new();
+        waiting.try_reserve_exact(Buffered::SIZE)?;
+        Ok(Buffered { file, waiting })
+    }
+}
+
+impl Write for Buffered {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.write_all(bytes)?;
+        Ok(bytes.len())
+    }
+
+    fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        if self.waiting.len() + bytes.len() > Buffered::SIZE {
+            self.flush()?;
+        }
+        if bytes.len() > Buffered::SIZE {
+            return self.file.write_all(bytes);
+        }
+        self.waiting.extend_from_slice(bytes);
+        Ok(())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.write_all(&self.waiting)?;
+        self.waiting.clear();
+        Ok(())
+    }
+}
+
 /// A buffered writer with fast numbers: doubles in the fewest digits that read back bit for bit.
 pub(super) struct Out {
-    inner: BufWriter<File>,
+    inner: Buffered,
+    /// Why something cannot be written, if that is not the file system's fault.
+    refused: Option<&'static str>,
 }
 
 impl Out {
@@ -94,7 +180,8 @@ impl Out {
     /// A double in shortest form. What is not finite is refused.
     pub fn float(&mut self, value: f64) -> io::Result<()> {
         if !value.is_finite() {
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, "a number is not finite"));
+            self.refused = Some("a number is not finite");
+            return Err(io::ErrorKind::InvalidInput.into());
         }
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format_finite(value);

@@ -8,6 +8,7 @@ use super::groups::{self, Groups, Single};
 use super::surface::Surface;
 use super::text::{bad, float, int, shown, Line, Lines};
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::plc::{Plc, Segment};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -176,12 +177,14 @@ fn header(lines: &mut Lines<'_>) -> Result<Header, Error> {
                     }
                 });
             }
-            Some(b"element") => elements.push(element(&mut line, lines.remaining().len())?),
+            Some(b"element") => {
+                fallible::push(&mut elements, element(&mut line, lines.remaining().len())?)?;
+            }
             Some(b"property") => {
                 let Some(element) = elements.last_mut() else {
                     return Err(bad(line.number(), "a property before the first element"));
                 };
-                element.properties.push(property(&mut line, element.kind)?);
+                fallible::push(&mut element.properties, property(&mut line, element.kind)?)?;
             }
             Some(b"end_header") => break,
             Some(other) => {

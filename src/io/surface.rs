@@ -1,6 +1,7 @@
 //! What the surface readers fill: points, polygons in file order, and the joining of equal points.
 use super::groups::{Groups, Single};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::fallible;
 use crate::plc::{Facet, Interior, Plc, Segment};
 
 /// Points, polygons with markers, and segments, in file order.
@@ -101,7 +102,7 @@ impl Surface {
             let mut ring = Vec::new();
             ring.try_reserve_exact(end - start)?;
             ring.extend_from_slice(&self.corners[start..end]);
-            let polygons = vec![ring];
+            let polygons = fallible::collect([ring])?;
             plc.facets.push(Facet {
                 polygons,
                 holes: Vec::new(),

@@ -7,6 +7,7 @@
 use super::surface::out_of_range;
 use super::text::{bad, Line, Lines};
 use crate::error::{Element, Error, Status};
+use crate::fallible;
 use crate::plc::{Facet, Interior, Plc, RegionSeed, Segment};
 
 /// What a `.node` section holds.
@@ -160,7 +161,7 @@ fn facet_section(lines: &mut Lines<'_>, plc: &mut Plc, base: i64, smesh: bool) -
 }
 
 fn smesh_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i64) -> Result<Facet, Error> {
-    let polygons = vec![polygon(lines, &mut line, base, plc.points.len())?];
+    let polygons = fallible::collect([polygon(lines, &mut line, base, plc.points.len())?])?;
     let marker = line.optional_marker()?;
     Ok(Facet { polygons, holes: Vec::new(), interior: Interior::FirstMinusOthers, marker })
 }
@@ -196,8 +197,7 @@ fn poly_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i6
 /// Adds a facet, or the segments that it is made of if it bounds nothing.
 fn add_facet(plc: &mut Plc, facet: Facet) -> Result<(), Error> {
     if facet.polygons.iter().any(|p| p.len() > 2) {
-        plc.facets.push(facet);
-        return Ok(());
+        return Ok(fallible::push(&mut plc.facets, facet)?);
     }
     for polygon in &facet.polygons {
         if let [a, b] = polygon[..] {

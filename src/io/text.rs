@@ -10,12 +10,21 @@ pub(super) fn bad(line: usize, what: impl std::fmt::Display) -> Error {
 }
 
 /// A token as an error message shows it: short and printable.
-pub(super) fn shown(token: &[u8]) -> String {
-    let mut text: String = String::from_utf8_lossy(&token[..token.len().min(40)]).escape_debug().collect();
-    if token.len() > 40 {
-        text.push('…');
+pub(super) fn shown(token: &[u8]) -> Shown<'_> {
+    Shown(token)
+}
+
+/// See [`shown`].
+pub(super) struct Shown<'a>(&'a [u8]);
+
+impl std::fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for chunk in self.0[..self.0.len().min(40)].utf8_chunks() {
+            write!(f, "{}", chunk.valid().escape_debug())?;
+            f.write_str(if chunk.invalid().is_empty() { "" } else { "\u{fffd}" })?;
+        }
+        f.write_str(if self.0.len() > 40 { "…" } else { "" })
     }
-    text
 }
 
 /// The lines of a text that hold something besides a comment.

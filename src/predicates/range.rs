@@ -88,12 +88,14 @@ pub fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
             inside &= in_range(x);
         }
     }
-    if inside {
+    // Near the upper end there would be no room for the box that mode preserve puts round the points.
+    if inside && highest <= TARGET_EXPONENT {
         return Ok(0);
     }
     let k = TARGET_EXPONENT - highest;
     let fits = |x: f64| lowest_exponent(x).is_none_or(|e| e + k >= LOWEST_EXPONENT);
     match points.iter().position(|p| !p.iter().all(|&x| fits(x))) {
+        Some(_) if inside => Ok(0),
         Some(i) => Err(far_from_most(points).next().unwrap_or(i)),
         None => Ok(k),
     }

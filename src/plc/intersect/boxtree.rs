@@ -9,6 +9,7 @@
 //! Boxes are in single precision, rounded so that no pair that meets is missed (see [`Frame`]).
 use super::super::radix::sort_keyed;
 use super::fans::{Fans, Member};
+use crate::elementary::quotient;
 use crate::error::Error;
 
 /// An axis-parallel box in the numbers of a [`Frame`].
@@ -45,7 +46,7 @@ impl Frame {
         // Halves, so that no finite extent overflows.
         let low = low.map(|x| 0.5 * x);
         let extent = (0..3).map(|k| 0.5 * high[k] - low[k]).fold(0.0, f64::max);
-        Frame { half_low: low, scale: (1.0 / extent).min(f64::MAX) }
+        Frame { half_low: low, scale: quotient(1.0, extent).unwrap_or(f64::MAX) }
     }
 
     /// The smallest box around points.

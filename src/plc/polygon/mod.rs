@@ -218,6 +218,9 @@ impl Triangulator {
     fn is_warped(&self, points: &[[f64; 3]]) -> bool {
         let normal = self.normal(points);
         let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if length == 0.0 {
+            return false;
+        }
         let (mut low, mut high, mut size) = (f64::INFINITY, f64::NEG_INFINITY, 0f64);
         for &v in &self.vertices {
             let (p, o) = (points[v as usize], points[self.vertices[0] as usize]);
