@@ -486,9 +486,10 @@ typedef uint32_t DelotetMode;
 typedef uint32_t DelotetPreserve;
 
 /**
- * Receives progress: `fraction` of `phase` is done, from 0 to 1, never falling within a phase. Return 0 to go on, anything
- * else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the thread that made the call. Must not throw,
- * must not longjmp, must not use the handles of the call.
+ * Receives progress: `fraction` of `phase` is done, from 0 to 1. Phases come in their order, each once and up to 1 (those that are not
+ * needed never), and fractions never fall: what is done again in another attempt shows as no progress. delotet_phase_overall() makes
+ * one number of both. Return 0 to go on, anything else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the
+ * thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
  */
 typedef int32_t (*DelotetProgressFn)(void *user_data, enum DelotetPhase phase, double fraction);
 
@@ -1242,6 +1243,13 @@ const char *delotet_defect_kind_name(uint32_t kind);
  */
 DELOTET_API
 const char *delotet_warning_kind_name(uint32_t kind);
+
+/**
+ * The part of a whole run that is done when `fraction` of `phase` is, from 0 to 1: for a single bar of progress. It never falls during
+ * a run, as phases come in their order. The shares of the phases are rough. 0 for other numbers.
+ */
+DELOTET_API
+double delotet_phase_overall(uint32_t phase, double fraction);
 
 /**
  * Name of a phase, such as "DELOTET_PHASE_FACETS"; "unknown" for other numbers. Static: never NULL, never freed.

@@ -391,7 +391,13 @@ class Exception : public std::exception {
 };
 #endif
 
-/// Receives progress: `fraction` of `phase` is done. Returns false to cancel.
+/// The part of a whole run that is done when `fraction` of `phase` is, from 0 to 1.
+inline double overall(Phase phase, double fraction) noexcept
+{
+    return delotet_phase_overall(static_cast<std::uint32_t>(phase), fraction);
+}
+
+/// Receives progress: `fraction` of `phase` is done; `overall` makes one number of both. Returns false to cancel.
 using ProgressFunction = std::function<bool(Phase phase, double fraction)>;
 /// Receives a line of text.
 using LogFunction = std::function<void(const char *message)>;

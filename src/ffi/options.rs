@@ -27,9 +27,10 @@ pub const DELOTET_PRESERVE_ALL: DelotetPreserve = 0;
 /// unions of faces and edges, with Steiner points on their segments where they would cost points inside.
 pub const DELOTET_PRESERVE_OUTER: DelotetPreserve = 1;
 
-/// Receives progress: `fraction` of `phase` is done, from 0 to 1, never falling within a phase. Return 0 to go on, anything
-/// else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the thread that made the call. Must not throw,
-/// must not longjmp, must not use the handles of the call.
+/// Receives progress: `fraction` of `phase` is done, from 0 to 1. Phases come in their order, each once and up to 1 (those that are not
+/// needed never), and fractions never fall: what is done again in another attempt shows as no progress. delotet_phase_overall() makes
+/// one number of both. Return 0 to go on, anything else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the
+/// thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
 pub type DelotetProgressFn =
     Option<unsafe extern "C" fn(user_data: *mut c_void, phase: DelotetPhase, fraction: f64) -> i32>;
 

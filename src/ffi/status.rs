@@ -412,6 +412,14 @@ pub extern "C" fn delotet_warning_kind_name(kind: u32) -> *const c_char {
     name_in(WARNING_KIND_NAMES, kind)
 }
 
+/// The part of a whole run that is done when `fraction` of `phase` is, from 0 to 1: for a single bar of progress. It never falls during
+/// a run, as phases come in their order. The shares of the phases are rough. 0 for other numbers.
+#[no_mangle]
+pub extern "C" fn delotet_phase_overall(phase: u32, fraction: f64) -> f64 {
+    let known = Phase::ALL.into_iter().find(|&known| DelotetPhase::from(known) as u32 == phase);
+    known.map_or(0.0, |phase| phase.overall(if fraction.is_nan() { 0.0 } else { fraction }))
+}
+
 /// Name of a phase, such as "DELOTET_PHASE_FACETS"; "unknown" for other numbers. Static: never NULL, never freed.
 #[no_mangle]
 pub extern "C" fn delotet_phase_name(phase: u32) -> *const c_char {

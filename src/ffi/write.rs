@@ -120,7 +120,11 @@ pub unsafe extern "C" fn delotet_write_options_set_msh_version(
             o.options.msh_version = match version {
                 DELOTET_MSH_4_1 => MshVersion::V41,
                 DELOTET_MSH_2_2 => MshVersion::V22,
-                _ => return Err(invalid(format!("msh_version: {version} is not a DELOTET_MSH_ constant"))),
+                _ => {
+                    return Err(invalid(format_args!(
+                        "msh_version: {version} is not a DELOTET_MSH_ constant"
+                    )))
+                }
             };
             Ok(())
         })
