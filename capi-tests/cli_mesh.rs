@@ -418,6 +418,12 @@ fn a_shell_that_leaks_beside_others_is_said_and_not_written() {
         assert!(String::from_utf8_lossy(&output.stdout).contains("correct"));
         let quiet = delotet(&["mesh", "leak.off", "-o", "m.vtu", "--mode", mode, "-q"], &dir);
         assert!(quiet.status.success() && quiet.stderr.is_empty());
+        // Without the points that no tetrahedron has, the files are still checked against the whole input.
+        let arguments = ["mesh", "leak.off", "-o", "d.ele", "--mode", mode, "--drop-points", "-q"];
+        assert_eq!(delotet(&arguments, &dir).status.code(), Some(0));
+        assert!(text(dir.join("d.node")).starts_with("8  3  0  0\n"));
+        let output = delotet(&[&["check", "d.ele", "--input", "leak.off"], with].concat(), &dir);
+        assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
         // A file that lists them among the mesh's faces is refused.
         let faces = text(dir.join("m.face")).replacen("12  1", "13  1", 1) + "12 8 10 11 0\n";
         let parents = text(dir.join("m.parents")).replacen("12", "13", 1);

@@ -7,7 +7,7 @@ macro_rules! pages {
         $(
             #[doc = "[api]: crate::doc::api\n[figures]: crate::doc::figures\n[formats]: crate::doc::formats\n[guarantees]: crate::doc::guarantees"]
             #[doc = "[install]: crate::doc::install\n[method]: crate::doc::method\n[options]: crate::doc::options"]
-            #[doc = "[rust]: crate::doc::rust\n[tetgen]: crate::doc::tetgen\n[vocabulary]: crate::doc::vocabulary\n"]
+            #[doc = "[rust]: crate::doc::rust\n[tetgen]: crate::doc::tetgen\n[vocabulary]: crate::doc::vocabulary\n[warnings]: crate::doc::warnings\n"]
             #[doc = include_str!($text)]
             pub mod $name {}
         )*
@@ -25,4 +25,5 @@ pages! {
     rust "doc/rust.md"
     tetgen "doc/tetgen.md"
     vocabulary "doc/vocabulary.md"
+    warnings "doc/warnings.md"
 }

@@ -28,7 +28,7 @@ pub enum Status {
     SelfIntersection = 16,
     /// All points lie in one plane: there is no tetrahedron.
     DegenerateInput = 17,
-    /// A hole or region seed lies on a facet or outside the domain.
+    /// A region seed lies outside the domain, or a region or hole seed on a facet.
     SeedOutside = 18,
     /// The surface encloses nothing, and the convex hull was not asked for.
     NothingEnclosed = 19,

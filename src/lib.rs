@@ -59,8 +59,8 @@ pub use check::{check_guarantee, check_mesh, check_preserved, check_preserved_ou
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, MshVersion, Options, Preserve, RegionName, WriteOptions};
 pub use output::{
-    FacetFlip, Guarantee, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface,
-    Subsegment, TetMesh,
+    Dropped, FacetFlip, Guarantee, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm,
+    Subface, Subsegment, TetMesh,
 };
 pub use plc::{Facet, Interior, MarkerName, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};

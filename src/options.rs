@@ -53,6 +53,10 @@ pub struct Options {
     /// tetrahedra at them may be flat or inverted in doubles, and the exact mesh is given by
     /// [`TetMesh::steiner`](crate::TetMesh::steiner). Default: false.
     pub exact_form: bool,
+    /// Leave out the points that no tetrahedron has: those that equal an earlier one, and those around which all was carved. Input
+    /// points then have other numbers in the mesh; [`TetMesh::dropped`](crate::TetMesh::dropped) maps them. What is not meshed is
+    /// not listed, as its points are gone; it is still warned of. Default: false.
+    pub drop_unmeshed_points: bool,
     /// The points are already in a spatially coherent order: skip sorting. Default: false.
     pub points_sorted: bool,
 }
@@ -79,6 +83,7 @@ impl Default for Options {
             threads: 1,
             steiner_limit: None,
             exact_form: false,
+            drop_unmeshed_points: false,
             points_sorted: false,
         }
     }

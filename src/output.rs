@@ -2,6 +2,9 @@
 use crate::progress::Phase;
 use crate::warning::Warnings;
 
+mod dropped;
+pub use dropped::Dropped;
+
 /// A Steiner point and where it lies: on an edge of the input, or inside ([`SteinerPoint::INSIDE`]; on no segment then).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
@@ -182,6 +185,9 @@ pub struct TetMesh {
     pub unmeshed_subsegments: Vec<Subsegment>,
     /// Points that no tetrahedron has, ascending: those that equal an earlier point, and those around which all was carved.
     pub unmeshed_points: Vec<u32>,
+    /// Set if these points were left out ([`Options::drop_unmeshed_points`](crate::Options::drop_unmeshed_points)): all indices of
+    /// points are then those of what is left, but those of `facet_flips`, which stay the input's.
+    pub dropped: Option<Dropped>,
     /// One per Steiner point, in the order of `points`.
     pub steiner: Vec<SteinerPoint>,
     /// Terms of parameters that are no doubles, in the order of `steiner`, each point's largest first.

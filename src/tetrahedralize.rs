@@ -207,6 +207,9 @@ impl Run<'_> {
         unmeshed::set_apart(&mut mesh)?;
         warn::about_mesh(&mesh, options, &mut self.warnings)?;
         mesh.warnings = std::mem::take(&mut self.warnings);
+        if options.drop_unmeshed_points {
+            mesh.drop_unmeshed_points()?;
+        }
         Ok(mesh)
     }
 

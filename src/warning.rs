@@ -67,8 +67,8 @@ impl WarningKind {
     fn sentence(self, one: bool) -> &'static str {
         let texts = match self {
             WarningKind::OpenEdge => [
-                "open edge: the surface there encloses nothing and is not meshed; close it, or keep the hull",
-                "open edges: the surface there encloses nothing and is not meshed; close it, or keep the hull",
+                "open edge: the surface there encloses nothing; close it if it should",
+                "open edges: the surface there encloses nothing; close it if it should",
             ],
             WarningKind::UnmeshedFacet => {
                 ["part of a facet bounds no tetrahedron", "parts of facets bound no tetrahedron"]
@@ -98,10 +98,9 @@ impl WarningKind {
                 "polygon is not planar; it was triangulated",
                 "polygons are not planar; they were triangulated",
             ],
-            WarningKind::LostValue => [
-                "value cannot be held by the file's format",
-                "values cannot be held by the file's format",
-            ],
+            WarningKind::LostValue => {
+                ["value cannot be held by the file's format", "values cannot be held by the file's format"]
+            }
         };
         texts[usize::from(!one)]
     }

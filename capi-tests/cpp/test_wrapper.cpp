@@ -186,9 +186,34 @@ static void preserve()
     CHECK(std::abs(volume(mesh) - volume(split)) < 1e-12);
 }
 
+static void warnings()
+{
+    std::vector<Point> points = box_points(0, 1);
+    points.push_back({2, 0, 0});
+    std::vector<Index> corners = box_corners();
+    corners.insert(corners.end(), {1, 3, 8});
+    delotet::Plc plc(points);
+    plc.add_triangles(corners);
+    std::vector<std::string> lines;
+    delotet::Options options;
+    options.on_log([&](const char *line) { lines.push_back(line); });
+    const delotet::Mesh mesh = delotet::tetrahedralize(plc, options);
+    // Two open edges of the fin, its triangle and its point.
+    CHECK(mesh.warnings().size() == 4 && lines.size() == 3);
+    CHECK(mesh.warning_count(DELOTET_WARNING_KIND_OPEN_EDGE) == 2);
+    CHECK(mesh.warnings()[0].kind == DELOTET_WARNING_KIND_OPEN_EDGE && mesh.warnings()[0].first == 1);
+    CHECK(mesh.subfaces().size() == 12 && mesh.unmeshed_subfaces().size() == 1);
+    CHECK(mesh.unmeshed_subsegments().size() == 2 && mesh.unmeshed_points().size() == 1);
+    CHECK(mesh.point_map().empty());
+    const delotet::Mesh dropped = delotet::tetrahedralize(plc, options.drop_unmeshed_points(true));
+    CHECK(options.drop_unmeshed_points() && dropped.points().size() == 8);
+    CHECK(dropped.point_map().size() == 9 && dropped.point_map()[8] == delotet::invalid_index);
+}
+
 int main()
 {
     CHECK(delotet::compatible());
+    warnings();
     inputs();
     facets();
     outputs();

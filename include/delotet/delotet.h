@@ -118,7 +118,7 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_DEGENERATE_INPUT = 17,
     /**
-     * A hole or region seed lies on a facet or outside the domain.
+     * A region seed lies outside the domain, or a region or hole seed on a facet.
      */
     DELOTET_STATUS_SEED_OUTSIDE = 18,
     /**
@@ -1249,7 +1249,8 @@ const char *delotet_warning_kind_name(uint32_t kind);
  * a run, as phases come in their order. The shares of the phases are rough. 0 for other numbers.
  */
 DELOTET_API
-double delotet_phase_overall(uint32_t phase, double fraction);
+double delotet_phase_overall(uint32_t phase,
+                             double fraction);
 
 /**
  * Name of a phase, such as "DELOTET_PHASE_FACETS"; "unknown" for other numbers. Static: never NULL, never freed.
@@ -1383,6 +1384,17 @@ enum DelotetStatus delotet_options_set_exact_form(struct DelotetOptions *options
                                                   struct DelotetError **out_error);
 
 /**
+ * Leave out the points that no tetrahedron has: those that equal an earlier one, and those around which all was carved. Input points
+ * then have other numbers in the mesh, which delotet_mesh_point_map() tells. What is not meshed is not listed, as its points are gone;
+ * it is still warned of. Default: false. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_drop_unmeshed_points(struct DelotetOptions *options,
+                                                            bool drop_unmeshed_points,
+                                                            struct DelotetError **out_error);
+
+/**
  * The points are already in a spatially coherent order: skip sorting. Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
@@ -1458,6 +1470,11 @@ uint64_t delotet_options_steiner_limit(const struct DelotetOptions *options);
  * Whether a mesh is returned that has no valid doubles, as delotet_options_set_exact_form() sets it.
  */
 DELOTET_API bool delotet_options_exact_form(const struct DelotetOptions *options);
+
+/**
+ * Whether points are left out that no tetrahedron has, as delotet_options_set_drop_unmeshed_points() sets it.
+ */
+DELOTET_API bool delotet_options_drop_unmeshed_points(const struct DelotetOptions *options);
 
 /**
  * Whether sorting is skipped, as delotet_options_set_points_sorted() sets it.
@@ -1840,6 +1857,14 @@ DELOTET_API size_t delotet_mesh_input_point_count(const struct DelotetMesh *mesh
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_point_aliases(const struct DelotetMesh *mesh);
+
+/**
+ * Where input points are in a mesh made with delotet_options_set_drop_unmeshed_points(): per input point its index in
+ * delotet_mesh_points(), of a point that equals an earlier one that one's; DELOTET_INVALID_INDEX if it was left out. Borrowed from `mesh`.
+ * Empty for NULL and without that option: points then keep their numbers.
+ */
+DELOTET_API
+struct DelotetIndicesView delotet_mesh_point_map(const struct DelotetMesh *mesh);
 
 /**
  * Points without a valid position in doubles: empty unless delotet_options_set_exact_form() was on and rounding failed.

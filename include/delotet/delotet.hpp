@@ -595,6 +595,12 @@ class Options {
         return change(error, [&](DelotetError **e) { return delotet_options_set_exact_form(get(), on, e); });
     }
     bool exact_form() const noexcept { return delotet_options_exact_form(get()); }
+    Status drop_unmeshed_points(bool on, Error &error) noexcept
+    {
+        return change(error,
+                      [&](DelotetError **e) { return delotet_options_set_drop_unmeshed_points(get(), on, e); });
+    }
+    bool drop_unmeshed_points() const noexcept { return delotet_options_drop_unmeshed_points(get()); }
     Status points_sorted(bool on, Error &error) noexcept
     {
         return change(error, [&](DelotetError **e) { return delotet_options_set_points_sorted(get(), on, e); });
@@ -647,6 +653,11 @@ class Options {
         return chain([&](Error &e) { return exact_form(on, e); });
     }
     Options &&exact_form(bool on) && { return std::move(exact_form(on)); }
+    Options &drop_unmeshed_points(bool on) &
+    {
+        return chain([&](Error &e) { return drop_unmeshed_points(on, e); });
+    }
+    Options &&drop_unmeshed_points(bool on) && { return std::move(drop_unmeshed_points(on)); }
     Options &points_sorted(bool on) &
     {
         return chain([&](Error &e) { return points_sorted(on, e); });
@@ -1179,6 +1190,9 @@ class Mesh {
     void replaced_tets() const && = delete;
     Span<const Index> point_aliases() const & noexcept { return detail::span(delotet_mesh_point_aliases(get())); }
     void point_aliases() const && = delete;
+    /// Per input point its index in points(), with Options::drop_unmeshed_points only.
+    Span<const Index> point_map() const & noexcept { return detail::span(delotet_mesh_point_map(get())); }
+    void point_map() const && = delete;
     /// #points by `width` doubles.
     DelotetDoublesView point_attributes() const & noexcept { return delotet_mesh_point_attributes(get()); }
     void point_attributes() const && = delete;

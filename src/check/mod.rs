@@ -50,6 +50,7 @@ use crate::output::{Guarantee, TetMesh};
 use crate::plc::Plc;
 use context::Context;
 use report::Report;
+use std::borrow::Cow;
 
 /// Checks `mesh` against the input it was made from; `constrained_delaunay` asks for the Delaunay property too.
 ///
@@ -106,6 +107,12 @@ struct Wish {
 }
 
 fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<(), Error> {
+    // The input's own numbers are what the check compares by.
+    let whole = match &mesh.dropped {
+        Some(_) => Cow::Owned(mesh.with_dropped(&plc.points)?),
+        None => Cow::Borrowed(mesh),
+    };
+    let mesh = &*whole;
     let mut report = Report::new(max_defects);
     arrays::check_arrays(plc, mesh, &mut report);
     let mut points_only = Plc::default();

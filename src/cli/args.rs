@@ -71,6 +71,9 @@ pub struct MeshArgs {
     /// Keep the whole convex hull
     #[arg(long)]
     pub keep_hull: bool,
+    /// Leave out points that no tetrahedron has; the others get new numbers, which STEM.parents maps
+    #[arg(long)]
+    pub drop_points: bool,
     /// A point in a hole (may be repeated)
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = numbers::<3, 3>)]
     pub hole: Vec<Numbers>,

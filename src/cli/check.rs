@@ -19,6 +19,10 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
     args.report.as_deref().map_or(Ok(()), paths::check_output)?;
     let plc = io::read(&args.input)?;
     let mesh = io::read_mesh(&args.mesh).map_err(|e| Failure::from(e).with_code(1))?;
+    let mesh = match mesh.dropped {
+        Some(_) => mesh.with_dropped(&plc.points).map_err(|e| Failure::from(e).with_code(1))?,
+        None => mesh,
+    };
     let input_point_count = mesh.points.len().min(plc.points.len()) as u32;
     let mut mesh = TetMesh { input_point_count, ..mesh };
     if !mesh.steiner.is_empty() && mesh.steiner.len() + plc.points.len() != mesh.points.len() {

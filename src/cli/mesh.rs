@@ -77,6 +77,7 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         mode,
         preserve,
         keep_hull: args.keep_hull,
+        drop_unmeshed_points: args.drop_points,
         merge_facets: args.merge_facets,
         threads: args.threads,
         // A report is complete; memory is bounded all the same.

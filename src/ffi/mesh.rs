@@ -86,6 +86,19 @@ pub unsafe extern "C" fn delotet_mesh_point_aliases(mesh: *const DelotetMesh) ->
     }
 }
 
+/// Where input points are in a mesh made with delotet_options_set_drop_unmeshed_points(): per input point its index in
+/// delotet_mesh_points(), of a point that equals an earlier one that one's; DELOTET_INVALID_INDEX if it was left out. Borrowed from `mesh`.
+/// Empty for NULL and without that option: points then keep their numbers.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_mesh_point_map(mesh: *const DelotetMesh) -> DelotetIndicesView {
+    let none = DelotetIndicesView::new(&[]);
+    let inputs = |mesh: &DelotetMesh| {
+        mesh.mesh.dropped.as_ref().map(|dropped| DelotetIndicesView::new(dropped.inputs()))
+    };
+    // SAFETY: the caller passes NULL or a mesh that is alive.
+    unsafe { read(mesh, none, |mesh| inputs(mesh).unwrap_or(none)) }
+}
+
 /// Points without a valid position in doubles: empty unless delotet_options_set_exact_form() was on and rounding failed.
 /// Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]

@@ -305,6 +305,25 @@ pub unsafe extern "C" fn delotet_options_set_exact_form(
     }
 }
 
+/// Leave out the points that no tetrahedron has: those that equal an earlier one, and those around which all was carved. Input points
+/// then have other numbers in the mesh, which delotet_mesh_point_map() tells. What is not meshed is not listed, as its points are gone;
+/// it is still warned of. Default: false. Errors: INVALID_ARGUMENT (NULL).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_options_set_drop_unmeshed_points(
+    options: *mut DelotetOptions,
+    drop_unmeshed_points: bool,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |options| {
+            options.options.drop_unmeshed_points = drop_unmeshed_points;
+            Ok(())
+        })
+    }
+}
+
 /// The points are already in a spatially coherent order: skip sorting. Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
@@ -446,6 +465,13 @@ pub unsafe extern "C" fn delotet_options_steiner_limit(options: *const DelotetOp
 pub unsafe extern "C" fn delotet_options_exact_form(options: *const DelotetOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.exact_form) }
+}
+
+/// Whether points are left out that no tetrahedron has, as delotet_options_set_drop_unmeshed_points() sets it.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_drop_unmeshed_points(options: *const DelotetOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.drop_unmeshed_points) }
 }
 
 /// Whether sorting is skipped, as delotet_options_set_points_sorted() sets it.

@@ -7,13 +7,19 @@
 //! per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two facets. Then a line per replaced
 //! tetrahedron, ascending: its number. Then a line per piece of a facet that bounds no tetrahedron: its corners, its facet, its marker;
 //! and one per piece of an edge that no tetrahedron has: its ends, its segment or -1, its marker.
+//! If points were left out of the mesh, one more number stands at the end of the first line: that of the points of the input. The
+//! lines on what is not meshed then count points as the input does. At the end of the file come the number of points before and a line
+//! per such point with its number now or -1; the number of Steiner points that were left out, and for each a line with its place and one
+//! as above.
 //! Doubles read back bit for bit.
 use super::output_files::Out;
 use super::text::{bad, float, Line, Lines};
 use crate::error::{Error, Status};
-use crate::output::{FacetFlip, Guarantee, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+use crate::output::{Dropped, FacetFlip, Guarantee, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::INVALID;
 use std::io;
+use std::iter::Peekable;
+use std::slice::Iter;
 
 /// What the numbers of the last field of the first line stand for.
 const GUARANTEES: [Guarantee; 4] =
@@ -23,22 +29,23 @@ const GUARANTEES: [Guarantee; 4] =
 pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     let counts = [mesh.steiner.len(), mesh.subfaces.len(), mesh.facet_flips.len()];
     let (hull, replaced) = (u8::from(mesh.hull_kept), mesh.replaced.len());
-    let (faces, edges) = (mesh.unmeshed_subfaces.len(), mesh.unmeshed_subsegments.len());
+    let (unmeshed_faces, unmeshed_edges) = match &mesh.dropped {
+        Some(dropped) => (&dropped.subfaces, &dropped.subsegments),
+        None => (&mesh.unmeshed_subfaces, &mesh.unmeshed_subsegments),
+    };
+    let (faces, edges) = (unmeshed_faces.len(), unmeshed_edges.len());
     let [steiner, subfaces, flips] = counts;
     let guarantee = GUARANTEES.iter().position(|&guarantee| guarantee == mesh.guarantee).unwrap_or(0);
     out.format(format_args!(
-        "{steiner}  {subfaces}  {flips}  {hull}  {replaced}  {faces}  {edges}  {guarantee}\n"
+        "{steiner}  {subfaces}  {flips}  {hull}  {replaced}  {faces}  {edges}  {guarantee}"
     ))?;
+    if let Some(dropped) = &mesh.dropped {
+        out.format(format_args!("  {}", dropped.input_point_count))?;
+    }
+    out.put(b"\n")?;
     let mut terms = mesh.steiner_terms.iter().peekable();
     for (i, point) in mesh.steiner.iter().enumerate() {
-        out.int(point.ends[0])?;
-        out.blank_int(point.ends[1])?;
-        out.blank_int(or_none(point.segment))?;
-        out.blank_float(point.t)?;
-        while let Some(term) = terms.next_if(|term| term.steiner as usize == i) {
-            out.blank_float(term.value)?;
-        }
-        out.put(b"\n")?;
+        steiner_point(out, point, i, &mut terms)?;
     }
     for face in &mesh.subfaces {
         out.int(or_none(face.facet))?;
@@ -53,15 +60,51 @@ pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {
     for t in &mesh.replaced {
         out.format(format_args!("{t}\n"))?;
     }
-    for face in &mesh.unmeshed_subfaces {
+    for face in unmeshed_faces {
         let ([a, b, c], facet) = (face.corners, or_none(face.facet));
         out.format(format_args!("{a} {b} {c} {facet} {}\n", face.marker))?;
     }
-    for edge in &mesh.unmeshed_subsegments {
+    for edge in unmeshed_edges {
         let ([a, b], segment) = (edge.ends, or_none(edge.segment));
         out.format(format_args!("{a} {b} {segment} {}\n", edge.marker))?;
     }
+    match &mesh.dropped {
+        Some(dropped) => write_dropped(out, dropped),
+        None => Ok(()),
+    }
+}
+
+fn write_dropped(out: &mut Out, dropped: &Dropped) -> io::Result<()> {
+    out.format(format_args!("{}\n", dropped.new_index.len()))?;
+    for &index in &dropped.new_index {
+        out.int(or_none(index))?;
+        out.put(b"\n")?;
+    }
+    out.format(format_args!("{}\n", dropped.steiner.len()))?;
+    let mut terms = dropped.steiner_terms.iter().peekable();
+    for (i, (at, point)) in dropped.points.iter().zip(&dropped.steiner).enumerate() {
+        out.point(at)?;
+        out.put(b"\n")?;
+        steiner_point(out, point, i, &mut terms)?;
+    }
     Ok(())
+}
+
+/// Writes the line of Steiner point `i`, with its terms.
+fn steiner_point(
+    out: &mut Out,
+    point: &SteinerPoint,
+    i: usize,
+    terms: &mut Peekable<Iter<'_, SteinerTerm>>,
+) -> io::Result<()> {
+    out.int(point.ends[0])?;
+    out.blank_int(point.ends[1])?;
+    out.blank_int(or_none(point.segment))?;
+    out.blank_float(point.t)?;
+    while let Some(term) = terms.next_if(|term| term.steiner as usize == i) {
+        out.blank_float(term.value)?;
+    }
+    out.put(b"\n")
 }
 
 fn or_none(index: u32) -> i64 {
@@ -104,19 +147,10 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
         let message = "the numbers of points and faces are not those of the mesh beside it";
         return Err(Error::new(Status::Format, message));
     }
+    let inputs = line.optional_int("the number of input points")?;
     mesh.steiner.try_reserve_exact(steiner)?;
-    for i in 0..steiner as u32 {
-        let mut line = lines.expect("a Steiner point")?;
-        let ends = [index(&mut line)?, index(&mut line)?];
-        let segment = index(&mut line)?;
-        // Points inside lie where their doubles are.
-        let exact = ends == [INVALID; 2];
-        mesh.steiner.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact });
-        while let Some(token) = line.token() {
-            let value = float(token).ok_or_else(|| bad(line.number(), "a term is no number"))?;
-            mesh.steiner_terms.try_reserve(1)?;
-            mesh.steiner_terms.push(SteinerTerm { steiner: i, value });
-        }
+    for _ in 0..steiner {
+        read_steiner_point(&mut lines, &mut mesh.steiner, &mut mesh.steiner_terms)?;
     }
     for face in &mut mesh.subfaces {
         face.facet = index(&mut lines.expect("the facet of a face")?)?;
@@ -146,7 +180,58 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
         let segment = index(&mut line)?;
         mesh.unmeshed_subsegments.push(Subsegment { ends, segment, marker: marker(&mut line)? });
     }
+    if let Some(inputs) = inputs {
+        let mut dropped = read_dropped(&mut lines, inputs)?;
+        dropped.subfaces = std::mem::take(&mut mesh.unmeshed_subfaces);
+        dropped.subsegments = std::mem::take(&mut mesh.unmeshed_subsegments);
+        mesh.dropped = Some(dropped);
+    }
     lines.expect_end("line")
+}
+
+fn read_dropped(lines: &mut Lines<'_>, inputs: i64) -> Result<Dropped, Error> {
+    let mut line = lines.expect("the number of points before")?;
+    let count = line.count("the number of points before", 2, lines.remaining().len())?;
+    let input_point_count = u32::try_from(inputs).ok().filter(|&n| n as usize <= count);
+    let Some(input_point_count) = input_point_count else {
+        return Err(bad(line.number(), "there are fewer points than the input has"));
+    };
+    let mut dropped = Dropped { input_point_count, ..Dropped::default() };
+    dropped.new_index.try_reserve_exact(count)?;
+    for _ in 0..count {
+        dropped.new_index.push(index(&mut lines.expect("the number of a point")?)?);
+    }
+    let mut line = lines.expect("the number of Steiner points left out")?;
+    let count = line.count("the number of Steiner points left out", 8, lines.remaining().len())?;
+    dropped.points.try_reserve_exact(count)?;
+    dropped.steiner.try_reserve_exact(count)?;
+    for _ in 0..count {
+        let mut line = lines.expect("the place of a Steiner point")?;
+        let mut x = || line.float("a coordinate");
+        dropped.points.push([x()?, x()?, x()?]);
+        read_steiner_point(lines, &mut dropped.steiner, &mut dropped.steiner_terms)?;
+    }
+    Ok(dropped)
+}
+
+fn read_steiner_point(
+    lines: &mut Lines<'_>,
+    points: &mut Vec<SteinerPoint>,
+    terms: &mut Vec<SteinerTerm>,
+) -> Result<(), Error> {
+    let mut line = lines.expect("a Steiner point")?;
+    let ends = [index(&mut line)?, index(&mut line)?];
+    let segment = index(&mut line)?;
+    // Points inside lie where their doubles are.
+    let exact = ends == [INVALID; 2];
+    let steiner = points.len() as u32;
+    points.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact });
+    while let Some(token) = line.token() {
+        let value = float(token).ok_or_else(|| bad(line.number(), "a term is no number"))?;
+        terms.try_reserve(1)?;
+        terms.push(SteinerTerm { steiner, value });
+    }
+    Ok(())
 }
 
 fn marker(line: &mut Line<'_>) -> Result<i32, Error> {

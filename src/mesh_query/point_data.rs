@@ -1,6 +1,6 @@
 //! Attributes and markers of the mesh's points: the input's, continued to the Steiner points.
 use crate::error::Error;
-use crate::plc::attributes::continue_attributes;
+use crate::plc::attributes::{as_meshed, continue_attributes};
 use crate::{Plc, TetMesh, INVALID};
 
 /// Attributes and markers of all points of a mesh.
@@ -19,6 +19,7 @@ pub struct PointData {
 impl PointData {
     /// Continues the data of `plc` to the Steiner points of `mesh`.
     pub fn new(plc: &Plc, mesh: &TetMesh) -> Result<PointData, Error> {
+        let plc = &*as_meshed(plc, mesh)?;
         let width = plc.point_attribute_count;
         let mut data = PointData { attribute_count: width, ..PointData::default() };
         if width > 0 && !plc.point_attributes.is_empty() {

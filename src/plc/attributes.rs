@@ -7,6 +7,45 @@ use crate::elementary::{exponent, power_of_two, quotient};
 use crate::error::Error;
 use crate::output::TetMesh;
 use crate::plc::Plc;
+use std::borrow::Cow;
+
+/// The input with the points that are left in the mesh, for what goes with points: their markers and attributes. Facets are not copied, as
+/// corners would have other numbers; markers, names and seeds are.
+///
+/// # Errors
+/// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+pub fn as_meshed<'a>(plc: &'a Plc, mesh: &TetMesh) -> Result<Cow<'a, Plc>, Error> {
+    // As many points as the mesh has of the input: none was left out, or the input was treated so before.
+    let dropped = match &mesh.dropped {
+        Some(dropped) if plc.points.len() != mesh.input_point_count as usize => dropped,
+        _ => return Ok(Cow::Borrowed(plc)),
+    };
+    let width = plc.point_attribute_count;
+    let mut left = Plc {
+        point_attribute_count: width,
+        segments: copied(&plc.segments)?,
+        regions: copied(&plc.regions)?,
+        names: plc.names.clone(),
+        ..Plc::default()
+    };
+    left.points.try_reserve_exact(mesh.input_point_count as usize)?;
+    left.point_markers.try_reserve_exact(plc.point_markers.len())?;
+    left.point_attributes.try_reserve_exact(plc.point_attributes.len())?;
+    for old in dropped.kept_inputs().map(|old| old as usize) {
+        left.points.extend(plc.points.get(old));
+        left.point_markers.extend(plc.point_markers.get(old));
+        let row = plc.point_attributes.get(old * width..(old + 1) * width);
+        left.point_attributes.extend(row.unwrap_or_default());
+    }
+    Ok(Cow::Owned(left))
+}
+
+fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, Error> {
+    let mut copy = Vec::new();
+    copy.try_reserve_exact(list.len())?;
+    copy.extend_from_slice(list);
+    Ok(copy)
+}
 
 /// `plc.point_attribute_count` numbers per Steiner point of `mesh`, in their order.
 ///

@@ -608,3 +608,61 @@ fn without_validation_errors_name_the_elements_of_the_caller() {
         assert!([Element::Facet(0), Element::Facet(1)].contains(&defect.first), "{mode:?}: {defect}");
     }
 }
+
+/// The map and what it takes to undo it: a check against the input needs no more.
+#[test]
+fn points_without_tetrahedra_can_be_dropped() {
+    // A loose point first, a twisted prism, a leaking one with Steiner points of its own, and a corner twice.
+    let mut plc = Plc { points: vec![[50.0; 3]], ..Plc::default() };
+    for offset in [0.0, 30.0] {
+        let base = plc.points.len() as u32;
+        let prism = schoenhardt(offset);
+        plc.points.extend(prism.points);
+        plc.triangles.extend(prism.triangles.iter().map(|t| t.map(|v| v + base)));
+    }
+    plc.triangles.pop();
+    plc.points.push(plc.points[3]);
+    plc.point_markers = (0..plc.points.len() as i32).collect();
+    plc.point_attribute_count = 1;
+    plc.point_attributes = plc.points.iter().map(|p| p[0] + 2.0 * p[1]).collect();
+    for mode in [Mode::Constrained, Mode::Preserve] {
+        let whole = run(&plc, &Options { mode, ..Options::default() }).unwrap();
+        let options = Options { mode, drop_unmeshed_points: true, ..Options::default() };
+        let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+        crate::check::check_mesh(&plc, &mesh, mode == Mode::Constrained, 10).unwrap();
+        assert_eq!(mesh.points.len(), whole.points.len() - whole.unmeshed_points.len());
+        assert_eq!((mesh.input_point_count, mesh.unmeshed_points.len()), (6, 0));
+        assert_eq!(mesh.points[..6], plc.points[1..7]);
+        assert!(mesh.unmeshed_subfaces.is_empty() && mesh.unmeshed_subsegments.is_empty());
+        assert_eq!(mesh.warnings, whole.warnings);
+        let dropped = mesh.dropped.as_ref().unwrap();
+        assert_eq!(dropped.inputs()[..7], [INVALID, 0, 1, 2, 3, 4, 5]);
+        assert!(dropped.inputs()[7..13].iter().all(|&v| v == INVALID));
+        assert_eq!(dropped.inputs()[13], 2);
+        // The leaking prism's are gone, the other's are put between points by their new numbers.
+        assert_eq!(mode == Mode::Constrained, !dropped.steiner.is_empty());
+        assert!(mesh.steiner.iter().all(|s| s.is_inside() || s.ends.iter().all(|&v| v < 6)));
+        let back = mesh.with_dropped(&plc.points).unwrap();
+        assert_eq!((&back.points, &back.tets, &back.steiner), (&whole.points, &whole.tets, &whole.steiner));
+        assert_eq!((&back.subfaces, &back.subsegments), (&whole.subfaces, &whole.subsegments));
+        assert_eq!(
+            (&back.unmeshed_subfaces, &back.unmeshed_subsegments),
+            (&whole.unmeshed_subfaces, &whole.unmeshed_subsegments)
+        );
+        // Markers and attributes follow their points.
+        let data = crate::mesh_query::PointData::new(&plc, &mesh).unwrap();
+        assert_eq!(data.markers[..6], [1, 2, 3, 4, 5, 6]);
+        for (p, a) in mesh.points.iter().zip(&data.attributes) {
+            assert!((p[0] + 2.0 * p[1] - a).abs() < 1e-9);
+        }
+        assert_eq!((data.markers.len(), data.attributes.len()), (mesh.points.len(), mesh.points.len()));
+        // What does not fit is an error.
+        assert!(mesh.with_dropped(&plc.points[1..]).is_err());
+        let mut wrong = mesh.clone();
+        wrong.dropped.as_mut().unwrap().new_index[0] = 0;
+        assert!(crate::check::check_mesh(&plc, &wrong, false, 10).is_err());
+        let mut wrong = mesh.clone();
+        wrong.points[0][0] = 11.0;
+        assert!(crate::check::check_mesh(&plc, &wrong, false, 10).is_err());
+    }
+}

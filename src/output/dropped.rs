@@ -1,0 +1,211 @@
+//! Leaving out the points that no tetrahedron has, and the way back, which a check against the input takes.
+use super::{SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+use crate::error::{Error, Status};
+use crate::INVALID;
+
+/// What went with the points that no tetrahedron has ([`Options::drop_unmeshed_points`](crate::Options::drop_unmeshed_points)): the map
+/// from the numbers of points before to those now, and what the mesh cannot refer to any more.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Dropped {
+    /// Per point before (the input's, then the Steiner points) its index now: of a point that equals an earlier one that one's;
+    /// [`INVALID`](crate::INVALID) if it was dropped.
+    pub new_index: Vec<u32>,
+    /// How many of these are points of the input.
+    pub input_point_count: u32,
+    /// Where the Steiner points were that were dropped, in order.
+    pub points: Vec<[f64; 3]>,
+    /// The same points, with the ends of their edges by the numbers before.
+    pub steiner: Vec<SteinerPoint>,
+    /// Terms of their parameters; `steiner` counts these points.
+    pub steiner_terms: Vec<SteinerTerm>,
+    /// Pieces of facets that bound no tetrahedron, by the numbers before.
+    pub subfaces: Vec<Subface>,
+    /// Pieces of edges that no tetrahedron has, by the numbers before.
+    pub subsegments: Vec<Subsegment>,
+}
+
+impl Dropped {
+    /// The part of the map that is about points of the input.
+    pub fn inputs(&self) -> &[u32] {
+        self.new_index.get(..self.input_point_count as usize).unwrap_or_default()
+    }
+
+    /// The input points that are left, ascending, by their numbers in the input: those that have the next number each.
+    pub fn kept_inputs(&self) -> impl Iterator<Item = u32> + '_ {
+        self.kept().filter(|&old| old < self.input_point_count)
+    }
+
+    /// All points that are left, by their numbers before.
+    fn kept(&self) -> impl Iterator<Item = u32> + '_ {
+        let mut next = 0;
+        (0..).zip(&self.new_index).filter_map(move |(old, &new)| {
+            let kept = new == next;
+            next += u32::from(kept);
+            kept.then_some(old)
+        })
+    }
+}
+
+fn reserved<T>(count: usize) -> Result<Vec<T>, Error> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count)?;
+    Ok(list)
+}
+
+impl TetMesh {
+    /// Leaves out every point that no tetrahedron has and no Steiner point is put between. What is not meshed goes with them.
+    pub(crate) fn drop_unmeshed_points(&mut self) -> Result<(), Error> {
+        let (count, inputs) = (self.points.len(), self.input_point_count as usize);
+        let mut keep = reserved(count)?;
+        keep.resize(count, false);
+        for &v in self.tets.iter().flatten() {
+            keep[v as usize] = true;
+        }
+        for (i, point) in self.steiner.iter().enumerate() {
+            if keep[inputs + i] && !point.is_inside() {
+                point.ends.iter().for_each(|&end| keep[end as usize] = true);
+            }
+        }
+        for (i, _) in self.point_alias.iter().enumerate().filter(|&(i, &alias)| i != alias as usize) {
+            keep[i] = false;
+        }
+        let mut dropped = Dropped { input_point_count: self.input_point_count, ..Dropped::default() };
+        let mut new_index: Vec<u32> = reserved(count)?;
+        let mut left = 0;
+        for (old, &kept) in keep.iter().enumerate() {
+            let alias = self.point_alias.get(old).map_or(old, |&alias| alias as usize);
+            new_index.push(match new_index.get(alias) {
+                Some(&earlier) => earlier,
+                None if kept => left,
+                None => INVALID,
+            });
+            left += u32::from(kept);
+        }
+        self.split_steiner(&keep, &new_index, &mut dropped)?;
+        let now = |v: &mut u32| *v = new_index[*v as usize];
+        self.tets.iter_mut().flatten().for_each(now);
+        self.subfaces.iter_mut().for_each(|face| face.corners.iter_mut().for_each(now));
+        self.subsegments.iter_mut().for_each(|edge| edge.ends.iter_mut().for_each(now));
+        self.crowded.retain(|&v| keep[v as usize]);
+        self.crowded.iter_mut().for_each(now);
+        let mut kept = keep.iter();
+        self.points.retain(|_| kept.next().is_some_and(|&kept| kept));
+        self.input_point_count = keep[..inputs].iter().filter(|&&kept| kept).count() as u32;
+        self.point_alias.clear();
+        self.point_alias.extend(0..self.input_point_count);
+        self.unmeshed_points.retain(|&v| keep[v as usize]);
+        self.unmeshed_points.iter_mut().for_each(now);
+        dropped.subfaces = std::mem::take(&mut self.unmeshed_subfaces);
+        dropped.subsegments = std::mem::take(&mut self.unmeshed_subsegments);
+        dropped.new_index = new_index;
+        self.dropped = Some(dropped);
+        Ok(())
+    }
+
+    /// Steiner points that are left, and those that are not.
+    fn split_steiner(
+        &mut self,
+        keep: &[bool],
+        new_index: &[u32],
+        dropped: &mut Dropped,
+    ) -> Result<(), Error> {
+        let inputs = self.input_point_count as usize;
+        let (mut steiner, mut terms) = (reserved(self.steiner.len())?, reserved(self.steiner_terms.len())?);
+        let mut all_terms = self.steiner_terms.iter().peekable();
+        for (i, point) in self.steiner.iter().enumerate() {
+            let (points, of) = match keep[inputs + i] {
+                true => (&mut steiner, &mut terms),
+                false => (&mut dropped.steiner, &mut dropped.steiner_terms),
+            };
+            while let Some(term) = all_terms.next_if(|term| term.steiner as usize == i) {
+                of.try_reserve(1)?;
+                of.push(SteinerTerm { steiner: points.len() as u32, ..*term });
+            }
+            points.try_reserve(1)?;
+            points.push(*point);
+            if !keep[inputs + i] {
+                dropped.points.try_reserve(1)?;
+                dropped.points.push(self.points[inputs + i]);
+            }
+        }
+        for point in steiner.iter_mut().filter(|point| !point.is_inside()) {
+            point.ends = point.ends.map(|end| new_index[end as usize]);
+        }
+        (self.steiner, self.steiner_terms) = (steiner, terms);
+        Ok(())
+    }
+
+    /// The mesh as it was before points were left out, with the numbers of the input's points; `inputs` are these.
+    ///
+    /// # Errors
+    /// [`Status::CheckFailed`] if the map does not fit the mesh and the input; [`Status::OutOfMemory`].
+    pub fn with_dropped(&self, inputs: &[[f64; 3]]) -> Result<TetMesh, Error> {
+        let Some(dropped) = &self.dropped else { return Ok(self.clone()) };
+        let misfit = || {
+            Error::new(Status::CheckFailed, "the map of dropped points does not fit the mesh and the input")
+        };
+        let before = dropped.new_index.len();
+        let mut old_index: Vec<u32> = reserved(self.points.len())?;
+        old_index.extend(dropped.kept());
+        let steiner_count = before.checked_sub(inputs.len()).ok_or_else(misfit)?;
+        let kept_steiner = old_index.len().checked_sub(dropped.kept_inputs().count()).ok_or_else(misfit)?;
+        if inputs.len() != dropped.input_point_count as usize
+            || old_index.len() != self.points.len()
+            || kept_steiner != self.steiner.len()
+            || steiner_count != kept_steiner + dropped.steiner.len()
+            || dropped.points.len() != dropped.steiner.len()
+        {
+            return Err(misfit());
+        }
+        let mut mesh = self.clone();
+        mesh.dropped = None;
+        mesh.input_point_count = dropped.input_point_count;
+        mesh.point_alias.clear();
+        mesh.points = reserved(before)?;
+        mesh.points.extend_from_slice(inputs);
+        (mesh.steiner, mesh.steiner_terms) = (reserved(steiner_count)?, Vec::new());
+        let (mut ours, mut theirs) = (0, 0);
+        let mut kept = old_index.iter().peekable();
+        for old in 0..before {
+            let is_kept = kept.next_if(|&&k| k as usize == old).is_some();
+            let Some(number) = old.checked_sub(inputs.len()) else {
+                if is_kept {
+                    mesh.points[old] = self.points[ours];
+                    ours += 1;
+                }
+                continue;
+            };
+            let (mut point, at, terms, index) = match is_kept {
+                true => {
+                    let index = ours - (self.points.len() - kept_steiner);
+                    (self.steiner[index], self.points[ours], &self.steiner_terms, index)
+                }
+                false => (dropped.steiner[theirs], dropped.points[theirs], &dropped.steiner_terms, theirs),
+            };
+            if is_kept && !point.is_inside() {
+                for end in &mut point.ends {
+                    *end = old_index.get(*end as usize).copied().ok_or_else(misfit)?;
+                }
+            }
+            ours += usize::from(is_kept);
+            theirs += usize::from(!is_kept);
+            mesh.points.push(at);
+            mesh.steiner.push(point);
+            let from = terms.partition_point(|term| (term.steiner as usize) < index);
+            for term in terms[from..].iter().take_while(|term| term.steiner as usize == index) {
+                mesh.steiner_terms.try_reserve(1)?;
+                mesh.steiner_terms.push(SteinerTerm { steiner: number as u32, ..*term });
+            }
+        }
+        // An index that refers to nothing stays one: the check names it.
+        let back = |v: &mut u32| *v = old_index.get(*v as usize).copied().unwrap_or(INVALID);
+        mesh.tets.iter_mut().flatten().for_each(back);
+        mesh.subfaces.iter_mut().for_each(|face| face.corners.iter_mut().for_each(back));
+        mesh.subsegments.iter_mut().for_each(|edge| edge.ends.iter_mut().for_each(back));
+        mesh.crowded.iter_mut().for_each(back);
+        mesh.unmeshed_points.clear();
+        mesh.unmeshed_subfaces = dropped.subfaces.clone();
+        mesh.unmeshed_subsegments = dropped.subsegments.clone();
+        Ok(mesh)
+    }
+}
