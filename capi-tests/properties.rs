@@ -15,7 +15,6 @@ fn refused(error: &Error) -> bool {
             | Status::DegenerateInput
             | Status::NonPlanarFacet
             | Status::NothingEnclosed
-            | Status::DuplicatePoint
             | Status::Rounding
     )
 }

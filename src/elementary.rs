@@ -31,6 +31,7 @@ pub fn quotient(x: f64, y: f64) -> Option<f64> {
 }
 
 /// The arc tangent of a number from 0 to 1, to about 10⁻¹⁶: the angle is halved three times, then comes Euler's series cut off.
+#[cfg(any(test, feature = "io"))] // The quality of tetrahedra, which only files hold.
 fn arc_tangent_of_fraction(x: f64) -> f64 {
     let half = |x: f64| x / (1.0 + (1.0 + x * x).sqrt());
     let x = half(half(half(x)));
@@ -41,6 +42,7 @@ fn arc_tangent_of_fraction(x: f64) -> f64 {
 }
 
 /// The angle in degrees whose cosine is `cosine`, which is cut off to [−1, 1].
+#[cfg(any(test, feature = "io"))] // The quality of tetrahedra, which only files hold.
 pub fn arc_cosine_degrees(cosine: f64) -> f64 {
     let c = cosine.clamp(-1.0, 1.0);
     // Twice the angle with this tangent, or with its inverse.

@@ -18,8 +18,6 @@ pub enum Status {
     CoordinateRange = 11,
     /// An element refers to a point that does not exist.
     IndexOutOfRange = 12,
-    /// Two points are equal where that is not allowed.
-    DuplicatePoint = 13,
     /// A facet or segment has no extent, or a polygon is not usable as one.
     DegenerateFacet = 14,
     /// A polygon is too far from planar to be triangulated without crossing itself.
@@ -36,8 +34,6 @@ pub enum Status {
     Cancelled = 30,
     /// The caller's limit on Steiner points was reached.
     SteinerLimit = 31,
-    /// A Steiner point would have been needed where they are forbidden.
-    SteinerForbidden = 32,
     /// The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
     Rounding = 33,
     /// Memory ran out.

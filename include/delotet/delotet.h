@@ -98,10 +98,6 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_INDEX_OUT_OF_RANGE = 12,
     /**
-     * Two points are equal where that is not allowed.
-     */
-    DELOTET_STATUS_DUPLICATE_POINT = 13,
-    /**
      * A facet or segment has no extent, or a polygon is not usable as one.
      */
     DELOTET_STATUS_DEGENERATE_FACET = 14,
@@ -133,10 +129,6 @@ typedef enum DelotetStatus {
      * The caller's limit on Steiner points was reached.
      */
     DELOTET_STATUS_STEINER_LIMIT = 31,
-    /**
-     * A Steiner point would have been needed where they are forbidden.
-     */
-    DELOTET_STATUS_STEINER_FORBIDDEN = 32,
     /**
      * The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
      */

@@ -70,7 +70,7 @@ impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let code = match error.status {
             Status::InvalidArgument | Status::Unsupported => 2,
-            Status::Cancelled | Status::SteinerLimit | Status::SteinerForbidden => 3,
+            Status::Cancelled | Status::SteinerLimit => 3,
             Status::OutOfMemory | Status::TooLarge => 3,
             Status::Rounding | Status::CheckFailed | Status::Internal => 4,
             _ => 1,

@@ -7,6 +7,7 @@ use libc::c_char;
 
 /// Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 stopped or not possible within the
 /// caller's limits; 40-49 resources; 50-59 files; 60-69 checks; 90 a bug of the library.
+// Retired, for nothing ever produced them: 13 (equal points where they are not allowed), 32 (Steiner points where they are forbidden).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DelotetStatus {
@@ -22,8 +23,6 @@ pub enum DelotetStatus {
     CoordinateRange = 11,
     /// An element refers to a point that does not exist.
     IndexOutOfRange = 12,
-    /// Two points are equal where that is not allowed.
-    DuplicatePoint = 13,
     /// A facet or segment has no extent, or a polygon is not usable as one.
     DegenerateFacet = 14,
     /// A polygon is too far from planar to be triangulated without crossing itself.
@@ -40,8 +39,6 @@ pub enum DelotetStatus {
     Cancelled = 30,
     /// The caller's limit on Steiner points was reached.
     SteinerLimit = 31,
-    /// A Steiner point would have been needed where they are forbidden.
-    SteinerForbidden = 32,
     /// The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
     Rounding = 33,
     /// Memory ran out.
@@ -192,7 +189,6 @@ impl From<Status> for DelotetStatus {
             Status::NonFinitePoint => DelotetStatus::NonFinitePoint,
             Status::CoordinateRange => DelotetStatus::CoordinateRange,
             Status::IndexOutOfRange => DelotetStatus::IndexOutOfRange,
-            Status::DuplicatePoint => DelotetStatus::DuplicatePoint,
             Status::DegenerateFacet => DelotetStatus::DegenerateFacet,
             Status::NonPlanarFacet => DelotetStatus::NonPlanarFacet,
             Status::SelfIntersection => DelotetStatus::SelfIntersection,
@@ -201,7 +197,6 @@ impl From<Status> for DelotetStatus {
             Status::NothingEnclosed => DelotetStatus::NothingEnclosed,
             Status::Cancelled => DelotetStatus::Cancelled,
             Status::SteinerLimit => DelotetStatus::SteinerLimit,
-            Status::SteinerForbidden => DelotetStatus::SteinerForbidden,
             Status::Rounding => DelotetStatus::Rounding,
             Status::OutOfMemory => DelotetStatus::OutOfMemory,
             Status::TooLarge => DelotetStatus::TooLarge,
@@ -301,7 +296,6 @@ static STATUS_NAMES: &[(u32, &str)] = &[
     (10, "DELOTET_STATUS_NON_FINITE_POINT\0"),
     (11, "DELOTET_STATUS_COORDINATE_RANGE\0"),
     (12, "DELOTET_STATUS_INDEX_OUT_OF_RANGE\0"),
-    (13, "DELOTET_STATUS_DUPLICATE_POINT\0"),
     (14, "DELOTET_STATUS_DEGENERATE_FACET\0"),
     (15, "DELOTET_STATUS_NON_PLANAR_FACET\0"),
     (16, "DELOTET_STATUS_SELF_INTERSECTION\0"),
@@ -310,7 +304,6 @@ static STATUS_NAMES: &[(u32, &str)] = &[
     (19, "DELOTET_STATUS_NOTHING_ENCLOSED\0"),
     (30, "DELOTET_STATUS_CANCELLED\0"),
     (31, "DELOTET_STATUS_STEINER_LIMIT\0"),
-    (32, "DELOTET_STATUS_STEINER_FORBIDDEN\0"),
     (33, "DELOTET_STATUS_ROUNDING\0"),
     (40, "DELOTET_STATUS_OUT_OF_MEMORY\0"),
     (41, "DELOTET_STATUS_TOO_LARGE\0"),
