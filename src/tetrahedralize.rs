@@ -99,7 +99,6 @@ struct Run<'a> {
 }
 
 /// The working state: vertices in insertion order and their triangulation.
-#[derive(Clone)]
 pub(crate) struct Engine {
     pub(crate) points: Points,
     pub(crate) delaunay: Delaunay,
@@ -154,6 +153,18 @@ impl Engine {
         let engine =
             Engine { points, delaunay: Delaunay::new(), input_of, rounds, engine_of, scale: surface.scale };
         Ok((engine, order))
+    }
+
+    /// A copy.
+    fn copied(&self) -> Result<Engine, Error> {
+        Ok(Engine {
+            points: self.points.clone(),
+            delaunay: self.delaunay.clone(),
+            input_of: fallible::copied(&self.input_of)?,
+            rounds: fallible::copied(&self.rounds)?,
+            engine_of: fallible::copied(&self.engine_of)?,
+            scale: self.scale,
+        })
     }
 
     /// Takes everything out.

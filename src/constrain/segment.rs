@@ -82,16 +82,14 @@ impl Segments {
     }
 
     /// The Steiner points of each segment in order from its first end: a list of segments and parameters sorted by both.
-    pub fn steiner_by_segment(&self) -> Vec<(u32, f64, u32)> {
-        let mut list: Vec<(u32, f64, u32)> = self
-            .steiner_segment
-            .iter()
-            .zip(&self.steiner_t)
-            .enumerate()
-            .map(|(i, (&s, &t))| (s, t, self.first_steiner + i as u32))
-            .collect();
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`].
+    pub fn steiner_by_segment(&self) -> Result<Vec<(u32, f64, u32)>, Error> {
+        let points = self.steiner_segment.iter().zip(&self.steiner_t).zip(self.first_steiner..);
+        let mut list = crate::fallible::collect(points.map(|((&s, &t), v)| (s, t, v)))?;
         list.sort_unstable_by(|x, y| x.0.cmp(&y.0).then_with(|| self.order(x.0, [x.2, y.2], [x.1, y.1])));
-        list
+        Ok(list)
     }
 
     /// The exact parameter of a vertex on a segment.
@@ -195,7 +193,7 @@ impl Segments {
 
     /// Makes the pieces from the Steiner points.
     fn split_pieces(&mut self) -> Result<(), Error> {
-        let list = self.steiner_by_segment();
+        let list = self.steiner_by_segment()?;
         self.pieces.try_reserve(list.len())?;
         self.piece_of
             .try_reserve(list.len())

@@ -41,7 +41,7 @@ impl Subfaces {
     /// Splits the triangles at the Steiner points of their segments and makes every patch constrained Delaunay.
     pub fn build(points: &Points, triangles: &Triangles, segments: &Segments) -> Result<Self, Error> {
         let mut subfaces = Subfaces::default();
-        let steiner = segments.steiner_by_segment();
+        let steiner = segments.steiner_by_segment()?;
         let expected = triangles.corners.len() + 2 * steiner.len();
         subfaces.reserve(expected)?;
         subfaces.orient(points, triangles)?;
@@ -65,7 +65,7 @@ impl Subfaces {
         soft: &[bool],
     ) -> Result<(Self, Vec<u32>), Error> {
         let mut subfaces = Subfaces { axis, ..Subfaces::default() };
-        let steiner = segments.steiner_by_segment();
+        let steiner = segments.steiner_by_segment()?;
         subfaces.reserve(triangles.corners.len() + 2 * steiner.len())?;
         subfaces.orient(points, triangles)?;
         let (edge_segment, lone) = subfaces.connect(segments, soft)?;

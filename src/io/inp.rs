@@ -130,7 +130,8 @@ pub(super) fn write(out: &mut Out, model: &Model<'_>, groups: &Groups, names: &N
         out.int(node + 1)?;
         for x in model.node(node) {
             if !x.is_finite() {
-                return Err(io::Error::new(io::ErrorKind::InvalidInput, "a number is not finite"));
+                // Refused there, with the reason.
+                return out.float(x);
             }
             let field = field(x);
             out.put(", ")?;

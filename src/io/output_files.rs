@@ -11,7 +11,20 @@ pub(super) fn file_error(path: &Path, doing: &str, error: &io::Error) -> Error {
     if status == Status::OutOfMemory {
         return Error::new(status, "out of memory");
     }
-    Error::new(status, format_args!("{}: cannot {doing}: {error}", path.display()))
+    Error::new(status, format_args!("{}: cannot {doing}: {}", path.display(), Reason(error)))
+}
+
+/// An error of the system in words that need no memory: the standard library makes a text of them first.
+struct Reason<'a>(&'a io::Error);
+
+impl std::fmt::Display for Reason<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Some(code) = self.0.raw_os_error() else { return write!(f, "{}", self.0) };
+        match self.0.kind() {
+            io::ErrorKind::NotFound => write!(f, "no such file or folder (os error {code})"),
+            kind => write!(f, "{kind} (os error {code})"),
+        }
+    }
 }
 
 /// The files of one output. Dropped before [`OutputFiles::commit`], it removes what was written.

@@ -217,8 +217,10 @@ impl<'a> Grid<'a> {
         let compress = self.model.options.compress;
         let mut packed: Vec<Vec<u8>> = Vec::new();
         if compress {
+            // Its state is memory that cannot be asked for, once per file.
+            let mut zlib = Compress::new(Compression::fast(), true);
             for array in sections.iter().flat_map(|(_, arrays)| arrays) {
-                let bytes = self.compressed(array)?;
+                let bytes = self.compressed(array, &mut zlib)?;
                 fallible::push(&mut packed, bytes).map_err(|_| io::ErrorKind::OutOfMemory)?;
             }
         }
@@ -256,18 +258,17 @@ impl<'a> Grid<'a> {
 
     /// An array as VTK's zlib compressor lays it out: the number of blocks, their size, the size of a last partial one, the
     /// compressed sizes (64 bits each), then the blocks.
-    fn compressed(&self, array: &Array) -> io::Result<Vec<u8>> {
+    fn compressed(&self, array: &Array, zlib: &mut Compress) -> io::Result<Vec<u8>> {
         const BLOCK: usize = 1 << 17;
         let room = |_| io::Error::from(io::ErrorKind::OutOfMemory);
         let mut block = Vec::new();
         block.try_reserve_exact(BLOCK + 32).map_err(room)?;
         let mut sizes: Vec<u64> = Vec::new();
         let mut data = Vec::new();
-        let mut zlib = Compress::new(Compression::fast(), true);
         self.fill(array, &mut |bytes| {
             block.write_all(bytes)?;
             if block.len() >= BLOCK {
-                let size = deflate(&mut zlib, &block[..BLOCK], &mut data)?;
+                let size = deflate(zlib, &block[..BLOCK], &mut data)?;
                 fallible::push(&mut sizes, size).map_err(room)?;
                 block.drain(..BLOCK);
             }
@@ -275,7 +276,7 @@ impl<'a> Grid<'a> {
         })?;
         let partial = block.len() as u64;
         if partial > 0 {
-            let size = deflate(&mut zlib, &block, &mut data)?;
+            let size = deflate(zlib, &block, &mut data)?;
             fallible::push(&mut sizes, size).map_err(room)?;
         }
         let header = [sizes.len() as u64, BLOCK as u64, partial];
@@ -296,7 +297,7 @@ fn deflate(zlib: &mut Compress, block: &[u8], data: &mut Vec<u8>) -> io::Result<
     data.try_reserve(bound).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
     match zlib.compress_vec(block, data, FlushCompress::Finish) {
         Ok(Status::StreamEnd) => Ok((data.len() - start) as u64),
-        Ok(_) => Err(io::Error::other("zlib needs more room than its own bound")),
-        Err(error) => Err(io::Error::other(error)),
+        // More than its own bound, or a fault of its state: neither happens.
+        _ => Err(io::ErrorKind::Other.into()),
     }
 }

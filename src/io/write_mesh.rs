@@ -1,6 +1,6 @@
 //! Meshes to files: what may be asked for, and the writer of each format.
 use super::model::Model;
-use super::output_files::OutputFiles;
+use super::output_files::{self, OutputFiles};
 use super::tags::{self, Groups};
 use super::{inp, medit, msh, vtk, vtu, write_tetgen, Format};
 use crate::error::{Error, Status};
@@ -110,7 +110,10 @@ pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> 
             files.write(path, |out| vtu::Grid::tets(&model).write(out))?;
             if options.subfaces {
                 let grid = vtu::Grid::subfaces(&model)?;
-                files.write(&subfaces_path(path), |out| grid.write(out))?;
+                // As `subfaces_path`, with memory that is asked for.
+                let stem = output_files::with_extension(path, "")?;
+                let beside = output_files::with_suffix(&stem, &["_subfaces.vtu"])?;
+                files.write(&beside, |out| grid.write(out))?;
             }
         }
     }

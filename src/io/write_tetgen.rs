@@ -2,7 +2,7 @@
 //! section 5 "File Formats". In second order (`-o2`) nodes in the middle of edges come last in `.node`; tetrahedra have ten,
 //! faces six, edges three nodes.
 use super::model::Model;
-use super::output_files::{Out, OutputFiles};
+use super::output_files::{with_extension, Out, OutputFiles};
 use super::parents;
 use super::tags::attribute_of;
 use crate::error::Error;
@@ -13,12 +13,12 @@ use std::path::Path;
 
 /// Writes the files of a mesh: `stem` with each suffix, and our own `.parents`.
 pub(super) fn write(files: &mut OutputFiles, stem: &Path, model: &Model<'_>) -> Result<(), Error> {
-    files.write(&stem.with_extension("node"), |out| nodes(out, model))?;
-    files.write(&stem.with_extension("ele"), |out| tets(out, model))?;
-    files.write(&stem.with_extension("face"), |out| faces(out, model))?;
-    files.write(&stem.with_extension("edge"), |out| edges(out, model))?;
-    files.write(&stem.with_extension("neigh"), |out| neighbors(out, model))?;
-    files.write(&stem.with_extension("parents"), |out| parents::write(out, model.mesh))
+    files.write(&with_extension(stem, "node")?, |out| nodes(out, model))?;
+    files.write(&with_extension(stem, "ele")?, |out| tets(out, model))?;
+    files.write(&with_extension(stem, "face")?, |out| faces(out, model))?;
+    files.write(&with_extension(stem, "edge")?, |out| edges(out, model))?;
+    files.write(&with_extension(stem, "neigh")?, |out| neighbors(out, model))?;
+    files.write(&with_extension(stem, "parents")?, |out| parents::write(out, model.mesh))
 }
 
 fn nodes(out: &mut Out, model: &Model<'_>) -> io::Result<()> {

@@ -76,7 +76,7 @@ impl Edges {
         for vertex in 0..points {
             ends[vertex + 1] += ends[vertex];
         }
-        let mut next = ends.clone();
+        let mut next = crate::fallible::copied(&ends)?;
         let mut uses = filled(6 * mesh.tets.len(), (0u32, 0u32))?;
         for (index, tet) in mesh.tets.iter().enumerate() {
             for [a, b] in EDGE_ENDS {

@@ -14,6 +14,7 @@ use super::surface::Surface;
 use super::{Facet, Interior, Plc};
 use crate::elementary::quotient;
 use crate::error::{Defect, DefectKind, Element, Error, KindCounts, Message, Status};
+use crate::fallible;
 use crate::options::{Mode, Options};
 use crate::predicates::{far_from_most, range_scale, scale};
 use crate::progress::{report, Observer, Phase};
@@ -97,7 +98,6 @@ fn severity(status: Status) -> u32 {
 }
 
 /// A PLC that has been checked and split; the edges of its triangles are not classified yet.
-#[derive(Clone)]
 pub struct Prepared {
     surface: Surface,
     fixed: Vec<FixedEdge>,
@@ -107,6 +107,14 @@ impl Prepared {
     /// The surface so far: points, aliases and triangles.
     pub fn surface(&self) -> &Surface {
         &self.surface
+    }
+
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`].
+    pub fn copied(&self) -> Result<Prepared, Error> {
+        Ok(Prepared { surface: self.surface.copied()?, fixed: fallible::copied(&self.fixed)? })
     }
 
     /// Finds segments and patches, without merging facets.

@@ -2,10 +2,12 @@
 //!
 //! Invariants: the points are distinct up to `alias`; every segment and triangle refers to alias representatives only; no
 //! vertex lies inside a segment, a triangle or an edge of a triangle.
+use crate::error::Error;
+use crate::fallible::copied;
 use crate::output::FacetFlip;
 
 /// The PLC made ready: distinct vertices, constrained edges, and a triangulation of all facets that conforms to all vertices.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Debug, PartialEq, Default)]
 pub struct Surface {
     /// All input points, scaled by `2^scale` (#points by 3).
     pub points: Vec<[f64; 3]>,
@@ -33,4 +35,28 @@ pub struct Surface {
     pub facet_flips: Vec<FacetFlip>,
     /// Edges made by flips that lie beside the input's surface, by more than rounding: smaller index first, sorted.
     pub edges_beside: Vec<[u32; 2]>,
+}
+
+impl Surface {
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    pub fn copied(&self) -> Result<Surface, Error> {
+        Ok(Surface {
+            points: copied(&self.points)?,
+            scale: self.scale,
+            alias: copied(&self.alias)?,
+            segments: copied(&self.segments)?,
+            segment_parent: copied(&self.segment_parent)?,
+            diagonals: copied(&self.diagonals)?,
+            first_polygon: self.first_polygon,
+            triangles: copied(&self.triangles)?,
+            triangle_facet: copied(&self.triangle_facet)?,
+            triangle_patch: copied(&self.triangle_patch)?,
+            patch_count: self.patch_count,
+            facet_flips: copied(&self.facet_flips)?,
+            edges_beside: copied(&self.edges_beside)?,
+        })
+    }
 }

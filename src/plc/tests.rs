@@ -675,7 +675,7 @@ fn random_rings_give_a_region_or_a_defect() {
                 let parts: i128 = s
                     .triangles
                     .iter()
-                    .map(|&t| area(&Surface { triangles: vec![t], ..s.clone() }).abs())
+                    .map(|&t| area(&Surface { triangles: vec![t], ..s.copied().unwrap() }).abs())
                     .sum();
                 assert_eq!(sum, parts);
             }

@@ -46,7 +46,7 @@ struct Along {
 
 impl Along {
     fn new(segments: &Segments) -> Result<Along, Error> {
-        let list = segments.steiner_by_segment();
+        let list = segments.steiner_by_segment()?;
         let mut ends = Vec::new();
         ends.try_reserve(list.len())?;
         ends.resize(list.len(), [NONE; 2]);

@@ -183,7 +183,7 @@ fn chains(
         return Ok(chains);
     }
     chains.try_reserve(freed.settled.len())?;
-    let list = segments.steiner_by_segment();
+    let list = segments.steiner_by_segment()?;
     for run in list.chunk_by(|x, y| x.0 == y.0) {
         let Some((s, turned)) = segment_of(engine, segments, surface, run[0].0) else { continue };
         let from = chains.len();

@@ -8,6 +8,7 @@
 use super::{Engine, Recovered, Run};
 use crate::constrain::segment::Segments;
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::mesh::star::StarSearch;
 use crate::options::{Mode, Options};
 use crate::output::TetMesh;
@@ -65,8 +66,8 @@ impl Run<'_> {
         prepared: Prepared,
     ) -> Result<TetMesh, Error> {
         self.unmerged_at_least = 0;
-        let warnings = self.warnings.clone();
-        let merged = match self.mesh_surface(plc, options, prepared.clone()) {
+        let warnings = self.warnings.copied()?;
+        let merged = match self.mesh_surface(plc, options, prepared.copied()?) {
             Ok(mesh) if mesh.steiner.len() as u64 <= self.unmerged_at_least => return Ok(mesh),
             Err(error) if !may_be_avoided(&error) => return Err(error),
             other => other,
@@ -87,7 +88,10 @@ impl Run<'_> {
         if fewer {
             match &merged {
                 Err(error) if unmerged.is_ok() => {
-                    self.observer.log(&format!("facets are not merged, since that fails: {}", error.message));
+                    self.observer.log(&fallible::text(format_args!(
+                        "facets are not merged, since that fails: {}",
+                        error.message
+                    ))?);
                 }
                 _ => self.observer.log(FEWER),
             }
@@ -150,7 +154,7 @@ impl Run<'_> {
         engine: &mut Engine,
     ) -> Result<(Surface, Recovered), Error> {
         let surface = prepared.connect(plc, self.observer)?;
-        let mut trial = engine.clone();
+        let mut trial = engine.copied()?;
         let plain = Segments::new(&trial.points, trial.map(&surface.segments)?)?;
         match self.recover_with_polygons(&surface, plain, options, &mut trial, true) {
             Ok(plain)
@@ -187,9 +191,9 @@ impl Run<'_> {
         let mut avoid: Vec<[u32; 2]> = Vec::new();
         for attempt in 0..=MERGE_ATTEMPTS {
             let avoid_all = attempt == MERGE_ATTEMPTS;
-            let mut prepared = prepared.clone();
+            let mut prepared = prepared.copied()?;
             let mut merger = prepared.merger(plc, degrees)?;
-            let mut trial = engine.clone();
+            let mut trial = engine.copied()?;
             let mut segments: Option<Segments> = None;
             for _ in 0..MENDINGS {
                 self.merge(&mut merger, &mut trial, (&avoid, avoid_all))?;

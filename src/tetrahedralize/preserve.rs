@@ -49,7 +49,7 @@ impl Run<'_> {
     ) -> Result<TetMesh, Error> {
         let mut first = Vec::new();
         if !options.keep_hull && options.merge_facets.is_none() {
-            let surface = prepared.clone().connect(plc, self.observer)?;
+            let surface = prepared.copied()?.connect(plc, self.observer)?;
             first = first_points(&surface)?;
             self.lap(Phase::Validate);
             for rounds in ROUNDS {
@@ -275,10 +275,18 @@ fn surrounding_box(points: &[[f64; 3]]) -> [[f64; 3]; 8] {
         [35.0, 39.0, 43.0],
         [41.0, 47.0, 45.0],
     ];
-    let fold = |k: usize, f: fn(f64, f64) -> f64, from: f64| points.iter().map(|p| p[k]).fold(from, f);
-    let low = [0, 1, 2].map(|k| fold(k, f64::min, f64::INFINITY));
-    let high = [0, 1, 2].map(|k| fold(k, f64::max, f64::NEG_INFINITY));
-    let side = (0..3).map(|k| high[k] - low[k]).fold(f64::MIN_POSITIVE, f64::max);
+    // Without points anywhere.
+    let any = points.first().copied().unwrap_or_default();
+    let fold = |k: usize, f: fn(f64, f64) -> f64| points.iter().map(|p| p[k]).fold(any[k], f);
+    let low = [0, 1, 2].map(|k| fold(k, f64::min));
+    let high = [0, 1, 2].map(|k| fold(k, f64::max));
+    let side = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+    // Points that are (nearly) one have a box, too, whose corners differ in doubles.
+    let largest = low.iter().chain(&high).map(|x| x.abs()).fold(0.0, f64::max);
+    let side = match side.max(largest * power_of_two(-40)) {
+        0.0 => 1.0,
+        side => side,
+    };
     let unit = power_of_two(exponent_above(side));
     std::array::from_fn(|i| {
         std::array::from_fn(|k| {

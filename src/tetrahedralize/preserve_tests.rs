@@ -2,8 +2,20 @@
 use super::tetrahedralize;
 use crate::check::{check_preserved, check_preserved_outer};
 use crate::plc::Segment;
-use crate::{Mode, Options, Plc, Preserve, Silent};
+use crate::{Mode, Options, Plc, Preserve, Silent, Status};
 use std::collections::HashMap;
+
+/// They have a box around them in doubles all the same.
+#[test]
+fn points_that_are_one_or_none_are_no_internal_error() {
+    let near = [[1.0; 3], [1.0, 1.0, 1.0 + f64::EPSILON]];
+    for points in [&[][..], &[[1.0, -3.0, 0.1]], &[[5e-300; 3]; 4], &near] {
+        let plc = Plc { points: points.to_vec(), ..Plc::default() };
+        let options = Options { mode: Mode::Preserve, ..Options::default() };
+        let error = tetrahedralize(&plc, &options, &mut Silent).unwrap_err();
+        assert!(matches!(error.status, Status::DegenerateInput | Status::NothingEnclosed), "{error}");
+    }
+}
 
 /// A prism over a polygon in thousandths with a sloping lid, all triangles split at the middles of their edges, twice. The triangles of
 /// the lid are coplanar to the last bits only. With `loft` there is a second room above the lid.

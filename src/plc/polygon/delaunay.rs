@@ -141,6 +141,9 @@ impl Triangulation {
             list.clear();
             list.try_reserve(6 * n)?;
         }
+        // What waits for a look are edges of different triangles at the new vertex: at most as many as there are vertices and infinity.
+        self.stack.clear();
+        self.stack.try_reserve(n + 4)?;
         self.triangle_of.clear();
         self.triangle_of.try_reserve(n)?;
         self.triangle_of.resize(n, INVALID);

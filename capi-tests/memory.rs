@@ -1,0 +1,773 @@
+//! Memory that fails: whatever request for memory is refused, a call through the C API ends with DELOTET_STATUS_OUT_OF_MEMORY or does
+//! without, and never takes the host down.
+//!
+//! The allocator of this program refuses the n-th request, or all from the n-th on. Each job (making a mesh in some mode, reading or
+//! writing a format, queries, checks) is run for every n up to the number of its requests, or for some n spread over them where there are
+//! too many; DELOTET_MEMORY_ALL=1 takes them all. The runs are made by child processes, so that an abort is an observation: it is
+//! attributed to the innermost module of the library on the stack of the refused request, and must be among the known ones, which
+//! in turn must all be seen.
+//!
+//! A run that succeeds must give the same result as one with all its memory, and all runs must free what they took.
+#![allow(unsafe_code)]
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::collections::BTreeMap;
+use std::ffi::CString;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::ptr::{null, null_mut};
+use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, Ordering::SeqCst};
+
+use delotet::ffi::{
+    error::*, file::*, mesh::*, options::*, plc::*, plc_view::*, query::*, run::*, status::*, view::*,
+    write::*,
+};
+
+/// Modules with requests that still end the process when they are refused: stages of the engine, and what zlib needs for compressed
+/// `.vtu` files.
+const KNOWN: &[&str] = &["constrain", "delaunay", "io::vtu", "mesh", "preserve", "rounding"];
+
+/// At most about so many requests of a job are refused, one run each, unless all are asked for: meshing takes long.
+const RUNS_PER_MESH: u64 = 16;
+const RUNS_PER_SMALL_MESH: u64 = 80;
+const RUNS_PER_JOB: u64 = 250;
+
+struct Failing;
+
+#[global_allocator]
+static ALLOCATOR: Failing = Failing;
+
+/// Requests are counted and refused.
+static ARMED: AtomicBool = AtomicBool::new(false);
+static COUNT: AtomicU64 = AtomicU64::new(0);
+/// The first request that is refused, from 1.
+static REFUSED: AtomicU64 = AtomicU64::new(0);
+/// All later ones are refused as well.
+static ON: AtomicBool = AtomicBool::new(false);
+/// The request whose stack is printed.
+static TRACED: AtomicU64 = AtomicU64::new(0);
+/// Before the number of a refused request.
+const MARK: u8 = b'#';
+/// Blocks handed out and not given back.
+static LIVE: AtomicI64 = AtomicI64::new(0);
+
+/// Writes the number of a refused request to the standard error, without memory and locks.
+fn announce(number: u64) {
+    let mut line = [b'\n'; 24];
+    line[1] = MARK;
+    let digits = number.checked_ilog10().unwrap_or(0) as usize + 1;
+    let mut rest = number;
+    for place in (2..2 + digits).rev() {
+        line[place] = b'0' + (rest % 10) as u8;
+        rest /= 10;
+    }
+    // SAFETY: a buffer of this size.
+    unsafe { libc::write(2, line.as_ptr().cast(), digits + 3) };
+}
+
+fn refuse() -> bool {
+    if !ARMED.load(SeqCst) {
+        return false;
+    }
+    let number = COUNT.fetch_add(1, SeqCst) + 1;
+    let first = REFUSED.load(SeqCst);
+    let refused = number == first || number > first && ON.load(SeqCst);
+    if refused && ON.load(SeqCst) {
+        announce(number);
+    }
+    if number == TRACED.load(SeqCst) {
+        ARMED.store(false, SeqCst);
+        eprintln!("{}", std::backtrace::Backtrace::force_capture());
+        ARMED.store(true, SeqCst);
+    }
+    refused
+}
+
+// SAFETY: all memory is the system allocator's.
+unsafe impl GlobalAlloc for Failing {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        if refuse() {
+            return null_mut();
+        }
+        LIVE.fetch_add(1, SeqCst);
+        // SAFETY: the caller's promise is the same.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        LIVE.fetch_sub(1, SeqCst);
+        // SAFETY: the caller's promise is the same.
+        unsafe { System.dealloc(block, layout) }
+    }
+
+    unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        if refuse() {
+            return null_mut();
+        }
+        // SAFETY: the caller's promise is the same.
+        unsafe { System.realloc(block, layout, size) }
+    }
+}
+
+/// What a run gives: its status and a hash of its result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Outcome {
+    status: DelotetStatus,
+    hash: u64,
+}
+
+/// A hash of plain arrays (FNV-1a), without memory.
+struct Hash(u64);
+
+impl Hash {
+    fn bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+        }
+    }
+
+    fn view<T>(&mut self, data: *const T, count: usize, width: usize) {
+        if count > 0 {
+            // SAFETY: views of plain numbers, `count` rows of `width`.
+            self.bytes(unsafe {
+                std::slice::from_raw_parts(data.cast(), count * width * std::mem::size_of::<T>())
+            });
+        }
+    }
+}
+
+/// One thing to do with too little memory. What it needs is prepared with all of it.
+struct Job {
+    name: String,
+    prepare: fn(&Job) -> Box<dyn Fn() -> Outcome>,
+    model: &'static str,
+    mode: DelotetMode,
+    change: fn(*mut DelotetOptions),
+    file: &'static str,
+    /// At most about so many requests are refused.
+    runs: u64,
+    /// Compressed, if it is a file that can be.
+    compress: bool,
+    /// What it ends with when there is enough memory.
+    expected: DelotetStatus,
+}
+
+impl Job {
+    fn new(name: impl Into<String>, prepare: fn(&Job) -> Box<dyn Fn() -> Outcome>) -> Job {
+        Job {
+            name: name.into(),
+            prepare,
+            model: "schoenhardt.off",
+            mode: DELOTET_MODE_CONSTRAINED,
+            change: |_| {},
+            file: "",
+            runs: RUNS_PER_JOB,
+            compress: false,
+            expected: DelotetStatus::Ok,
+        }
+    }
+}
+
+fn data(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("capi-tests/data").join(name)
+}
+
+fn scratch() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("memory");
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn c_path(path: &Path) -> CString {
+    CString::new(path.to_str().unwrap()).unwrap()
+}
+
+/// Checks and frees an error object.
+unsafe fn finish(status: DelotetStatus, error: *mut DelotetError) -> DelotetStatus {
+    // SAFETY: the error is null or alive.
+    unsafe {
+        assert_eq!(delotet_error_status(error), status);
+        assert!(error.is_null() || *delotet_error_message(error) != 0);
+        delotet_error_free(error);
+    }
+    status
+}
+
+fn read(path: &CString) -> (DelotetStatus, *mut DelotetPlc) {
+    let (mut plc, mut error) = (null_mut(), null_mut());
+    // SAFETY: a path and two out-parameters.
+    let status = unsafe { finish(delotet_plc_read(path.as_ptr(), &mut plc, &mut error), error) };
+    assert_eq!(plc.is_null(), status != DelotetStatus::Ok);
+    (status, plc)
+}
+
+fn plc_of(job: &Job) -> *mut DelotetPlc {
+    let (status, plc) = read(&c_path(&data(job.model)));
+    assert_eq!(status, DelotetStatus::Ok, "{}", job.model);
+    plc
+}
+
+fn mesh_hash(mesh: *const DelotetMesh) -> u64 {
+    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
+    // SAFETY: the mesh is alive.
+    unsafe {
+        let points = delotet_mesh_points(mesh);
+        hash.view(points.data, points.count, 3);
+        let tets = delotet_mesh_tets(mesh);
+        hash.view(tets.data, tets.count, 4);
+        let regions = delotet_mesh_tet_regions(mesh);
+        hash.view(regions.data, regions.count, 1);
+    }
+    hash.0
+}
+
+/// Options, mesh, and all of it freed.
+fn make_mesh(
+    plc: *const DelotetPlc,
+    mode: DelotetMode,
+    change: fn(*mut DelotetOptions),
+) -> (DelotetStatus, *mut DelotetMesh) {
+    let (mut mesh, mut error) = (null_mut(), null_mut());
+    // SAFETY: handles are alive as long as they are used.
+    unsafe {
+        let options = delotet_options_new();
+        if options.is_null() {
+            return (DelotetStatus::OutOfMemory, mesh);
+        }
+        assert_eq!(delotet_options_set_mode(options, mode, null_mut()), DelotetStatus::Ok);
+        change(options);
+        let status = finish(delotet_tetrahedralize(plc, options, &mut mesh, &mut error), error);
+        delotet_options_free(options);
+        assert_eq!(mesh.is_null(), status != DelotetStatus::Ok);
+        (status, mesh)
+    }
+}
+
+fn meshing(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let (plc, mode, change) = (plc_of(job), job.mode, job.change);
+    Box::new(move || {
+        let (status, mesh) = make_mesh(plc, mode, change);
+        let hash = mesh_hash(mesh);
+        // SAFETY: the mesh is ours.
+        unsafe { delotet_mesh_free(mesh) };
+        Outcome { status, hash }
+    })
+}
+
+fn reading(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let path = match job.file {
+        "" => data(job.model),
+        // The same model in another format.
+        file => {
+            let plc = delotet::io::read(&data(job.model)).unwrap();
+            let path = scratch().join(file);
+            delotet::io::write_surface(&path, &plc).unwrap();
+            path
+        }
+    };
+    let path = c_path(&path);
+    Box::new(move || {
+        let (status, plc) = read(&path);
+        let mut hash = Hash(1);
+        // SAFETY: the PLC is null or alive.
+        unsafe {
+            let points = delotet_plc_points(plc);
+            hash.view(points.data, points.count, 3);
+            hash.bytes(&delotet_plc_facet_count(plc).to_le_bytes());
+            delotet_plc_free(plc);
+        }
+        Outcome { status, hash: hash.0 }
+    })
+}
+
+fn writing(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let plc = plc_of(job);
+    let (status, mesh) = make_mesh(plc, job.mode, job.change);
+    assert_eq!(status, DelotetStatus::Ok);
+    let path = c_path(&scratch().join(job.file));
+    Box::new(move || {
+        let mut error = null_mut();
+        // SAFETY: handles and path are alive.
+        let status = unsafe { finish(delotet_mesh_write(mesh, plc, path.as_ptr(), &mut error), error) };
+        Outcome { status, hash: 0 }
+    })
+}
+
+/// With a choice of options of writers.
+fn writing_with(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let plc = plc_of(job);
+    let (status, mesh) = make_mesh(plc, job.mode, job.change);
+    assert_eq!(status, DelotetStatus::Ok);
+    let path = c_path(&scratch().join(job.file));
+    let compress = job.compress;
+    Box::new(move || {
+        let mut error = null_mut();
+        // SAFETY: handles and path are alive; the options are ours.
+        let status = unsafe {
+            let options = delotet_write_options_new();
+            if options.is_null() {
+                return Outcome { status: DelotetStatus::OutOfMemory, hash: 0 };
+            }
+            let mut status = delotet_write_options_set_second_order(options, true, &mut error);
+            if status == DelotetStatus::Ok {
+                status = delotet_write_options_set_region_name(options, 0.0, c"water".as_ptr(), &mut error);
+            }
+            if status == DelotetStatus::Ok {
+                assert_eq!(delotet_write_options_set_subfaces(options, true, null_mut()), DelotetStatus::Ok);
+                assert_eq!(
+                    delotet_write_options_set_compress(options, compress, null_mut()),
+                    DelotetStatus::Ok
+                );
+                status = delotet_mesh_write_with(mesh, plc, path.as_ptr(), options, &mut error);
+            }
+            delotet_write_options_free(options);
+            finish(status, error)
+        };
+        Outcome { status, hash: 0 }
+    })
+}
+
+/// The input in a surface format.
+fn writing_input(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let plc = plc_of(job);
+    let path = c_path(&scratch().join(job.file));
+    Box::new(move || {
+        let (mut copy, mut error) = (null_mut(), null_mut());
+        // SAFETY: the handle and the path are alive.
+        let status = unsafe {
+            let mut status = delotet_plc_clone(plc, &mut copy, &mut error);
+            if status == DelotetStatus::Ok {
+                status = delotet_plc_write(copy, path.as_ptr(), &mut error);
+                delotet_plc_free(copy);
+            }
+            finish(status, error)
+        };
+        Outcome { status, hash: 0 }
+    })
+}
+
+fn checking(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let plc = plc_of(job);
+    let (status, mesh) = make_mesh(plc, job.mode, job.change);
+    assert_eq!(status, DelotetStatus::Ok);
+    let preserved = job.mode == DELOTET_MODE_PRESERVE;
+    Box::new(move || {
+        let mut error = null_mut();
+        // SAFETY: the handles are alive.
+        let status = unsafe {
+            match preserved {
+                true => delotet_mesh_check_preserved(mesh, plc, 10, &mut error),
+                false => delotet_mesh_check(mesh, plc, true, 10, &mut error),
+            }
+        };
+        // SAFETY: the error is null or alive.
+        Outcome { status: unsafe { finish(status, error) }, hash: 0 }
+    })
+}
+
+fn checking_input(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let plc = plc_of(job);
+    Box::new(move || {
+        let mut error = null_mut();
+        // SAFETY: the handle is alive.
+        let status = unsafe { finish(delotet_plc_check(plc, null(), &mut error), error) };
+        Outcome { status, hash: 0 }
+    })
+}
+
+/// A mesh, then everything that is derived from it on first use.
+fn queries(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let (plc, mode) = (plc_of(job), job.mode);
+    Box::new(move || {
+        ARMED.store(false, SeqCst);
+        let (_, mesh) = make_mesh(plc, mode, |_| {});
+        ARMED.store(true, SeqCst);
+        let mut hash = Hash(2);
+        let status = ask(mesh, &mut hash).err().unwrap_or(DelotetStatus::Ok);
+        // SAFETY: the mesh is ours.
+        unsafe { delotet_mesh_free(mesh) };
+        Outcome { status, hash: hash.0 }
+    })
+}
+
+fn ask(mesh: *const DelotetMesh, hash: &mut Hash) -> Result<(), DelotetStatus> {
+    let mut error = null_mut();
+    let ok = |status: DelotetStatus, error: &mut *mut DelotetError| {
+        // SAFETY: the error is null or alive.
+        match unsafe { finish(status, std::mem::replace(error, null_mut())) } {
+            DelotetStatus::Ok => Ok(()),
+            status => Err(status),
+        }
+    };
+    // SAFETY: the mesh is alive; out-parameters are valid; all views are plain old data.
+    unsafe {
+        let mut faces: DelotetFacesView = std::mem::zeroed();
+        let status = delotet_mesh_faces(mesh, &mut faces, &mut error);
+        ok(status, &mut error)?;
+        hash.bytes(&faces.count.to_le_bytes());
+        let mut edges: DelotetEdgesView = std::mem::zeroed();
+        let status = delotet_mesh_edges(mesh, &mut edges, &mut error);
+        ok(status, &mut error)?;
+        hash.bytes(&edges.count.to_le_bytes());
+        let mut nodes: DelotetSecondOrderView = std::mem::zeroed();
+        let status = delotet_mesh_second_order(mesh, DELOTET_NODE_ORDER_VTK, &mut nodes, &mut error);
+        ok(status, &mut error)?;
+        hash.view(nodes.tets, nodes.tet_count, 10);
+        let mut list: DelotetIndicesView = std::mem::zeroed();
+        let status = delotet_mesh_point_tets(mesh, &mut list, &mut error);
+        ok(status, &mut error)?;
+        let mut attributes: DelotetDoublesView = std::mem::zeroed();
+        let status = delotet_mesh_tet_attributes(mesh, &mut attributes, &mut error);
+        ok(status, &mut error)?;
+        let (mut tet, mut weights) = ([0u32], [0.0f64; 4]);
+        let status = delotet_mesh_locate(
+            mesh,
+            [0.01, 0.02, 0.03].as_ptr(),
+            1,
+            tet.as_mut_ptr(),
+            weights.as_mut_ptr(),
+            &mut error,
+        );
+        ok(status, &mut error)?;
+        hash.bytes(&tet[0].to_le_bytes());
+    }
+    Ok(())
+}
+
+/// A PLC by calls: points with attributes and markers, all kinds of facets, segments and seeds.
+fn building(_: &Job) -> Box<dyn Fn() -> Outcome> {
+    Box::new(|| {
+        let mut hash = Hash(3);
+        let mut plc = null_mut();
+        let status = build(&mut plc, &mut hash).err().unwrap_or(DelotetStatus::Ok);
+        // SAFETY: the PLC is null or ours.
+        unsafe { delotet_plc_free(plc) };
+        Outcome { status, hash: hash.0 }
+    })
+}
+
+fn build(plc: &mut *mut DelotetPlc, hash: &mut Hash) -> Result<(), DelotetStatus> {
+    let cube: [[f64; 3]; 8] = std::array::from_fn(|i| [(i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64]);
+    let sides: [[u32; 4]; 5] = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4]];
+    let ends: [usize; 5] = std::array::from_fn(|i| 4 * (i + 1));
+    let mut error = null_mut();
+    let step = |status: DelotetStatus, error: &mut *mut DelotetError| {
+        // SAFETY: the error is null or alive.
+        match unsafe { finish(status, std::mem::replace(error, null_mut())) } {
+            DelotetStatus::Ok => Ok(()),
+            status => Err(status),
+        }
+    };
+    // SAFETY: arrays of these sizes, handles that are alive.
+    unsafe {
+        let status = delotet_plc_new(cube.as_ptr().cast(), 8, plc, &mut error);
+        step(status, &mut error)?;
+        let plc = *plc;
+        let status = delotet_plc_set_point_attributes(plc, cube.as_ptr().cast(), 3, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_set_point_markers(plc, [7; 8].as_ptr(), &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_add_triangles(plc, [1, 3, 7].as_ptr(), null(), 1, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_add_polygons(
+            plc,
+            sides.as_ptr().cast(),
+            ends.as_ptr(),
+            [1, 2, 3, 4, 5].as_ptr(),
+            5,
+            &mut error,
+        );
+        step(status, &mut error)?;
+        let status = delotet_plc_add_triangles(plc, [1, 7, 5].as_ptr(), null(), 1, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_add_segment(plc, 0, 7, 9, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_add_region(plc, [0.5, 0.25, 0.4].as_ptr(), 3.0, 0.1, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_add_hole(plc, [2.0, 2.0, 2.0].as_ptr(), &mut error);
+        step(status, &mut error)?;
+        hash.bytes(&delotet_plc_facet_count(plc).to_le_bytes());
+    }
+    Ok(())
+}
+
+/// A call with wrong arguments: its error is made of memory as well.
+fn misuse(_: &Job) -> Box<dyn Fn() -> Outcome> {
+    Box::new(|| {
+        let mut error = null_mut();
+        let mut plc = null_mut();
+        // SAFETY: a null array with a count is refused.
+        let status = unsafe { finish(delotet_plc_new(null(), 5, &mut plc, &mut error), error) };
+        Outcome { status, hash: 0 }
+    })
+}
+
+fn jobs() -> Vec<Job> {
+    let mut jobs = vec![Job::new("build", building)];
+    jobs.push(Job { expected: DelotetStatus::InvalidArgument, ..Job::new("misuse", misuse) });
+    let modes = [
+        ("delaunay", DELOTET_MODE_DELAUNAY),
+        ("cdt", DELOTET_MODE_CONSTRAINED),
+        ("preserve", DELOTET_MODE_PRESERVE),
+    ];
+    // Those that are made in a hundredth of a second or a few.
+    let models = ["schoenhardt.off", "fins_in_box.poly", "internal.smesh"];
+    for (mode_name, mode) in modes {
+        for model in models {
+            let runs = match (model, mode_name) {
+                ("schoenhardt.off", "delaunay" | "cdt") => u64::MAX,
+                (_, "cdt") => RUNS_PER_SMALL_MESH,
+                _ => RUNS_PER_MESH,
+            };
+            jobs.push(Job { model, mode, runs, ..Job::new(format!("mesh {model}, {mode_name}"), meshing) });
+        }
+    }
+    for model in ["chazelle.off", "layers.poly", "combs.smesh"] {
+        let runs = RUNS_PER_MESH;
+        jobs.push(Job { model, runs, ..Job::new(format!("mesh {model}, cdt"), meshing) });
+    }
+    type Change = (&'static str, fn(*mut DelotetOptions));
+    // SAFETY: the options are alive and nothing else uses them.
+    let changes: [Change; 7] = unsafe {
+        [
+            ("hull kept", |o| {
+                assert_eq!(delotet_options_set_keep_hull(o, true, null_mut()), DelotetStatus::Ok)
+            }),
+            ("merged", |o| {
+                assert_eq!(delotet_options_set_merge_facets(o, 175.0, null_mut()), DelotetStatus::Ok)
+            }),
+            ("not validated", |o| {
+                assert_eq!(delotet_options_set_validate(o, false, null_mut()), DelotetStatus::Ok)
+            }),
+            ("exact form", |o| {
+                assert_eq!(delotet_options_set_exact_form(o, true, null_mut()), DelotetStatus::Ok)
+            }),
+            ("points sorted", |o| {
+                assert_eq!(delotet_options_set_points_sorted(o, true, null_mut()), DelotetStatus::Ok)
+            }),
+            ("two threads", |o| assert_eq!(delotet_options_set_threads(o, 2, null_mut()), DelotetStatus::Ok)),
+            ("outer", |o| {
+                assert_eq!(
+                    delotet_options_set_preserve(o, DELOTET_PRESERVE_OUTER, null_mut()),
+                    DelotetStatus::Ok
+                )
+            }),
+        ]
+    };
+    for (what, change) in changes {
+        for (mode_name, mode) in &modes[1..] {
+            let model = "internal.smesh";
+            let name = format!("mesh {model}, {mode_name}, {what}");
+            let (mode, runs) = (*mode, RUNS_PER_MESH);
+            jobs.push(Job { model, mode, change, runs, ..Job::new(name, meshing) });
+        }
+    }
+    for (model, expected) in [
+        ("invalid/crossing.off", DelotetStatus::SelfIntersection),
+        ("invalid/degenerate.off", DelotetStatus::DegenerateFacet),
+        ("invalid/open.off", DelotetStatus::NothingEnclosed),
+    ] {
+        jobs.push(Job { model, expected, ..Job::new(format!("mesh {model}"), meshing) });
+    }
+    for model in ["internal.smesh", "fins_in_box.poly"] {
+        jobs.push(Job { model, ..Job::new(format!("check the input {model}"), checking_input) });
+        jobs.push(Job { model, ..Job::new(format!("check the mesh of {model}"), checking) });
+        let mode = DELOTET_MODE_PRESERVE;
+        jobs.push(Job { model, mode, ..Job::new(format!("check the kept surface of {model}"), checking) });
+        jobs.push(Job { model, ..Job::new(format!("queries, {model}"), queries) });
+    }
+    for file in ["", "m.off", "m.stl", "m.obj", "m.ply", "m.poly", "m.smesh", "m.node"] {
+        jobs.push(Job { file, ..Job::new(format!("read schoenhardt {file}"), reading) });
+    }
+    for model in ["fins_in_box.poly", "internal.smesh", "text.obj"] {
+        jobs.push(Job { model, ..Job::new(format!("read {model}"), reading) });
+    }
+    for (model, expected) in [
+        ("invalid/truncated.off", DelotetStatus::Format),
+        ("invalid/index.off", DelotetStatus::Format),
+        ("no such file.off", DelotetStatus::File),
+        ("no_format.xyz", DelotetStatus::Unsupported),
+    ] {
+        jobs.push(Job { model, expected, ..Job::new(format!("read {model}"), reading) });
+    }
+    let model = "fins_in_box.poly";
+    for file in ["w.ele", "w.vtu", "w.vtk", "w.msh", "w.mesh", "w.inp"] {
+        jobs.push(Job { model, file, ..Job::new(format!("write {file}"), writing) });
+    }
+    for file in ["o.ele", "o.vtu", "o.vtk", "o.msh", "o.inp"] {
+        jobs.push(Job { model, file, ..Job::new(format!("write {file}, with options"), writing_with) });
+    }
+    let compressed = Job::new("write c.vtu, compressed", writing_with);
+    jobs.push(Job { model, file: "c.vtu", compress: true, ..compressed });
+    for file in ["s.off", "s.stl", "s.obj", "s.ply", "s.poly", "s.smesh", "s.node"] {
+        jobs.push(Job { model: "chazelle.off", file, ..Job::new(format!("write {file}"), writing_input) });
+    }
+    for file in ["t.ply", "t.poly", "t.obj"] {
+        let name = format!("write {file} of polygons");
+        jobs.push(Job { model: "internal.smesh", file, ..Job::new(name, writing_input) });
+    }
+    jobs.push(Job {
+        file: "no such folder/w.vtu",
+        expected: DelotetStatus::File,
+        ..Job::new("write into nothing", writing)
+    });
+    jobs
+}
+
+/// Runs the body with the n-th request refused (0: none), and with `on` all after it. Returns the number of requests too.
+fn run(body: &dyn Fn() -> Outcome, n: u64, on: bool) -> (Outcome, u64) {
+    COUNT.store(0, SeqCst);
+    REFUSED.store(if n == 0 { u64::MAX } else { n }, SeqCst);
+    ON.store(on, SeqCst);
+    ARMED.store(true, SeqCst);
+    let outcome = body();
+    ARMED.store(false, SeqCst);
+    (outcome, COUNT.load(SeqCst))
+}
+
+/// A child: runs a job from the n-th request on, and says so before each run. Arguments: job, `on`, first n, the request to trace or 0.
+fn child(arguments: &[String]) {
+    let job = &jobs()[arguments[0].parse::<usize>().unwrap()];
+    let on = arguments[1] == "on";
+    let first: u64 = arguments[2].parse().unwrap();
+    let traced: u64 = arguments[3].parse().unwrap();
+    // A failed assertion is reported with all the memory that takes.
+    let report = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |info| {
+        ARMED.store(false, SeqCst);
+        report(info);
+    }));
+    let body = (job.prepare)(job);
+    // Twice: what is set up once for the process is there then, as is the buffer of the standard output.
+    say(format_args!("0 0 0"));
+    let (reference, _) = run(&*body, 0, false);
+    let live = LIVE.load(SeqCst);
+    let (again, requests) = run(&*body, 0, false);
+    assert_eq!(reference, again);
+    assert_eq!(LIVE.load(SeqCst), live, "{}: memory leaks", job.name);
+    assert_eq!(reference.status, job.expected, "{}", job.name);
+    let stride = match std::env::var_os("DELOTET_MEMORY_ALL") {
+        Some(_) => 1,
+        None => requests.div_ceil(job.runs).max(1),
+    };
+    let mut n = first;
+    while n <= requests && requests > 0 {
+        say(format_args!("{n} {stride} {requests}"));
+        TRACED.store(traced, SeqCst);
+        let (outcome, _) = run(&*body, n, on);
+        let fine = outcome == reference || outcome.status == DelotetStatus::OutOfMemory;
+        assert!(fine, "{}, request {n}{}: {outcome:?}", job.name, if on { " and all after it" } else { "" });
+        let now = LIVE.load(SeqCst);
+        assert_eq!(now, live, "{}, request {n}: memory leaks", job.name);
+        if traced > 0 {
+            return;
+        }
+        n += stride;
+    }
+    say(format_args!("done {requests}"));
+}
+
+fn say(line: std::fmt::Arguments<'_>) {
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "{line}").unwrap();
+    out.flush().unwrap();
+}
+
+/// A child process for a job; its lines, whether it ended well, and its errors.
+fn start(job: usize, on: bool, first: u64, traced: u64) -> (Vec<String>, bool, String) {
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    command.args(["--child", &job.to_string(), if on { "on" } else { "once" }, &first.to_string()]);
+    command.arg(traced.to_string());
+    // The standard library's own stack of a failed request would take memory too.
+    command.env("RUST_BACKTRACE", "0");
+    let mut process = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let (out, err) = (process.stdout.take().unwrap(), process.stderr.take().unwrap());
+    let errors = std::thread::spawn(move || std::io::read_to_string(err).unwrap_or_default());
+    let lines = BufReader::new(out).lines().map(Result::unwrap).collect();
+    (lines, process.wait().unwrap().success(), errors.join().unwrap())
+}
+
+/// The innermost module of the library in a stack of calls, to two levels: by the names of functions, as there may be no line numbers.
+fn site(trace: &str) -> String {
+    let own = |line: &str| {
+        let path = line.split_once("delotet::")?.1;
+        let path = path.split(['<', '>', ' ', '{', '(']).next().unwrap_or(path);
+        let mut parts = path.split("::").filter(|part| part.starts_with(|c: char| c.is_ascii_lowercase()));
+        let (first, second) = (parts.next()?, parts.next().unwrap_or_default());
+        (first != "fallible" && !first.is_empty()).then(|| format!("{first}::{second}"))
+    };
+    trace.lines().find_map(own).unwrap_or_else(|| "unknown".into())
+}
+
+#[derive(Default)]
+struct Tally {
+    runs: u64,
+    aborts: u64,
+    sites: BTreeMap<String, u64>,
+    faults: Vec<String>,
+}
+
+fn sweep(job: usize, name: &str, on: bool, tally: &mut Tally) {
+    let mut first = 1;
+    loop {
+        let (lines, well, errors) = start(job, on, first, 0);
+        let steps: Vec<&String> = lines.iter().filter(|line| !line.starts_with(['d', '0'])).collect();
+        tally.runs += steps.len() as u64;
+        if well {
+            return;
+        }
+        let aborted = errors.contains("memory allocation of");
+        let Some(last) = steps.last().filter(|_| aborted) else {
+            tally.faults.push(format!("{name}: {errors}"));
+            return;
+        };
+        let mut numbers = last.split(' ').map(|number| number.parse::<u64>().unwrap());
+        let (n, stride) = (numbers.next().unwrap(), numbers.next().unwrap());
+        tally.aborts += 1;
+        // Of all that were refused it is the last one before the end is announced.
+        let before = errors.split("memory allocation of").next().unwrap_or_default();
+        let last =
+            before.rsplit(char::from(MARK)).next().filter(|_| on).and_then(|rest| rest.trim().parse().ok());
+        let (_, _, trace) = start(job, on, n, last.unwrap_or(n));
+        let site = site(&trace);
+        if site == "unknown" || std::env::var_os("DELOTET_MEMORY_SHOW").is_some() {
+            eprintln!("{name}, request {n}:\n{trace}");
+        }
+        *tally.sites.entry(site).or_default() += 1;
+        first = n + stride;
+    }
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments.first().is_some_and(|first| first == "--child") {
+        return child(&arguments[1..]);
+    }
+    // As the standard harness: a filter by name.
+    let filter = arguments.iter().find(|argument| !argument.starts_with('-')).cloned();
+    let mut tally = Tally::default();
+    for (index, job) in jobs().iter().enumerate() {
+        if filter.as_ref().is_some_and(|filter| !job.name.contains(filter.as_str())) {
+            continue;
+        }
+        let before = (tally.runs, tally.aborts);
+        sweep(index, &job.name, false, &mut tally);
+        sweep(index, &job.name, true, &mut tally);
+        println!("{}: {} runs, {} aborts", job.name, tally.runs - before.0, tally.aborts - before.1);
+    }
+    println!("{} runs, {} aborts at {:#?}", tally.runs, tally.aborts, tally.sites);
+    let is_in = |site: &str, known: &str| {
+        site.strip_prefix(known).is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
+    };
+    for site in tally.sites.keys().filter(|site| !KNOWN.iter().any(|known| is_in(site, known))) {
+        tally.faults.push(format!("a refused request in {site} ends the process"));
+    }
+    if filter.is_none() {
+        for known in KNOWN.iter().filter(|known| !tally.sites.keys().any(|site| is_in(site, known))) {
+            tally
+                .faults
+                .push(format!("{known} is no longer a site where a refused request ends the process"));
+        }
+    }
+    assert!(tally.faults.is_empty(), "\n{}\n", tally.faults.join("\n"));
+}

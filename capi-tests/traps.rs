@@ -1,0 +1,199 @@
+//! Hosts that trap floating-point exceptions, as Fortran programs and many solvers do: no operation divides by zero, is invalid (makes a
+//! NaN) or overflows, on any path.
+//!
+//! A child process per input enables the traps, reads the model, makes meshes of it in all modes, checks and writes them; a trap ends it
+//! by a signal. Inputs are our own models, some inputs that go to the ends of what is allowed, and, where it is there, the sample of the
+//! corpus (in debug builds only small models: they take long enough). Only where glibc can trap.
+#![allow(unsafe_code)]
+
+#[cfg(not(all(target_os = "linux", target_env = "gnu", target_arch = "x86_64")))]
+fn main() {}
+
+#[cfg(all(target_os = "linux", target_env = "gnu", target_arch = "x86_64"))]
+fn main() {
+    glibc::main();
+}
+
+#[cfg(all(target_os = "linux", target_env = "gnu", target_arch = "x86_64"))]
+mod glibc {
+    use delotet::io::{read, write, write_surface, WriteOptions};
+    use delotet::{check_mesh, tetrahedralize, Mode, Options, Plc, Segment, Silent, Status};
+    use std::path::{Path, PathBuf};
+    use std::process::Command;
+
+    #[link(name = "m")]
+    extern "C" {
+        /// glibc, fenv.h.
+        fn feenableexcept(exceptions: i32) -> i32;
+    }
+    /// FE_INVALID, FE_DIVBYZERO and FE_OVERFLOW of x86.
+    const TRAPS: i32 = 1 | 4 | 8;
+
+    /// Inputs at the ends of what is allowed: huge and tiny coordinates, flat and equal things.
+    fn extremes() -> Vec<(&'static str, Plc)> {
+        let cube = |size: f64| Plc {
+            points: (0..8)
+                .map(|i| [i & 1, i >> 1 & 1, i >> 2].map(|bit| if bit == 1 { size } else { -size }))
+                .collect(),
+            triangles: vec![
+                [0, 2, 1],
+                [1, 2, 3],
+                [4, 5, 6],
+                [5, 7, 6],
+                [0, 1, 4],
+                [1, 5, 4],
+                [2, 6, 3],
+                [3, 6, 7],
+                [0, 4, 2],
+                [2, 4, 6],
+                [1, 3, 5],
+                [3, 7, 5],
+            ],
+            ..Plc::default()
+        };
+        let with_segment = |size: f64, far: f64| {
+            let mut plc = cube(size);
+            plc.points.extend([[0.1 * size, 0.0, far], [-0.1 * size, 0.05 * size, -far]]);
+            plc.segments.push(Segment { ends: [8, 9], marker: 1 });
+            plc
+        };
+        let mut crossing = cube(1.0);
+        crossing.points.push([3.0, 0.0, 0.0]);
+        crossing.triangles.push([0, 7, 8]);
+        let mut overlapping = cube(1.0);
+        overlapping.triangles.push([0, 1, 3]);
+        vec![
+            ("cube of 10^60", with_segment(1e60, 5e59)),
+            ("cube of 10^150", with_segment(1e150, 5e149)),
+            ("cube of 10^307", with_segment(1e307, 5e306)),
+            ("cube of 10^-200", with_segment(1e-200, 5e-201)),
+            ("cube of 10^-300", cube(1e-300)),
+            ("needle", with_segment(1.0, 1e-9)),
+            ("crossing", crossing),
+            ("overlapping", overlapping),
+            (
+                "points in a plane",
+                Plc { points: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], ..Plc::default() },
+            ),
+            ("nothing", Plc::default()),
+            ("one point", Plc { points: vec![[1.0, -3.0, 0.1]], ..Plc::default() }),
+            ("equal points", Plc { points: vec![[5e-300; 3]; 4], ..Plc::default() }),
+            (
+                "points that are nearly one",
+                Plc { points: vec![[1.0; 3], [1.0, 1.0, 1.0 + f64::EPSILON]], ..Plc::default() },
+            ),
+            (
+                "points in a tiny plane",
+                Plc { points: vec![[1.0, 0.0, 0.0], [1.0, 1e-30, 0.0], [1.0, 0.0, 1e-30]], ..Plc::default() },
+            ),
+        ]
+    }
+
+    fn files() -> Vec<PathBuf> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let data = root.join("capi-tests/data");
+        let most_of_ours = if cfg!(debug_assertions) { 40_000 } else { u64::MAX };
+        let known = ["off", "poly", "smesh", "ply", "stl", "obj"];
+        let mut files = Vec::new();
+        for folder in [data.clone(), data.join("invalid")] {
+            let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+            files.extend(entries.filter(|path| {
+                path.extension().and_then(|e| e.to_str()).is_some_and(|e| known.contains(&e))
+                    && std::fs::metadata(path).is_ok_and(|data| data.len() <= most_of_ours)
+            }));
+        }
+        files.sort();
+        assert!(files.len() > 20);
+        let most = if cfg!(debug_assertions) { 20_000 } else { u64::MAX };
+        let sample = std::fs::read_to_string(root.join("capi-tests/corpus-sample.txt")).unwrap();
+        let models = root.join("../shared/corpus/models");
+        let models = sample.lines().map(|line| models.join(line));
+        files.extend(models.filter(|path| std::fs::metadata(path).is_ok_and(|data| data.len() <= most)));
+        files
+    }
+
+    fn use_all(name: &str, plc: &Plc) {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("traps-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let plain = Options::default();
+        let runs = [
+            Options { mode: Mode::Delaunay, ..plain.clone() },
+            plain.clone(),
+            Options { keep_hull: true, exact_form: true, ..plain.clone() },
+            Options { merge_facets: Some(175.0), ..plain.clone() },
+            Options { mode: Mode::Preserve, ..plain },
+        ];
+        for options in runs {
+            let mode = options.mode;
+            match tetrahedralize(plc, &options, &mut Silent) {
+                Ok(mesh) => {
+                    let _ = check_mesh(plc, &mesh, false, 10);
+                    for extension in ["vtu", "vtk", "msh", "mesh", "ele"] {
+                        let path = folder.join("mesh").with_extension(extension);
+                        write(&path, &mesh, plc, &WriteOptions::default()).unwrap();
+                    }
+                    let locator = delotet::mesh_query::Locator::new(&mesh).unwrap();
+                    let (mut tets, mut weights) = ([0; 2], [[0.0; 4]; 2]);
+                    locator.locate(&mesh, &[mesh.points[0], [0.1, 0.2, 0.3]], &mut tets, Some(&mut weights));
+                }
+                Err(error) => assert_ne!(error.status, Status::Internal, "{name}, {mode:?}: {error}"),
+            }
+        }
+        for extension in ["off", "obj", "ply", "poly", "stl"] {
+            let _ = write_surface(&folder.join("surface").with_extension(extension), plc);
+        }
+        std::fs::remove_dir_all(folder).unwrap();
+    }
+
+    fn child(number: usize) {
+        // SAFETY: a call of the C library, which changes how this process takes exceptions.
+        assert_ne!(unsafe { feenableexcept(TRAPS) }, -1);
+        let extremes = extremes();
+        match number.checked_sub(extremes.len()) {
+            None => use_all(extremes[number].0, &extremes[number].1),
+            Some(file) => {
+                let path = &files()[file];
+                if let Ok(plc) = read(path) {
+                    use_all(&path.display().to_string(), &plc);
+                }
+            }
+        }
+    }
+
+    pub fn main() {
+        let arguments: Vec<String> = std::env::args().skip(1).collect();
+        match arguments.first().map(String::as_str) {
+            Some("--child") => return child(arguments[1].parse().unwrap()),
+            // The traps are on: a child that divides by zero does not live.
+            Some("--divide") => {
+                // SAFETY: as above.
+                assert_ne!(unsafe { feenableexcept(TRAPS) }, -1);
+                let zero: f64 = arguments[1].parse().unwrap();
+                println!("{}", 1.0 / zero);
+                return;
+            }
+            _ => {}
+        }
+        let run = |arguments: &[&str]| {
+            Command::new(std::env::current_exe().unwrap()).args(arguments).output().unwrap()
+        };
+        use std::os::unix::process::ExitStatusExt;
+        const SIGFPE: i32 = 8;
+        assert_eq!(run(&["--divide", "0"]).status.signal(), Some(SIGFPE), "nothing is trapped here");
+        let (extremes, files) = (extremes(), files());
+        let mut faults = Vec::new();
+        let names = extremes.iter().map(|input| input.0.to_string());
+        let names = names.chain(files.iter().map(|path| path.display().to_string()));
+        let mut count = 0;
+        for (number, name) in names.enumerate() {
+            let output = run(&["--child", &number.to_string()]);
+            count += 1;
+            if !output.status.success() {
+                let text = String::from_utf8_lossy(&output.stderr).into_owned();
+                faults.push(format!("{name}: {} {text}", output.status));
+            }
+        }
+        assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
+        println!("{count} inputs, no trap");
+    }
+}
