@@ -1,8 +1,11 @@
 //! Which component each seed lies in.
 //!
-//! One pass over the tetrahedra asks a k-d tree of the seeds (Bentley 1975) for those in each one's box, so the cost is that of
-//! a few comparisons per tetrahedron whatever the number of seeds, and memory follows the seeds. A seed strictly
-//! inside a tetrahedron is done and leaves the tree; one on a face, edge or vertex waits for the other tetrahedra there.
+//! First a walk (Devillers, Pion & Teillaud 2002, "Walking in a triangulation") from the tetrahedron of the last seed, in the order of
+//! a k-d tree (Bentley 1975), so that the next one is near. It ends strictly inside a tetrahedron, outside of the hull, or
+//! nowhere: walks may go round in circles, as constraints break the Delaunay property, and a seed may lie on a face, edge or vertex.
+//! For what is left one pass over the tetrahedra asks the tree for the seeds in each one's box: a few comparisons per
+//! tetrahedron whatever the number of seeds. A seed strictly inside a tetrahedron is done and leaves the tree; others wait
+//! for all tetrahedra there. Memory follows the seeds.
 use super::Components;
 use crate::error::Error;
 use crate::mesh::{flag, Tetrahedra};
@@ -29,6 +32,10 @@ enum Position {
 
 /// Seeds in a leaf. Fewer make the tree larger, more make leaves slower; from 4 to 16 nothing is to be measured.
 const LEAF: usize = 8;
+
+/// Steps of a walk before it is given up. A straight walk through 10^6 tetrahedra takes some 150; more steps only delay the pass that
+/// decides after all.
+const MOST_STEPS: u32 = 1000;
 
 struct Node {
     low: [f64; 3],
@@ -189,12 +196,37 @@ impl Search<'_> {
         let mut positions: Vec<Option<Position>> = Vec::new();
         positions.try_reserve_exact(self.seeds.len())?;
         positions.resize_with(self.seeds.len(), || None);
+        let order = {
+            let mut order = Vec::new();
+            order.try_reserve_exact(tree.order.len())?;
+            order.extend_from_slice(&tree.order);
+            order
+        };
+        let (low, high) = self.whole_box();
+        let mut from = (0..self.mesh.slot_count() as u32).find(|&t| self.is_solid(t));
+        for seed in order {
+            let Some(start) = from else { break };
+            // Only a seed inside the box of the mesh becomes a vertex: the filters' bounds hold there.
+            let at = self.scaled[seed as usize];
+            if (0..3).any(|k| at[k] < low[k] || at[k] > high[k]) {
+                tree.take_out(seed);
+                continue;
+            }
+            let Position::Vertex(p) = self.position(seed)? else { continue };
+            positions[seed as usize] = Some(Position::Vertex(p));
+            let (end, place) = self.walk(start, p);
+            from = Some(end);
+            if let Some(place) = place {
+                places[seed as usize] = place;
+                tree.take_out(seed);
+            }
+        }
         let mut leaves = Vec::new();
         for t in 0..self.mesh.slot_count() as u32 {
             if tree.is_empty() {
                 break;
             }
-            if !self.mesh.is_live(t) || self.mesh.is_ghost(t) {
+            if !self.is_solid(t) {
                 continue;
             }
             let (low, high) = self.box_of(t);
@@ -225,6 +257,51 @@ impl Search<'_> {
         Ok(())
     }
 
+    /// The box of all points; Steiner points are within an ulp of their doubles.
+    fn whole_box(&self) -> ([f64; 3], [f64; 3]) {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for p in self.points.coordinates() {
+            for k in 0..3 {
+                low[k] = low[k].min(p[k]);
+                high[k] = high[k].max(p[k]);
+            }
+        }
+        (low.map(f64::next_down), high.map(f64::next_up))
+    }
+
+    fn is_solid(&self, t: u32) -> bool {
+        self.mesh.is_live(t) && !self.mesh.is_ghost(t)
+    }
+
+    /// Walks to a vertex of the store that is no vertex of the mesh, always through a face that has it strictly beyond. Returns the last
+    /// tetrahedron and the place, if that is decided.
+    fn walk(&self, start: u32, p: u32) -> (u32, Option<Place>) {
+        let (mut t, mut entered) = (start, u32::MAX);
+        for _ in 0..MOST_STEPS {
+            let mut strictly = true;
+            let mut next = None;
+            for code in (4 * t..4 * t + 4).filter(|&code| code != entered) {
+                let [x, y, z] = self.mesh.face(code);
+                match self.points.orient3d(p, x, y, z) {
+                    Sign::Negative => {
+                        next = Some(self.mesh.across(code));
+                        break;
+                    }
+                    Sign::Zero => strictly = false,
+                    Sign::Positive => {}
+                }
+            }
+            match next {
+                None if strictly => return (t, Some(Place::In(self.components.of[t as usize]))),
+                None => return (t, None),
+                // The hull is convex, and so strictly beyond one of its faces is outside.
+                Some(code) if self.mesh.is_ghost(code >> 2) => return (t, Some(Place::Outside)),
+                Some(code) => (t, entered) = (code >> 2, code),
+            }
+        }
+        (t, None)
+    }
+
     /// The box of a tetrahedron; Steiner points are within an ulp of their doubles.
     fn box_of(&self, t: u32) -> ([f64; 3], [f64; 3]) {
         let corners = self.mesh.verts[t as usize].map(|v| self.points.xyz(v));
@@ -233,7 +310,7 @@ impl Search<'_> {
         ([0, 1, 2].map(low), [0, 1, 2].map(high))
     }
 
-    /// Only a seed inside the box of the mesh becomes a vertex: the filters' bounds hold there.
+    /// Only what lies in the exact range becomes a vertex.
     fn position(&mut self, seed: u32) -> Result<Position, Error> {
         let (given, p) = (self.seeds[seed as usize], self.scaled[seed as usize]);
         let exact = p.map(|x| scale(x, -self.exponent)) == given;
