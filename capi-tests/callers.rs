@@ -450,6 +450,73 @@ fn exported_functions_have_versions() {
     assert_eq!(seen, listed.lines().collect::<Vec<_>>());
 }
 
+/// The bytes are the same in any case; threads are started all the same.
+#[test]
+#[cfg(target_os = "linux")]
+fn threads_are_started_where_they_are_asked_for() {
+    let folder = folder("threads");
+    let (file, program) = (folder.join("threads.c"), folder.join("threads"));
+    fs::write(&file, THREADS).expect("a program");
+    let mut compile = compiler("c99");
+    compile.arg(&file).arg("-o").arg(&program);
+    succeed(link_shared(compile.arg("-ldl")));
+    let count = |threads: &str, points: &str| -> u32 {
+        succeed(Command::new(&program).args([threads, points])).trim().parse().expect("a number")
+    };
+    assert_eq!(count("1", "72000"), 0);
+    assert!(count("2", "72000") > 0);
+    // Too few points for a second thread to gain anything.
+    assert_eq!(count("2", "1000"), 0);
+}
+
+/// Delaunay tetrahedra with so many threads, of so many points; prints how many threads the library has started.
+const THREADS: &str = r#"
+#define _GNU_SOURCE
+#include <delotet/delotet.h>
+#include <dlfcn.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static double xyz[216000];
+static int started;
+
+/* Stands before that of the system. */
+int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*work)(void *), void *data)
+{
+    int (*real)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
+    void *found = dlsym(RTLD_NEXT, "pthread_create");
+    memcpy(&real, &found, sizeof real);
+    started++;
+    return real(thread, attributes, work, data);
+}
+
+int main(int count, char **words)
+{
+    DelotetPlc *plc = NULL;
+    DelotetOptions *options = delotet_options_new();
+    DelotetMesh *mesh = NULL;
+    uint64_t state = 1;
+    size_t i;
+    if (count != 3)
+        return 2;
+    for (i = 0; i < 216000; i++) {
+        state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        xyz[i] = (double)(state >> 11);
+    }
+    if (delotet_options_set_mode(options, DELOTET_MODE_DELAUNAY, NULL) ||
+        delotet_options_set_threads(options, strtoul(words[1], NULL, 10), NULL) ||
+        delotet_plc_new(xyz, strtoul(words[2], NULL, 10), &plc, NULL) || delotet_tetrahedralize(plc, options, &mesh, NULL))
+        return 1;
+    printf("%d\n", started);
+    delotet_mesh_free(mesh);
+    delotet_plc_free(plc);
+    delotet_options_free(options);
+    return 0;
+}
+"#;
+
 /// A process whose address space is limited: the status, not an abort, and the statistics say what it took.
 #[test]
 #[cfg(target_os = "linux")]

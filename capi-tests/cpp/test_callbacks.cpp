@@ -55,14 +55,19 @@ int main()
           DELOTET_STATUS_CANCELLED);
     CHECK(delotet::tetrahedralize(plc, cancelling, mesh, error) == DELOTET_STATUS_CANCELLED && error);
 
-    // The log; whether a run has anything to say is its affair.
-    bool said = false;
+    // The log: one line for a hole without effect, none where there is nothing to say.
+    std::vector<std::string> said;
     delotet::Options logging;
-    logging.on_log([&](const char *) { said = true; });
+    logging.on_log([&](const char *line) { said.push_back(line); });
     delotet::tetrahedralize(plc, logging);
+    CHECK(said.empty());
+    delotet::Plc holed = nested_boxes();
+    holed.add_hole({9, 9, 9});
+    delotet::tetrahedralize(holed, logging);
+    CHECK(said.size() == 1 && said[0].find("hole 0 at (9, 9, 9)") != std::string::npos);
     logging.on_log([](const char *) { throw std::string("log"); });
-    if (said)
-        CHECK(caught<std::string>([&] { delotet::tetrahedralize(plc, logging); }) == "log");
+    CHECK(caught<std::string>([&] { delotet::tetrahedralize(holed, logging); }) == "log");
+    delotet::tetrahedralize(plc, logging);
 
     // A callback may make another mesh with other callbacks; each exception belongs to its own run.
     int inner_calls = 0;

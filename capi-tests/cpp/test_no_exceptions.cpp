@@ -17,7 +17,8 @@ int main()
     int calls = 0;
     delotet::Options options;
     options.on_progress([&](delotet::Phase, double) { return ++calls > 0; });
-    CHECK(options.threads(0, error) == DELOTET_STATUS_INVALID_ARGUMENT && std::strstr(error.message(), "threads"));
+    CHECK(options.merge_facets(17, error) == DELOTET_STATUS_INVALID_ARGUMENT && error && error.message()[0] != '\0');
+    CHECK(options.merge_facets() == 0);
     CHECK(options.threads(2, error) == DELOTET_STATUS_OK && !error && options.threads() == 2);
     delotet::Mesh mesh;
     CHECK(delotet::tetrahedralize(plc, options, mesh, error) == DELOTET_STATUS_OK && calls > 0);

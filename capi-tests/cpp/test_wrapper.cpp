@@ -78,13 +78,17 @@ static void outputs()
     CHECK(std::abs(weights[0][0] + weights[0][1] + weights[0][2] + weights[0][3] - 1) < 1e-15);
 
     plc.add_hole({1.5, 1.5, 1.5});
-    // The seed of a region inside a hole is a contradiction, unless the library drops it: both are told apart by the status.
+    // The seed of a region inside a hole is a contradiction.
     delotet::Error error;
     delotet::Mesh carved;
-    if (delotet::tetrahedralize(plc, {}, carved, error) == DELOTET_STATUS_OK)
-        CHECK(std::abs(volume(carved) - 26) < 1e-12);
-    else
-        CHECK(error.status() == DELOTET_STATUS_SEED_OUTSIDE);
+    CHECK(delotet::tetrahedralize(plc, {}, carved, error) == DELOTET_STATUS_SEED_OUTSIDE && carved.get() == nullptr);
+    CHECK(error.status() == DELOTET_STATUS_SEED_OUTSIDE && error.defects().size() == 1);
+    CHECK(error.defects()[0].kind == DELOTET_DEFECT_KIND_SEED_OUTSIDE);
+    CHECK(error.defects()[0].first_element == DELOTET_ELEMENT_REGION && error.defects()[0].first == 1);
+    plc = nested_boxes();
+    plc.add_region({0.5, 0.5, 0.5}, 10).add_hole({1.5, 1.5, 1.5});
+    carved = delotet::tetrahedralize(plc);
+    CHECK(std::abs(volume(carved) - 26) < 1e-12 && carved.regions().size() == 1);
 }
 
 static void files()

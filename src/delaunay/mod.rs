@@ -24,6 +24,8 @@ use locate::{walk, Walk};
 use order::Frame;
 use parallel::{Pass, FEWEST_VERTICES};
 use ranges::{range_count, Division};
+#[cfg(test)]
+pub(crate) use workers::STARTED as HELPERS_STARTED;
 
 /// Walks of more steps are long: tetrahedra reach far, and it matters at which one of the last vertex a walk starts.
 const LONG_WALK: u32 = 24;

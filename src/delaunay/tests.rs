@@ -1,7 +1,7 @@
 //! The Delaunay invariants on random and degenerate point sets.
 use super::check::check_delaunay;
 use super::order::insertion_order;
-use super::Delaunay;
+use super::{Delaunay, HELPERS_STARTED};
 use crate::predicates::Points;
 
 /// Deterministic numbers in [0, 1).
@@ -192,7 +192,9 @@ fn any_number_of_threads_makes_the_same_bytes() {
         let round = delaunay.rounds.last().unwrap_or_else(|| panic!("{name}: no round by ranges"));
         assert!(round.ranges >= 2 && round.deferred[0] > 0, "{name}");
         for threads in [2, 3, 4, 7] {
+            let before = HELPERS_STARTED.get();
             assert!(build_by(threads, &xyz).2 == one, "{name}, {threads} threads");
+            assert!(HELPERS_STARTED.get() > before, "{name}, {threads} threads: no helper");
         }
     }
 }

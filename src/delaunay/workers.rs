@@ -8,6 +8,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
+#[cfg(test)]
+thread_local! {
+    /// How many helpers this thread has started so far.
+    pub(crate) static STARTED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
+
 /// What the helpers tell the caller's thread.
 #[derive(Default)]
 struct Office {
@@ -54,6 +60,8 @@ pub(super) fn together(
                 office.helpers.fetch_sub(1, Ordering::Relaxed);
                 break;
             }
+            #[cfg(test)]
+            STARTED.set(STARTED.get() + 1);
         }
         // The helpers borrow what this thread owns: it must not leave by a panic before they have ended, and `scope` waits for them.
         outcome(own());

@@ -338,11 +338,12 @@ fn a_polygon_without_valid_projection() {
 fn a_corner_that_lies_on_an_edge_in_projection_only() {
     // Along z, the direction of the normal, corner 4 lies on edge (0, 1), but it is above it.
     let points = vec![[0., 0., 0.], [8., 0., 0.], [8., 8., 0.], [0., 8., 0.], [4., 0., 1.]];
-    let plc = Plc { points, facets: vec![ring_facet(&[&[0, 1, 2, 4, 3]])], ..Plc::default() };
-    match run(&plc) {
-        Ok(s) => assert!(s.segments.contains(&[0, 1])),
-        Err(error) => assert_eq!(error.status, Status::NonPlanarFacet),
-    }
+    let mut plc = Plc { points, facets: vec![ring_facet(&[&[0, 1, 2, 4, 3]])], ..Plc::default() };
+    let error = run(&plc).unwrap_err();
+    assert_eq!((error.status, error.defects[0].first), (Status::NonPlanarFacet, Element::Facet(0)));
+    // A corner beside the edge in projection too has a triangulation that keeps the edge.
+    plc.points[4][1] = 1.0;
+    assert!(run(&plc).unwrap().segments.contains(&[0, 1]));
 }
 
 #[test]
@@ -452,12 +453,10 @@ fn a_large_polygon_on_a_tilted_plane() {
     let ring: Vec<u32> = (0..points.len() as u32).collect();
     let mut plc = flat(&points, &[&ring]);
     plc.points.iter_mut().for_each(|p| p[2] = p[0] + 2.0 * p[1]);
-    let start = std::time::Instant::now();
     let s = run(&plc).unwrap();
     assert_eq!(s.triangles.len(), points.len() - 2);
     assert_eq!(s.patch_count, 1);
     assert_eq!(area(&s), shoelace(&points));
-    assert!(start.elapsed().as_secs() < 10);
 }
 
 #[test]
@@ -614,6 +613,7 @@ fn all_defects_are_reported_together() {
 #[test]
 fn random_vertices_on_a_lattice_conform() {
     let mut random = Random(3);
+    let (mut taken, mut refused) = (0, 0);
     for round in 0..60 {
         let size = 4 + round % 9;
         let mut plc = flat(&[], &[]);
@@ -633,6 +633,7 @@ fn random_vertices_on_a_lattice_conform() {
             plc.segments.push(Segment { ends, marker: 0 });
             match run(&plc) {
                 Ok(s) => {
+                    taken += 1;
                     assert_eq!(area(&s), 2 * i128::from(size * size));
                     let edges: Vec<[u32; 2]> =
                         s.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
@@ -642,11 +643,13 @@ fn random_vertices_on_a_lattice_conform() {
                 }
                 Err(error) => {
                     assert!(matches!(error.status, Status::SelfIntersection | Status::DegenerateFacet));
+                    refused += 1;
                     plc.segments.pop();
                 }
             }
         }
     }
+    assert!(taken > 200 && refused > 50, "{taken} {refused}");
 }
 
 #[test]
