@@ -57,8 +57,8 @@ minor=${version%.*}
 for request in "" "$minor" "$version" "$minor COMPONENTS shared" "$minor COMPONENTS static" "$minor COMPONENTS shared static"; do
     consumer find find -DCMAKE_PREFIX_PATH="$work/prefix" -DREQUEST="$request"
 done
-for target in delotet::shared delotet::static; do
-    consumer find find -DCMAKE_PREFIX_PATH="$work/prefix" -DTARGET=$target
+for linked in delotet::shared delotet::static; do
+    consumer find find -DCMAKE_PREFIX_PATH="$work/prefix" -DTARGET="$linked"
 done
 consumer find find -DCMAKE_PREFIX_PATH="$work/prefix" -DBUILD_SHARED_LIBS=OFF
 ! readelf -d "$work/find/consumer_c" | grep -q libdelotet || { echo "BUILD_SHARED_LIBS=OFF linked the shared library"; exit 1; }
