@@ -287,11 +287,9 @@ fn normal(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> [f64; 3] {
     let v: [f64; 3] = std::array::from_fn(|i| c[i] - a[i]);
     let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
-    if length.is_normal() {
-        n.map(|x| x / length)
-    } else {
-        [0.0; 3]
-    }
+    // The divisor is chosen, not the quotient: compilers may divide first and choose then, which traps where hosts ask for traps.
+    let (n, divisor) = if length.is_normal() { (n, length) } else { ([0.0; 3], 1.0) };
+    n.map(|x| x / divisor)
 }
 
 fn nodes(out: &mut Out, plc: &Plc) -> io::Result<()> {
