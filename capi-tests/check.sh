@@ -122,7 +122,7 @@ if command -v valgrind >/dev/null; then
     for program in "$work"/build/capi-tests/c_test_* "$work"/build/capi-tests/cxx_wrapper \
         "$work"/build/capi-tests/cxx_exceptions "$work"/build/capi-tests/cxx_callbacks; do
         [ -x "$program" ] && [ ! -d "$program" ] || continue
-        (cd "$work" && quiet valgrind -q --leak-check=full --show-leak-kinds=definite,indirect,possible --error-exitcode=9 \
+        (cd "$work" && quiet valgrind -q --suppressions="$root/capi-tests/valgrind.supp" --leak-check=full --show-leak-kinds=definite,indirect,possible --error-exitcode=9 \
             --errors-for-leak-kinds=definite,indirect,possible "$program")
     done
     echo "$(ls "$work"/build/capi-tests/c_test_* | grep -vc '\.') C programs and 3 C++ programs: no errors, no leaks"

@@ -1,7 +1,8 @@
 //! Threads that help the caller's.
 //!
 //! What they do does not depend on how many there are, so that a thread that cannot be started is no error: fewer do the same work.
-//! A panic in one is an error of the run; nothing is printed about it during a call from C.
+//! A panic in one is an error of the run; nothing is printed about it during a call from C. No thread outlives the call: a host may unload
+//! the library after it.
 use crate::error::Error;
 use crate::panics;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -49,16 +50,23 @@ pub(super) fn together(
         }
     };
     std::thread::scope(|scope| {
+        let mut started = Vec::new();
         for _ in 1..threads {
+            if started.try_reserve(1).is_err() {
+                break;
+            }
             office.helpers.fetch_add(1, Ordering::Relaxed);
             let helper = || {
                 outcome(panics::work(silent, help).and_then(|result| result));
                 office.helpers.fetch_sub(1, Ordering::Release);
                 caller.unpark();
             };
-            if std::thread::Builder::new().spawn_scoped(scope, helper).is_err() {
-                office.helpers.fetch_sub(1, Ordering::Relaxed);
-                break;
+            match std::thread::Builder::new().spawn_scoped(scope, helper) {
+                Ok(handle) => started.push(handle),
+                Err(_) => {
+                    office.helpers.fetch_sub(1, Ordering::Relaxed);
+                    break;
+                }
             }
             #[cfg(test)]
             STARTED.set(STARTED.get() + 1);
@@ -69,6 +77,8 @@ pub(super) fn together(
             outcome(wait());
             std::thread::park_timeout(Duration::from_millis(20));
         }
+        // `scope` alone waits for what they do, not for their end. A panic is in `office` already.
+        started.into_iter().for_each(|handle| drop(handle.join()));
     });
     match office.failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
         Some(error) => Err(error),
