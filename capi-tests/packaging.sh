@@ -77,6 +77,12 @@ ninja() {
     rm -rf "$work/ninja"
     configure ninja -G Ninja && cmake --build "$work/ninja" && cmake --build "$work/ninja" | grep -q 'no work to do'
 }
+# A folder that cargo filled before CMake saw it, as after `cargo build --release`: only the name that the loader looks for is missing.
+# (Ninja runs every command in a new build folder; Make asks only which files are old.)
+filled() {
+    rm -rf "$work/filled" "$target"/release/libdelotet.so.*
+    configure filled -G 'Unix Makefiles' && cmake --build "$work/filled" && [ -e "$target/release/libdelotet.so.${version%.*}" ]
+}
 installed() { (cd "$1" && find . ! -type d | sed 's|^\.||' | sort); }
 manifest() {
     rm -rf "$work/plain"
@@ -97,6 +103,7 @@ strip_() {
             "$work/stripped/opt/d/lib/libdelotet.a" -lutil -lrt -lpthread -lm -ldl && "$work/main"
 }
 check "Ninja: builds, and then has nothing to do" ninja
+check "a folder that cargo filled before: the library gets the name that the loader looks for" filled
 check "install: the manifest is complete" manifest
 check "install --strip: library, archive and program" strip_
 for file in "lib/libdelotet.so.$version" lib/libdelotet.a bin/delotet; do
