@@ -392,7 +392,8 @@ impl Run<'_> {
                 &mut engine.points,
                 segments,
                 &mut kept,
-                (engine.scale, !options.exact_form),
+                engine.scale,
+                !options.exact_form,
             )?;
             self.lap(Phase::Round);
             // Once at least, and as long as each attempt leaves half as many at most; not where other points might be needed on edges that
@@ -437,7 +438,7 @@ impl Run<'_> {
                     crowding(surface, &places, hint, options.max_defects)
                 });
             }
-            let constraints = Some((&*segments, &subfaces));
+            let constraints = Some(assemble::Constraints { segments, subfaces: &subfaces });
             let mut mesh =
                 assemble::mesh(engine, plc, surface, &components, &regions, &rounded, constraints)?;
             mesh.hull_kept = options.keep_hull;

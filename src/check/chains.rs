@@ -10,8 +10,15 @@ use crate::error::Error;
 /// The Steiner points of every input edge, in order along it.
 pub(super) struct Chains<'a, 'b> {
     context: &'a Context<'b>,
-    /// (smaller end, larger end, parameter from the smaller end, vertex): sorted.
-    steiner: Vec<([u32; 2], f64, u32)>,
+    /// Sorted by edge, and along each from its smaller end.
+    steiner: Vec<OnEdge>,
+}
+
+/// A Steiner point on an input edge.
+struct OnEdge {
+    /// The ends, which are representatives; the smaller first.
+    ends: [u32; 2],
+    vertex: u32,
 }
 
 impl<'a, 'b> Chains<'a, 'b> {
@@ -20,26 +27,21 @@ impl<'a, 'b> Chains<'a, 'b> {
         let mut steiner = Vec::new();
         steiner.try_reserve_exact(context.mesh.steiner.len())?;
         for (i, s) in context.mesh.steiner.iter().enumerate().filter(|(_, s)| !s.is_inside()) {
-            let [a, b] = s.ends.map(|v| context.alias(v));
-            let (ends, t) = if a < b { ([a, b], s.t) } else { ([b, a], 1.0 - s.t) };
-            steiner.push((ends, t, (inputs + i) as u32));
+            let mut ends = s.ends.map(|v| context.alias(v));
+            ends.sort_unstable();
+            steiner.push(OnEdge { ends, vertex: (inputs + i) as u32 });
         }
-        // Parameters and 1 - t are right to half an ulp of one each: what is nearer to each other has its order from exact positions.
-        let along = |x: &([u32; 2], f64, u32), y: &([u32; 2], f64, u32)| {
-            if (x.1 - y.1).abs() > 2.0 * f64::EPSILON {
-                return x.1.total_cmp(&y.1);
-            }
-            let before = |v, w| context.geometry.strictly_between(v, x.0[0], w);
-            before(y.2, x.2).cmp(&before(x.2, y.2))
-        };
-        steiner.sort_unstable_by(|x, y| x.0.cmp(&y.0).then_with(|| along(x, y)).then(x.2.cmp(&y.2)));
+        let along = |x: &OnEdge, y: &OnEdge| context.geometry.compare_along(x.ends, x.vertex, y.vertex);
+        steiner.sort_unstable_by(|x, y| {
+            x.ends.cmp(&y.ends).then_with(|| along(x, y)).then(x.vertex.cmp(&y.vertex))
+        });
         Ok(Chains { context, steiner })
     }
 
     /// Steiner points of the edge `ab` (representatives, `a < b`), from `a` to `b`.
     fn of_edge(&self, a: u32, b: u32) -> impl Iterator<Item = u32> + '_ {
-        let from = self.steiner.partition_point(|s| s.0 < [a, b]);
-        self.steiner[from..].iter().take_while(move |s| s.0 == [a, b]).map(|s| s.2)
+        let from = self.steiner.partition_point(|s| s.ends < [a, b]);
+        self.steiner[from..].iter().take_while(move |s| s.ends == [a, b]).map(|s| s.vertex)
     }
 
     /// Replaces `chain` by the vertices from `a` to `b` (representatives) along mesh edges; false if there is no such chain.

@@ -74,6 +74,16 @@ impl Geometry {
         self.exact.collinear(a, b, c)
     }
 
+    /// The order of two points of the line `ab` in the direction from `a` to `b`; exact positions.
+    pub(super) fn compare_along(&self, [a, b]: [u32; 2], v: u32, w: u32) -> Ordering {
+        let order = self.exact.compare_lex(v, w);
+        if self.exact.compare_lex(a, b) == Ordering::Greater {
+            order.reverse()
+        } else {
+            order
+        }
+    }
+
     /// Whether `v` lies on the open segment `ab`; exact positions.
     pub(super) fn strictly_between(&self, v: u32, a: u32, b: u32) -> bool {
         if v == a || v == b || !self.exact.collinear(a, b, v) {

@@ -30,8 +30,9 @@ fn mesh(plc: &Plc, points: Vec<[f64; 3]>, tets: Vec<[u32; 4]>) -> TetMesh {
     for (f, corners) in plc.triangles.iter().enumerate() {
         add_subface(plc, &mut out, *corners, f as u32);
     }
-    let edge = |(i, s): (usize, &Segment)| Subsegment { ends: s.ends, segment: i as u32, marker: s.marker };
-    out.subsegments = plc.segments.iter().enumerate().map(edge).collect();
+    for (i, s) in plc.segments.iter().enumerate() {
+        out.subsegments.push(Subsegment { ends: s.ends, segment: i as u32, marker: s.marker });
+    }
     out
 }
 

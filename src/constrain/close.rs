@@ -8,6 +8,7 @@
 //! of Steiner points is at stake, and lengths that choose the precision are approximate.
 use crate::elementary::{exponent, power_of_two};
 use crate::predicates::{Expansion, Points, Sign};
+use crate::vector::{cross, dot, sub};
 
 /// Bits beyond (h/L)²: copies of copies of a radius have to agree.
 const SPARE_BITS: i32 = 20;
@@ -31,29 +32,24 @@ pub struct Beside {
 /// Distance of the vertex from the segment's line, as a part of the segment's length.
 pub fn relative_distance(points: &Points, ends: [u32; 2], p: u32) -> f64 {
     let [a, b, p_near] = [ends[0], ends[1], p].map(|v| points.xyz(v));
-    let (d, w): ([f64; 3], [f64; 3]) =
-        (std::array::from_fn(|k| b[k] - a[k]), std::array::from_fn(|k| p_near[k] - a[k]));
-    let cross: [f64; 3] = std::array::from_fn(|k| {
-        let (u, v) = ((k + 1) % 3, (k + 2) % 3);
-        w[u] * d[v] - w[v] * d[u]
-    });
-    let square = |x: &[f64; 3]| x.iter().map(|x| x * x).sum::<f64>();
-    (square(&cross)).sqrt() / square(&d)
+    let (d, w) = (sub(b, a), sub(p_near, a));
+    let normal = cross(&w, &d);
+    dot(&normal, &normal).sqrt() / dot(&d, &d)
 }
 
 /// As [`relative_distance`], from exact coordinates.
 fn exact_relative_distance(d: &Vector, w: &Vector) -> f64 {
-    let cross = std::array::from_fn::<f64, 3, _>(|k| {
+    let normal = std::array::from_fn::<f64, 3, _>(|k| {
         let (u, v) = ((k + 1) % 3, (k + 2) % 3);
         w[u].product(&d[v]).difference(&w[v].product(&d[u])).compressed().approximate()
     });
-    let length = dot(d, d).approximate();
+    let length = scalar_product(d, d).approximate();
     // Twice a root, not the root of a square: squares may underflow.
-    let largest = cross.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let largest = normal.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     if largest == 0.0 {
         return 0.0;
     }
-    let ratio: f64 = cross.iter().map(|x| (x / largest) * (x / largest)).sum();
+    let ratio: f64 = normal.iter().map(|x| (x / largest) * (x / largest)).sum();
     largest * ratio.sqrt() / length
 }
 
@@ -64,7 +60,7 @@ fn vector(points: &Points, from: u32, to: u32) -> Vector {
     std::array::from_fn(|k| q[k].difference(&p[k]).compressed())
 }
 
-fn dot(a: &Vector, b: &Vector) -> Expansion {
+fn scalar_product(a: &Vector, b: &Vector) -> Expansion {
     (0..3).fold(Expansion::zero(), |sum, k| sum.sum(&a[k].product(&b[k]))).compressed()
 }
 
@@ -105,7 +101,7 @@ fn rounded(x: &Expansion, quantum: f64) -> Expansion {
 
 /// The t with |t d| = |w|, to a multiple of `quantum`: by Newton's method with exact residuals.
 fn sphere(d: &Vector, w: &Vector, quantum: f64) -> Expansion {
-    let (length, radius) = (dot(d, d), dot(w, w));
+    let (length, radius) = (scalar_product(d, d), scalar_product(w, w));
     let slope = length.approximate();
     let start = (radius.approximate() / slope).sqrt();
     correct(start, quantum, |t| {
@@ -116,7 +112,7 @@ fn sphere(d: &Vector, w: &Vector, quantum: f64) -> Expansion {
 
 /// The t with (w − t d)·d = 0, to a multiple of `quantum`.
 fn foot(d: &Vector, w: &Vector, quantum: f64) -> Expansion {
-    let (length, along) = (dot(d, d), dot(w, d));
+    let (length, along) = (scalar_product(d, d), scalar_product(w, d));
     let slope = length.approximate();
     correct(along.approximate() / slope, quantum, |t| {
         along.difference(&t.product(&length)).compressed().approximate() / slope

@@ -5,6 +5,7 @@
 //! vertices, edges and faces are no overlap.
 use crate::mesh::tables::{EDGE, FACE};
 use crate::predicates::{Expansion, Points, Sign};
+use crate::vector;
 
 /// The open tetrahedron (positive) and the closed triangle have a common point.
 pub fn overlaps(points: &Points, tet: [u32; 4], triangle: [u32; 3]) -> bool {
@@ -64,7 +65,7 @@ fn apart(of_tet: [Sign; 2], of_triangle: [Sign; 2]) -> bool {
 struct Rounded {
     ids: [u32; 7],
     corners: [[f64; 3]; 7],
-    /// Bound of the error of a determinant of three differences of corners.
+    /// Bound of the error of a determinant of three differences of corners. What is within it goes to exact signs.
     ///
     /// With differences up to M, off by up to e, each of six monomials is off by at most 3 e (M + e)², and 8 roundings take
     /// part in the value (as counted in `predicates::filter`): 18 e (M + e)² + 6 · 9 u (M + e)³.
@@ -92,20 +93,13 @@ impl Rounded {
     /// Whether the plane along edge `i j` of the tetrahedron and `r s` of the triangle separates them, if that can be told.
     fn separated(&self, [i, j, k, l]: [usize; 4], [r, s, u]: [usize; 3]) -> Option<bool> {
         let [r, s, u] = [r, s, u].map(|x| x + 4);
-        let from = |x: usize, y: usize| -> [f64; 3] {
-            std::array::from_fn(|axis| self.corners[y][axis] - self.corners[x][axis])
-        };
-        let (a, b) = (from(i, j), from(r, s));
-        let normal: [f64; 3] = std::array::from_fn(|axis| {
-            let (v, w) = ((axis + 1) % 3, (axis + 2) % 3);
-            a[v] * b[w] - a[w] * b[v]
-        });
+        let from = |x: usize, y: usize| vector::sub(&self.corners[y], &self.corners[x]);
+        let normal = vector::cross(&from(i, j), &from(r, s));
         let side = |x: usize| -> Option<Sign> {
             if [i, j].iter().any(|&y| self.ids[x] == self.ids[y]) {
                 return Some(Sign::Zero);
             }
-            let d = from(i, x);
-            let value = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
+            let value = vector::dot(&normal, &from(i, x));
             (value.abs() > self.bound).then(|| Sign::of(value))
         };
         // Both ends of `r s` are equally far from the plane.

@@ -1,9 +1,9 @@
 //! The conflict region of a vertex, and its boundary.
 //!
 //! Breadth-first, level by level: all neighbours of the last level that were not met before are listed, then all of them are
-//! tested. Which of them are in conflict is hard to foretell, so a tested tetrahedron is always written behind the list of
-//! those in conflict, and only the length of this list depends on the outcome: branches are foretold wrongly at the ends of loops
-//! only. No tetrahedron is tested twice, although most have several faces on the region.
+//! tested. Which of them are in conflict is hard to predict, so a tested tetrahedron is always written behind the list of
+//! those in conflict, and only the length of this list depends on the outcome: the processor mispredicts branches at the ends of
+//! loops only. No tetrahedron is tested twice, although most have several faces on the region.
 use crate::error::Error;
 use crate::mesh::slots::Slots;
 use crate::mesh::{flag, GHOST};
@@ -101,7 +101,7 @@ impl Conflicts {
                 } else {
                     ghost_in_conflict(slots, points, n, p)
                 };
-                // A number that the compiler cannot turn back into a branch, which would be foretold wrongly too often.
+                // A number that the compiler cannot turn back into a branch, which would be mispredicted too often.
                 let conflict = black_box(u16::from(conflict));
                 let flags = slots.flags(n);
                 if !own(flags) {

@@ -188,7 +188,7 @@ impl Delaunay {
             };
             if !rounds.is_empty() && ranges > 1 && end - begin >= FEWEST_VERTICES {
                 if !shared {
-                    // The vertices present foretell the tetrahedra (a little too few: the hull's part shrinks). Arrays that
+                    // The number of vertices present predicts that of tetrahedra (a little too few: the hull's part shrinks). Arrays that
                     // grow instead leave gaps among smaller blocks, and are copied.
                     let each = self.mesh.live_count() as f64 / begin as f64;
                     let expected = (each * order.len() as f64 * 1.03) as usize;

@@ -24,7 +24,7 @@ const SAMPLE: usize = 4096;
 pub(super) struct Division {
     /// Range of each vertex in the mesh, from 1.
     owner_of: Vec<u16>,
-    /// The vertices that each range shall insert.
+    /// The vertices that each range inserts.
     pub(super) parts: Vec<Vec<u32>>,
 }
 

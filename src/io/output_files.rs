@@ -130,7 +130,8 @@ pub(super) fn with_suffix(path: &Path, suffixes: &[&str]) -> Result<PathBuf, Err
     Ok(copy)
 }
 
-/// Collects what is written into large pieces. (The standard library's `BufWriter` ends the process where its buffer cannot be had.)
+/// Collects what is written and passes it on in large pieces. (The standard library's `BufWriter` aborts the process if its buffer
+/// cannot be allocated.)
 struct Buffered {
     file: File,
     /// Never longer than its capacity.

@@ -34,7 +34,7 @@ impl Points {
     }
 
     /// Whether [`insphere_perturbed`](Points::insphere_perturbed) is positive; `at` are the coordinates of `e`. One
-    /// branch, and one that is hardly ever taken: for callers that cannot foretell the answer.
+    /// branch, and one that is hardly ever taken: for callers whose branches on the answer would be mispredicted.
     #[inline(always)]
     pub fn inside_perturbed(&self, [a, b, c, d]: [u32; 4], e: u32, at: &[f64; 3]) -> bool {
         let det = filter::insphere_det(self.xyz(a), self.xyz(b), self.xyz(c), self.xyz(d), at);
@@ -52,7 +52,7 @@ impl Points {
         if det > self.insphere_bound {
             return Glance::Inside;
         }
-        // Without branches: which face it is cannot be foretold.
+        // Without branches: which face it is cannot be predicted.
         let first = (sides[1] < sides[0]) as usize;
         let second = 2 + (sides[3] < sides[2]) as usize;
         let least = if sides[second] < sides[first] { second } else { first };

@@ -61,7 +61,7 @@ impl Approach {
         self.sized.try_reserve(CANDIDATES)?;
         for i in 0..self.ranked.len().min(CANDIDATES) {
             let apex = self.ranked[i].1;
-            if self.collect(solid, points, isolated, (t, apex), &mut tets)? {
+            if self.collect(solid, points, isolated, t, apex, &mut tets)? {
                 self.sized.push((tets.len(), apex));
             }
         }
@@ -120,7 +120,8 @@ impl Approach {
         solid: &mut Solid,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
-        (t, apex): (u32, u32),
+        t: u32,
+        apex: u32,
         tets: &mut Vec<u32>,
     ) -> Result<bool, Error> {
         tets.clear();

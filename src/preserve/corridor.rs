@@ -76,7 +76,7 @@ impl Corridor {
             });
             let next = match step {
                 Step::Face(code) => self.through_face(delaunay, points, [a, b], code, cavity)?,
-                Step::Edge(t, p, q) => self.across_edge(delaunay, points, [a, b], (t, p, q), cavity)?,
+                Step::Edge(t, p, q) => self.across_edge(delaunay, points, [a, b], t, [p, q], cavity)?,
             };
             match next {
                 Ok(next) => step = next,
@@ -184,7 +184,8 @@ impl Corridor {
         delaunay: &mut Delaunay,
         points: &Points,
         [a, b]: [u32; 2],
-        (t, p, q): (u32, u32, u32),
+        t: u32,
+        [p, q]: [u32; 2],
         cavity: &mut Cavity,
     ) -> Result<Result<Step, Outcome>, Error> {
         self.obstacles.try_reserve(1)?;

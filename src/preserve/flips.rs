@@ -33,7 +33,7 @@ pub struct Limits {
 /// An edge whose ring is being made smaller.
 struct Frame {
     edge: [u32; 2],
-    /// The vertex that shall get an ear.
+    /// The vertex that is to get an ear.
     ear: Option<u32>,
     /// Edges in its way that are still to be tried, the last first.
     obstacles: Vec<Obstacle>,
@@ -48,7 +48,7 @@ struct Frame {
 #[derive(Clone, Copy)]
 struct Obstacle {
     edge: [u32; 2],
-    /// The vertex of its link that shall get an ear.
+    /// The vertex of its link that is to get an ear.
     ear: u32,
     /// A tetrahedron that had it.
     hint: u32,
@@ -105,7 +105,7 @@ impl Flips {
             next = match next {
                 Next::Try(edge, ear, hint) => {
                     left = left.saturating_sub(1);
-                    self.enter(site, edge, (ear, hint), limits.depth)?
+                    self.enter(site, edge, ear, hint, limits.depth)?
                 }
                 Next::Advance => self.advance(site, left)?,
                 Next::Done(done) if self.frames.is_empty() => return Ok(done),
@@ -118,7 +118,7 @@ impl Flips {
     /// Replaces an edge by another that crosses it and joins two vertices of its link, if a sheet has it.
     pub fn exchange(&mut self, site: &mut Site, old: [u32; 2], new: [u32; 2]) -> Result<bool, Error> {
         self.log.clear();
-        if !self.collect_ring(site, old, Some(new[0]), (NONE, MOST_IN_RING))? {
+        if !self.collect_ring(site, old, Some(new[0]), NONE, MOST_IN_RING)? {
             return Ok(false);
         }
         // The link runs from after the first end to the second, and on to the first.
@@ -146,11 +146,12 @@ impl Flips {
         &mut self,
         site: &mut Site,
         edge: [u32; 2],
-        (ear, hint): (Option<u32>, u32),
+        ear: Option<u32>,
+        hint: u32,
         depth: usize,
     ) -> Result<Next, Error> {
         if self.frames.iter().any(|f| edge_key(f.edge[0], f.edge[1]) == edge_key(edge[0], edge[1]))
-            || !self.collect_ring(site, edge, ear, (hint, USUAL_RING))?
+            || !self.collect_ring(site, edge, ear, hint, USUAL_RING)?
         {
             return Ok(Next::Done(false));
         }
@@ -188,7 +189,7 @@ impl Flips {
         let Some(&Frame { edge, ear, ring, kept, .. }) = self.frames.last() else {
             return Ok(Next::Done(true));
         };
-        if self.collect_ring(site, edge, ear, (NONE, USUAL_RING))? {
+        if self.collect_ring(site, edge, ear, NONE, USUAL_RING)? {
             let way = self.way.filter(|_| self.frames.len() == 1);
             if self.fill_ring(site, edge, ear.is_some(), way)? {
                 self.frames.pop();
@@ -213,7 +214,8 @@ impl Flips {
         site: &mut Site,
         [p, q]: [u32; 2],
         ear: Option<u32>,
-        (hint, most): (u32, usize),
+        hint: u32,
+        most: usize,
     ) -> Result<bool, Error> {
         if site.edges.contains(&edge_key(p, q)) {
             return Ok(false);

@@ -199,7 +199,7 @@ impl Hollow {
         let Hollow { at_edge, faces, inside, read, .. } = self;
         for pair in at_edge.chunk_by(|a, b| a.0 == b.0) {
             let [(edge, face, code), (_, other, _)] = *pair else { continue };
-            let Some(ring) = ring(solid, (edge, code), start, inside, read)? else { continue };
+            let Some(ring) = ring(solid, edge, code, start, inside, read)? else { continue };
             let [x, y, z] = faces[face as usize];
             let apex = faces[other as usize].into_iter().find(|v| !edge.contains(v));
             let Some(apex) = apex else { continue };
@@ -220,7 +220,8 @@ impl Hollow {
 /// must not be taken is among them. All that were looked at are added to `read`.
 fn ring(
     solid: &Solid,
-    (edge, code): ([u32; 2], u32),
+    edge: [u32; 2],
+    code: u32,
     start: &Start,
     inside: &FxHashSet<u32>,
     read: &mut Vec<u32>,

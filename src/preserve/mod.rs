@@ -121,8 +121,8 @@ pub fn from_constrained(
         let start = internal
             .any_may_stay()
             .then(|| (solid.clone(), points.clone(), inside.clone(), statistics.clone()));
-        let both = (segments, &internal);
-        let (mut freed, staying) = free(solid, points, both, target, inside, statistics, &mut tick)?;
+        let terms = Terms { segments, target, internal: &internal };
+        let (mut freed, staying) = free(solid, points, terms, inside, statistics, &mut tick)?;
         let (settled, crowded) = settle::settle(solid, points, segments, &staying)?;
         let Some(start) = start.filter(|_| !crowded.is_empty()) else {
             statistics.on_internal_facets = settled.len() as u64;
@@ -135,19 +135,27 @@ pub fn from_constrained(
     }
 }
 
+/// What a surface is to be like when its Steiner points have gone.
+#[derive(Clone, Copy)]
+struct Terms<'a> {
+    segments: &'a Segments,
+    target: &'a Target<'a>,
+    /// What may keep its points.
+    internal: &'a Internal,
+}
+
 /// Takes off what must go; also returns the points that stay, which are exactly on their segments still: so every tetrahedron is
 /// positive there, and stays so while others get doubles.
 fn free(
     solid: &mut Solid,
     points: &mut Points,
-    (segments, internal): (&Segments, &Internal),
-    target: &Target,
+    terms: Terms,
     mut inside: Inside,
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<(Freed, Vec<u32>), Failure> {
-    let both = (segments, internal);
-    let removal = removal::remove_all(solid, points, both, target, &mut inside, &mut |f| tick(0.6 * f))?;
+    let removal = removal::remove_all(solid, points, terms, &mut inside, &mut |f| tick(0.6 * f))?;
+    let Terms { segments, target, internal } = terms;
     statistics.deleted += removal.deleted;
     statistics.relocated += removal.relocated;
     if !removal.left.is_empty() {
@@ -159,7 +167,7 @@ fn free(
     }
     let isolated = removal.isolated;
     let growth = Growth { budget: BUDGET, ..MORE };
-    let flips = Retarget::new(solid, points, &mut inside, (&isolated, &internal.patches), growth).run(
+    let flips = Retarget::new(solid, points, &mut inside, &isolated, &internal.patches, growth).run(
         target,
         segments.first_steiner,
         &mut |f| tick(0.6 + 0.2 * f),

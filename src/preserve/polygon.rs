@@ -47,7 +47,7 @@ impl Polygons {
         let mut apexes: Vec<(f64, usize)> = Vec::new();
         apexes.try_reserve(n)?;
         for k in 1..n - 1 {
-            let cost = self.with_apex(points, axis, polygon, turn, (0, k, n - 1));
+            let cost = self.with_apex(points, axis, polygon, turn, [0, k, n - 1]);
             if cost.is_finite() {
                 apexes.push((cost, k));
             }
@@ -82,7 +82,7 @@ impl Polygons {
                 let j = i + length;
                 let mut best = (f64::INFINITY, 0);
                 for k in i + 1..j {
-                    let cost = self.with_apex(points, axis, polygon, turn, (i, k, j));
+                    let cost = self.with_apex(points, axis, polygon, turn, [i, k, j]);
                     if cost < best.0 {
                         best = (cost, k);
                     }
@@ -101,7 +101,7 @@ impl Polygons {
         axis: usize,
         polygon: &[u32],
         turn: Sign,
-        (i, k, j): (usize, usize, usize),
+        [i, k, j]: [usize; 3],
     ) -> f64 {
         let n = polygon.len();
         let parts = self.cost[i * n + k] + self.cost[k * n + j];

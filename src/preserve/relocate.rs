@@ -1,4 +1,4 @@
-//! Points inside in the stead of a point on a segment: one per sector, where that cannot be filled.
+//! Points inside that replace a point on a segment: one per sector, where the sector cannot be filled.
 //!
 //! A sector between two walls gets one that sees all of it (Si & Gärtner 2011, section 8.1), near the old point or, where no double
 //! does, farther away and with surroundings of the sector ([`widen`](super::widen)). A sector that goes all round has no such
@@ -19,7 +19,8 @@ impl Unsplit<'_> {
         &mut self,
         v: u32,
         s: usize,
-        (ends, taken): ([u32; 2], &[Sector]),
+        ends: [u32; 2],
+        taken: &[Sector],
         effort: Effort,
     ) -> Result<Option<Sector>, Error> {
         let region = self.star.sectors[s].region;
@@ -38,7 +39,7 @@ impl Unsplit<'_> {
                 new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
                 return Ok(Some(Sector { old, new, region }));
             }
-            if let Some(new) = self.widen(v, s, p, taken, &Rays { from, toward: &toward })? {
+            if let Some(new) = self.widen(v, s, taken, &Rays { point: p, from, toward: &toward })? {
                 return Ok(Some(Sector { old: std::mem::take(&mut self.widen.tets), new, region }));
             }
             let last = self.inside.list.len() - 1;
@@ -48,12 +49,11 @@ impl Unsplit<'_> {
         Ok(new.map(|new| Sector { old, new, region }))
     }
 
-    /// A place for point `p` in a sector with surroundings.
+    /// A place for a point in a sector with surroundings.
     fn widen(
         &mut self,
         v: u32,
         s: usize,
-        p: u32,
         taken: &[Sector],
         rays: &Rays,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
@@ -68,7 +68,7 @@ impl Unsplit<'_> {
             taken,
         };
         let known = &self.inside.list;
-        let new = self.widen.place(self.solid, self.points, p, &start, self.isolated, (known, rays))?;
+        let new = self.widen.place(self.solid, self.points, &start, self.isolated, known, rays)?;
         self.read.try_reserve(self.widen.read.len())?;
         self.read.extend_from_slice(&self.widen.read);
         if new.is_some() {

@@ -2,11 +2,10 @@
 //!
 //! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place.
 use super::inside::Inside;
-use super::internal::Internal;
 use super::memory::Memory;
-use super::retarget::Target;
 use super::solid::Solid;
 use super::unsplit::{Effort, Outcome, Unsplit};
+use super::Terms;
 use super::{BUDGET, SOME};
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
@@ -74,11 +73,10 @@ impl Along {
 }
 
 /// Takes the points on segments away.
-pub fn remove_all(
+pub(super) fn remove_all(
     solid: &mut Solid,
     points: &mut Points,
-    (segments, internal): (&Segments, &Internal),
-    target: &Target,
+    Terms { segments, target, internal }: Terms,
     inside: &mut Inside,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<Removal, Error> {

@@ -95,7 +95,7 @@ impl Reshape {
         for [i, j] in EDGE {
             let verts = solid.mesh.verts[t as usize];
             let edge = [verts[i as usize], verts[j as usize]];
-            if self.remove_edge(solid, points, isolated, (t, edge), aim)? {
+            if self.remove_edge(solid, points, isolated, t, edge, aim)? {
                 return Ok(true);
             }
         }
@@ -115,7 +115,7 @@ impl Reshape {
             }
             for [i, j] in EDGE {
                 let verts = solid.mesh.verts[t as usize];
-                if !self.collect_ring(solid, isolated, (t, [verts[i as usize], verts[j as usize]]))? {
+                if !self.collect_ring(solid, isolated, t, [verts[i as usize], verts[j as usize]])? {
                     continue;
                 }
                 self.grow(solid, points, isolated, t, most)?;
@@ -140,7 +140,7 @@ impl Reshape {
         self.approach.find(solid, points, isolated, t, &goal)?;
         for i in 0..self.approach.apexes.len() {
             let apex = self.approach.apexes[i];
-            self.approach.collect(solid, points, isolated, (t, apex), &mut self.ring)?;
+            self.approach.collect(solid, points, isolated, t, apex, &mut self.ring)?;
             self.grow(solid, points, isolated, t, 0)?;
             self.given.clear();
             self.given.extend(self.approach.walls.iter().map(|&[x, y, z]| [apex, x, y, z]));
@@ -157,7 +157,8 @@ impl Reshape {
         &mut self,
         solid: &Solid,
         isolated: &FxHashSet<[u32; 2]>,
-        (t, [p, q]): (u32, [u32; 2]),
+        t: u32,
+        [p, q]: [u32; 2],
     ) -> Result<bool, Error> {
         self.ring.clear();
         self.link.clear();
@@ -183,10 +184,11 @@ impl Reshape {
         solid: &mut Solid,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
-        (t, [p, q]): (u32, [u32; 2]),
+        t: u32,
+        [p, q]: [u32; 2],
         aim: &Aim,
     ) -> Result<bool, Error> {
-        if !self.collect_ring(solid, isolated, (t, [p, q]))? {
+        if !self.collect_ring(solid, isolated, t, [p, q])? {
             return Ok(false);
         }
         let goal = aim.goal(solid, points, &self.ring);

@@ -98,7 +98,8 @@ impl<'a> Retarget<'a> {
         solid: &'a mut Solid,
         points: &'a mut Points,
         inside: &'a mut Inside,
-        (isolated, loose): (&'a FxHashSet<[u32; 2]>, &'a FxHashSet<u32>),
+        isolated: &'a FxHashSet<[u32; 2]>,
+        loose: &'a FxHashSet<u32>,
         growth: Growth,
     ) -> Self {
         Retarget {
@@ -183,7 +184,7 @@ impl<'a> Retarget<'a> {
         Ok(())
     }
 
-    /// One patch: its triangles now, and those it shall have.
+    /// One patch: its triangles now, and those it is to have.
     fn patch(
         &mut self,
         patch: u32,
@@ -458,9 +459,9 @@ impl<'a> Retarget<'a> {
             lean(1.0, 8.0),
             lean(-1.0, 8.0),
         ];
-        let rays = Rays { from, toward: &toward };
+        let rays = Rays { point: p, from, toward: &toward };
         let Retarget { solid, points, isolated, inside, widen, .. } = self;
-        if let Some(new) = widen.place(solid, points, p, &start, isolated, (&inside.list, &rays))? {
+        if let Some(new) = widen.place(solid, points, &start, isolated, &inside.list, &rays)? {
             side.tets = std::mem::take(&mut widen.tets);
             self.swallowed.try_reserve(self.widen.swallowed.len())?;
             self.swallowed.extend_from_slice(&self.widen.swallowed);

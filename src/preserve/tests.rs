@@ -419,9 +419,9 @@ fn cavities_grow_round_a_position() {
             let (tets, gone, walls, taken) = (&search.tets, &[], &[], &[]);
             let start = Start { tets, gone, walls, without: v, edge: None, avoid: [v; 2], taken };
             let known: &[u32] = if may_swallow { &inside.list } else { &[] };
-            let rays = Rays { from, toward: &[[0.6, 0.8, 0.0], [0.0, -0.6, 0.8]] };
+            let rays = Rays { point: p, from, toward: &[[0.6, 0.8, 0.0], [0.0, -0.6, 0.8]] };
             let none = FxHashSet::default();
-            let new = widen.place(&solid, &mut points, p, &start, &none, (known, &rays)).unwrap();
+            let new = widen.place(&solid, &mut points, &start, &none, known, &rays).unwrap();
             let Some(new) = new else { continue };
             assert!(new.iter().all(|&[p, x, y, z]| points.orient3d(p, x, y, z) == Sign::Positive));
             moves += usize::from(widen.tets.len() > search.tets.len());

@@ -131,7 +131,7 @@ impl<'a> Unsplit<'a> {
         let mut sectors = Vec::new();
         sectors.try_reserve(self.star.sectors.len())?;
         for s in 0..self.star.sectors.len() {
-            let Some(sector) = self.fill_or_place(v, s, &choice, ends, (effort, &sectors))? else {
+            let Some(sector) = self.fill_or_place(v, s, &choice, ends, effort, &sectors)? else {
                 self.discard(before);
                 return Ok(Outcome::Kept);
             };
@@ -270,7 +270,8 @@ impl<'a> Unsplit<'a> {
         s: usize,
         choice: &[usize],
         ends: [u32; 2],
-        (effort, taken): (Effort, &[Sector]),
+        effort: Effort,
+        taken: &[Sector],
     ) -> Result<Option<Sector>, Error> {
         let region = self.star.sectors[s].region;
         let old = self.star.sectors[s].tets.clone();
@@ -287,7 +288,7 @@ impl<'a> Unsplit<'a> {
         if !effort.relocate {
             return Ok(None);
         }
-        self.place_inside(v, s, (ends, taken), effort)
+        self.place_inside(v, s, ends, taken, effort)
     }
 
     /// Fills a sector that has grown.

@@ -42,6 +42,8 @@ pub struct Widen {
 /// Where a position is looked for.
 #[derive(Clone, Copy, Debug)]
 pub struct Rays<'a> {
+    /// The point that is to get it.
+    pub point: u32,
     /// Near which the cavity is open.
     pub from: [f64; 3],
     /// Directions into it, of length one.
@@ -49,17 +51,18 @@ pub struct Rays<'a> {
 }
 
 impl Widen {
-    /// Moves point `p` to a position from which a cavity that holds the start is star-shaped. Returns the new tetrahedra, or nothing;
+    /// Moves the point to a position from which a cavity that holds the start is star-shaped. Returns the new tetrahedra, or nothing;
     /// the old ones are in `self.tets`. `known`: the points inside.
     pub fn place(
         &mut self,
         solid: &Solid,
         points: &mut Points,
-        p: u32,
         start: &Start,
         isolated: &FxHashSet<[u32; 2]>,
-        (known, rays): (&[u32], &Rays),
+        known: &[u32],
+        rays: &Rays,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        let p = rays.point;
         self.read.clear();
         let corners = start.tets.iter().flat_map(|&t| solid.mesh.verts[t as usize]);
         let reach =

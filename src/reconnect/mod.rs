@@ -98,7 +98,7 @@ impl Reconnect {
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        self.optimise(points, polyhedron, (goal, false), budget, tets)
+        self.optimise(points, polyhedron, goal, false, budget, tets)
     }
 
     /// As [`Reconnect::improve`], but the first filling found that reaches the goal is taken.
@@ -110,7 +110,7 @@ impl Reconnect {
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        self.optimise(points, polyhedron, (goal, true), budget, tets)
+        self.optimise(points, polyhedron, goal, true, budget, tets)
     }
 
     /// The best filling that reaches a goal, or the first.
@@ -118,7 +118,8 @@ impl Reconnect {
         &mut self,
         points: &Points,
         polyhedron: &Polyhedron,
-        goal: (Goal, bool),
+        goal: Goal,
+        first: bool,
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
@@ -126,7 +127,7 @@ impl Reconnect {
         if !self.search.begin(points, polyhedron)? {
             return Ok(false);
         }
-        self.search.optimise(points, goal, budget, tets)
+        self.search.optimise(points, goal, first, budget, tets)
     }
 }
 

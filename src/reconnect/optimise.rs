@@ -13,7 +13,8 @@ impl Search {
     pub fn optimise(
         &mut self,
         points: &Points,
-        (goal, first): (Goal, bool),
+        goal: Goal,
+        first: bool,
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {

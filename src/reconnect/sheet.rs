@@ -62,7 +62,7 @@ impl Sheets {
         self.plan_valid(points, link, ear, |_| 0, [p, q], tets)
     }
 
-    /// As [`Sheets::fill`] without an ear; of the tetrahedra as few as possible shall meet the way from `a` to `b`.
+    /// As [`Sheets::fill`] without an ear; as few of the tetrahedra as possible meet the way from `a` to `b`.
     pub fn clear(
         &mut self,
         points: &Points,
@@ -125,7 +125,7 @@ impl Sheets {
         apexes.resize(n * n, u64::MAX);
         for (i, j) in chords(n, ear) {
             let mut set = 0;
-            for k in first_apex(n, ear, (i, j))..j {
+            for k in first_apex(n, ear, [i, j])..j {
                 if apexes[i * n + k] != 0
                     && apexes[k * n + j] != 0
                     && ((ear && j == n - 1) || is_positive(points, ends, [link[i], link[k], link[j]]))
@@ -182,7 +182,7 @@ impl Sheets {
         self.best.resize(n * n, Best { worst: f64::INFINITY, met: 0, apex: 0 });
         for (i, j) in chords(n, ear) {
             let mut best = Best { worst: above, met: u32::MAX, apex: 0 };
-            for k in first_apex(n, ear, (i, j))..j {
+            for k in first_apex(n, ear, [i, j])..j {
                 let (left, right) = (self.best[i * n + k], self.best[k * n + j]);
                 let (rest, met) = (left.worst.min(right.worst), left.met.saturating_add(right.met));
                 if rest <= above || met > best.met || (met == best.met && rest <= best.worst) {
@@ -225,8 +225,8 @@ fn chords(n: usize, ear: bool) -> impl Iterator<Item = (usize, usize)> {
 }
 
 /// The first apex that the chord of a part may have.
-fn first_apex(n: usize, ear: bool, (i, j): (usize, usize)) -> usize {
-    if ear && (i, j) == (0, n - 1) {
+fn first_apex(n: usize, ear: bool, [i, j]: [usize; 2]) -> usize {
+    if ear && [i, j] == [0, n - 1] {
         j - 1
     } else {
         i + 1

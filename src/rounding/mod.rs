@@ -95,7 +95,8 @@ pub fn round(
     points: &mut Points,
     segments: &mut Segments,
     kept: &mut Kept,
-    (scale_exponent, reconnect): (i32, bool),
+    scale_exponent: i32,
+    reconnect: bool,
 ) -> Result<Rounded, Error> {
     let mut rounded = Rounded::explicit(points);
     for p in &mut rounded.xyz[segments.first_steiner as usize..] {

@@ -18,6 +18,13 @@ use crate::rounding::Rounded;
 use crate::INVALID;
 use rustc_hash::FxHashMap;
 
+/// What the mesh of a surface keeps of it.
+#[derive(Clone, Copy)]
+pub(super) struct Constraints<'a> {
+    pub(super) segments: &'a Segments,
+    pub(super) subfaces: &'a Subfaces,
+}
+
 /// The output mesh.
 pub(super) fn mesh(
     engine: &Engine,
@@ -26,7 +33,7 @@ pub(super) fn mesh(
     components: &Components,
     regions: &Regions,
     rounded: &Rounded,
-    constraints: Option<(&Segments, &Subfaces)>,
+    constraints: Option<Constraints>,
 ) -> Result<TetMesh, Error> {
     let mut out = without_elements(plc, surface, regions)?;
     let steiner_count = engine.points.len() - engine.input_of.len();
@@ -44,7 +51,7 @@ pub(super) fn mesh(
     out.replaced.try_reserve(rounded.replaced.len())?;
     out.replaced.extend(rounded.replaced.iter().map(|&t| number[t as usize]));
     out.replaced.sort_unstable();
-    if let Some((segments, subfaces)) = constraints {
+    if let Some(Constraints { segments, subfaces }) = constraints {
         steiner(engine, segments, surface, rounded, &mut out, point_of)?;
         subsegments(plc, surface, segments, &mut out, point_of)?;
         let list = subfaces.verts.iter().copied().zip(subfaces.facet.iter().copied());
@@ -70,7 +77,8 @@ pub(super) fn preserved(
     plc: &Plc,
     surface: &Surface,
     solid: &Solid,
-    (freed, segments): (&Freed, &Segments),
+    freed: &Freed,
+    segments: &Segments,
     regions: &Regions,
 ) -> Result<TetMesh, Error> {
     let mut out = TetMesh { preserved: true, ..without_elements(plc, surface, regions)? };

@@ -196,7 +196,7 @@ impl Run<'_> {
             let mut trial = engine.copied()?;
             let mut segments: Option<Segments> = None;
             for _ in 0..MENDINGS {
-                self.merge(&mut merger, &mut trial, (&avoid, avoid_all))?;
+                self.merge(&mut merger, &mut trial, &avoid, avoid_all)?;
                 let surface = merger.surface();
                 let ends = trial.map(&surface.segments)?;
                 let mut current = match segments.take() {
@@ -231,7 +231,8 @@ impl Run<'_> {
         &mut self,
         merger: &mut Merger,
         engine: &mut Engine,
-        (avoid, avoid_all): (&[[u32; 2]], bool),
+        avoid: &[[u32; 2]],
+        avoid_all: bool,
     ) -> Result<(), Error> {
         let Engine { delaunay, engine_of, .. } = engine;
         let mut search = StarSearch::default();

@@ -129,7 +129,7 @@ impl Run<'_> {
         self.statistics.missing_segments = segments.missing;
         self.statistics.steiner = freed.settled.len() as u64;
         self.statistics.steiner_moved = freed.settled.iter().filter(|point| point.moved).count() as u64;
-        let mut mesh = assemble::preserved(&engine, plc, surface, &solid, (&freed, &segments), &regions)?;
+        let mut mesh = assemble::preserved(&engine, plc, surface, &solid, &freed, &segments, &regions)?;
         self.statistics.steiner_exact =
             mesh.steiner.iter().filter(|point| point.exact && !point.is_inside()).count() as u64;
         mesh.hull_kept = options.keep_hull;

@@ -20,10 +20,36 @@ pub(super) struct Triangle {
 /// u = 2^-53, which Shewchuk 1997 (section 4.4, stage A) proves for three minors times differences, in whatever order of rows.
 const FILTER: f64 = 8.0 / 9_007_199_254_740_992.0;
 
-/// Bound on the error of a 2D orientation as [`orient2d`] has it, from the sum of the sizes of its two products.
+/// Bound on the relative error of a 2D orientation, against the sum of the sizes of its two products: above (3 + 16 u) u, which
+/// Shewchuk 1997 (section 4.2, stage A) proves.
+const TURN_FILTER: f64 = 2.5 * f64::EPSILON;
+
+/// Bound on the error of a 2D orientation as [`orient2d`] has it, from the sum of the sizes of its two products. What is within it is
+/// left to exact signs.
 #[inline(always)]
 pub(super) fn turn_bound(permanent: f64) -> f64 {
-    2.5 * f64::EPSILON * permanent + f64::MIN_POSITIVE
+    TURN_FILTER * permanent + f64::MIN_POSITIVE
+}
+
+/// An input segment, with the coordinates of its ends.
+pub(super) struct Segment {
+    /// Index among the segments.
+    pub(super) index: u32,
+    /// Ids of the ends.
+    pub(super) ids: [u32; 2],
+    /// Coordinates of the ends.
+    pub(super) ends: [[f64; 3]; 2],
+}
+
+impl Segment {
+    pub(super) fn new(points: &[[f64; 3]], index: u32, ids: [u32; 2]) -> Segment {
+        Segment { index, ids, ends: ids.map(|v| points[v as usize]) }
+    }
+
+    /// Whether a vertex lies strictly inside the segment.
+    pub(super) fn holds(&self, id: u32, p: &[f64; 3]) -> bool {
+        !self.ids.contains(&id) && strictly_between(p, &self.ends[0], &self.ends[1])
+    }
 }
 
 impl Triangle {

@@ -13,7 +13,7 @@ use crate::progress::{report, Observer, Phase};
 use boxtree::{Bounds, BoxTree, Frame};
 use collector::Collector;
 use fans::Fans;
-use locate_point::Triangle;
+use locate_point::{Segment, Triangle};
 
 mod boxtree;
 mod collector;
@@ -240,7 +240,7 @@ impl<'a> Scene<'a> {
     fn classify(&self, x: usize, y: usize, out: &mut Collector) -> Result<(), Error> {
         let points = self.input.points;
         let triangle = |i: u32| &self.triangles[i as usize];
-        let segment = |i: u32| (i, self.input.segments[i as usize]);
+        let segment = |i: u32| Segment::new(points, i, self.input.segments[i as usize]);
         let (x, y) = (self.items[x], self.items[y]);
         if let (Item::Triangle(i), Item::Triangle(j)) = (x, y) {
             let (a, b) = (triangle(i), triangle(j));
@@ -249,16 +249,14 @@ impl<'a> Scene<'a> {
         }
         match if x <= y { (x, y) } else { (y, x) } {
             (Item::Segment(i), Item::Triangle(j)) => {
-                segment_triangle::classify(points, segment(i), triangle(j), out)
+                segment_triangle::classify(&segment(i), triangle(j), out)
             }
-            (Item::Segment(i), Item::Segment(j)) => {
-                segment_segment::classify(points, segment(i), segment(j), out)
-            }
+            (Item::Segment(i), Item::Segment(j)) => segment_segment::classify(&segment(i), &segment(j), out),
             (Item::Vertex(v), Item::Triangle(i)) => {
-                segment_triangle::classify_vertex(points, v, triangle(i), out)
+                segment_triangle::classify_vertex(v, &points[v as usize], triangle(i), out)
             }
             (Item::Vertex(v), Item::Segment(i)) => {
-                segment_segment::classify_vertex(points, v, segment(i), out)
+                segment_segment::classify_vertex(v, &points[v as usize], &segment(i), out)
             }
             _ => Ok(()),
         }

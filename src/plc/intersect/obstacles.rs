@@ -8,7 +8,7 @@
 use super::boxtree::{BoxTree, Frame};
 use super::collector::Collector;
 use super::fans::Fans;
-use super::locate_point::Triangle;
+use super::locate_point::{Segment, Triangle};
 use super::{segment_triangle, triangle_triangle, Names};
 use crate::error::Error;
 use crate::predicates::{orient3d, Sign};
@@ -115,8 +115,9 @@ impl Obstacles {
                     if ends.iter().any(|&v| tet.holds_vertex(v, &points[v as usize])) {
                         return Ok(true);
                     }
+                    let segment = Segment::new(points, 0, ends);
                     for triangle in &new {
-                        segment_triangle::classify(points, (0, ends), triangle, &mut collector)?;
+                        segment_triangle::classify(&segment, triangle, &mut collector)?;
                     }
                 }
                 Item::Seed(p) => return Ok(tet.holds(&p)),

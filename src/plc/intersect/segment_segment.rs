@@ -1,28 +1,22 @@
 //! Two input segments, and an isolated vertex against a segment.
 use super::collector::Collector;
 use super::coplanar::opposite;
-use super::locate_point::{strictly_between, Projection};
+use super::locate_point::{Projection, Segment};
 use super::segment_triangle::crossing_point;
 use crate::error::Error;
 use crate::predicates::{orient3d, Sign};
 
-/// Classifies two input segments (id, ends). Equal or overlapping ones are legal: their ends split each other.
-pub(super) fn classify(
-    points: &[[f64; 3]],
-    (s, [p, q]): (u32, [u32; 2]),
-    (t, [a, b]): (u32, [u32; 2]),
-    out: &mut Collector,
-) -> Result<(), Error> {
-    for v in [a, b] {
-        classify_vertex(points, v, (s, [p, q]), out)?;
+/// Classifies two input segments. Equal or overlapping ones are legal: their ends split each other.
+pub(super) fn classify(s: &Segment, t: &Segment, out: &mut Collector) -> Result<(), Error> {
+    for (one, other) in [(s, t), (t, s)] {
+        for (&id, p) in other.ids.iter().zip(&other.ends) {
+            classify_vertex(id, p, one, out)?;
+        }
     }
-    for v in [p, q] {
-        classify_vertex(points, v, (t, [a, b]), out)?;
-    }
-    if p == a || p == b || q == a || q == b {
+    if s.ids.iter().any(|id| t.ids.contains(id)) {
         return Ok(());
     }
-    let [p, q, a, b] = [p, q, a, b].map(|v| &points[v as usize]);
+    let ([p, q], [a, b]) = (&s.ends, &t.ends);
     if orient3d(p, q, a, b) != Sign::Zero {
         return Ok(());
     }
@@ -33,21 +27,20 @@ pub(super) fn classify(
     let cross = opposite(projection.turn(p, q, a), projection.turn(p, q, b))
         && opposite(projection.turn(a, b, p), projection.turn(a, b, q));
     if cross {
-        out.segments(s, t, crossing_point(p, q, a, b))?;
+        out.segments(s.index, t.index, crossing_point(p, q, a, b))?;
     }
     Ok(())
 }
 
 /// Records a vertex strictly inside a segment.
 pub(super) fn classify_vertex(
-    points: &[[f64; 3]],
-    vertex: u32,
-    (segment, ends): (u32, [u32; 2]),
+    id: u32,
+    p: &[f64; 3],
+    segment: &Segment,
     out: &mut Collector,
 ) -> Result<(), Error> {
-    let [p, q] = ends.map(|v| &points[v as usize]);
-    if !ends.contains(&vertex) && strictly_between(&points[vertex as usize], p, q) {
-        out.vertex_on_segment(segment, vertex)?;
+    if segment.holds(id, p) {
+        out.vertex_on_segment(segment.index, id)?;
     }
     Ok(())
 }

@@ -4,10 +4,11 @@
 //! on the same side (Segura & Feito 2001).
 use super::collector::Collector;
 use super::coplanar::{line_contact, opposite, record_vertex};
-use super::locate_point::{locate_in_plane, strictly_between, Location, Triangle};
+use super::locate_point::{locate_in_plane, Location, Segment, Triangle};
 use crate::elementary::quotient;
 use crate::error::Error;
 use crate::predicates::{orient3d, Sign};
+use crate::vector::{cross, dot, sub};
 
 /// Where the open segment `p`–`q`, with ends strictly on the sides `side_p` and `−side_p` of the plane, meets the triangle.
 pub(super) fn pierce(triangle: &Triangle, p: &[f64; 3], q: &[f64; 3], side_p: Sign) -> Location {
@@ -21,34 +22,29 @@ pub(super) fn pierce(triangle: &Triangle, p: &[f64; 3], q: &[f64; 3], side_p: Si
     }))
 }
 
-/// Classifies an input segment (id, ends) and a triangle.
-pub(super) fn classify(
-    points: &[[f64; 3]],
-    (segment, ends): (u32, [u32; 2]),
-    triangle: &Triangle,
-    out: &mut Collector,
-) -> Result<(), Error> {
-    let shared = ends.map(|v| triangle.ids.contains(&v));
+/// Classifies an input segment and a triangle.
+pub(super) fn classify(segment: &Segment, triangle: &Triangle, out: &mut Collector) -> Result<(), Error> {
+    let shared = segment.ids.map(|id| triangle.ids.contains(&id));
     if shared == [true, true] {
         return Ok(());
     }
-    let [p, q] = ends.map(|v| &points[v as usize]);
+    let [p, q] = &segment.ends;
     let side = |end: usize, p: &[f64; 3]| if shared[end] { Sign::Zero } else { triangle.side(p) };
     let sides = [side(0, p), side(1, q)];
     match sides {
-        [Sign::Zero, Sign::Zero] => classify_coplanar(points, (segment, ends), triangle, out),
+        [Sign::Zero, Sign::Zero] => classify_coplanar(segment, triangle, out),
         [side_p, side_q] if opposite(side_p, side_q) => match pierce(triangle, p, q, side_p) {
             Location::Outside => Ok(()),
-            Location::Corner => corners_on_segment((segment, ends), [p, q], triangle, out),
+            Location::Corner => corners_on_segment(segment, triangle, out),
             Location::Edge(k) => {
-                out.edge_crossed(segment, triangle, k, false, piercing_point(triangle, p, q))
+                out.edge_crossed(segment.index, triangle, k, false, piercing_point(triangle, p, q))
             }
-            Location::Inside => out.pierced(segment, triangle, piercing_point(triangle, p, q)),
+            Location::Inside => out.pierced(segment.index, triangle, piercing_point(triangle, p, q)),
         },
         _ => {
             for end in 0..2 {
                 if sides[end] == Sign::Zero && !shared[end] {
-                    classify_vertex(points, ends[end], triangle, out)?;
+                    classify_vertex(segment.ids[end], &segment.ends[end], triangle, out)?;
                 }
             }
             Ok(())
@@ -56,43 +52,33 @@ pub(super) fn classify(
     }
 }
 
-fn classify_coplanar(
-    points: &[[f64; 3]],
-    (segment, ends): (u32, [u32; 2]),
-    triangle: &Triangle,
-    out: &mut Collector,
-) -> Result<(), Error> {
+fn classify_coplanar(segment: &Segment, triangle: &Triangle, out: &mut Collector) -> Result<(), Error> {
     let Some(projection) = triangle.projection else {
         return Ok(());
     };
-    let [p, q] = ends.map(|v| &points[v as usize]);
-    for (&id, p) in ends.iter().zip([p, q]) {
+    let [p, q] = &segment.ends;
+    for (&id, p) in segment.ids.iter().zip([p, q]) {
         if !triangle.ids.contains(&id) {
             record_vertex(triangle, id, locate_in_plane(triangle, &projection, p), out)?;
         }
     }
-    corners_on_segment((segment, ends), [p, q], triangle, out)?;
+    corners_on_segment(segment, triangle, out)?;
     let contact = line_contact(triangle, &projection, p, q);
     if contact.through_interior {
-        out.segment_in_facet(segment, triangle.index)?;
+        out.segment_in_facet(segment.index, triangle.index)?;
     }
     for k in (0..3).filter(|&k| contact.crossed[k]) {
         let [a, b] = triangle.edge_points(k);
-        out.edge_crossed(segment, triangle, k, true, crossing_point(p, q, a, b))?;
+        out.edge_crossed(segment.index, triangle, k, true, crossing_point(p, q, a, b))?;
     }
     Ok(())
 }
 
 /// Records the triangle's corners that lie strictly inside the segment.
-fn corners_on_segment(
-    (segment, ends): (u32, [u32; 2]),
-    [p, q]: [&[f64; 3]; 2],
-    triangle: &Triangle,
-    out: &mut Collector,
-) -> Result<(), Error> {
+fn corners_on_segment(segment: &Segment, triangle: &Triangle, out: &mut Collector) -> Result<(), Error> {
     for (&id, corner) in triangle.ids.iter().zip(&triangle.corners) {
-        if !ends.contains(&id) && strictly_between(corner, p, q) {
-            out.vertex_on_segment(segment, id)?;
+        if segment.holds(id, corner) {
+            out.vertex_on_segment(segment.index, id)?;
         }
     }
     Ok(())
@@ -100,17 +86,16 @@ fn corners_on_segment(
 
 /// Classifies a vertex that is no corner of the triangle.
 pub(super) fn classify_vertex(
-    points: &[[f64; 3]],
-    vertex: u32,
+    id: u32,
+    p: &[f64; 3],
     triangle: &Triangle,
     out: &mut Collector,
 ) -> Result<(), Error> {
-    let p = &points[vertex as usize];
-    if triangle.ids.contains(&vertex) || triangle.side(p) != Sign::Zero {
+    if triangle.ids.contains(&id) || triangle.side(p) != Sign::Zero {
         return Ok(());
     }
     if let Some(projection) = triangle.projection {
-        record_vertex(triangle, vertex, locate_in_plane(triangle, &projection, p), out)?;
+        record_vertex(triangle, id, locate_in_plane(triangle, &projection, p), out)?;
     }
     Ok(())
 }
@@ -118,16 +103,16 @@ pub(super) fn classify_vertex(
 /// The point where a line meets the triangle's plane, rounded, for reports only.
 pub(super) fn piercing_point(triangle: &Triangle, p: &[f64; 3], q: &[f64; 3]) -> [f64; 3] {
     let [a, b, c] = &triangle.corners;
-    let normal = cross(&minus(b, a), &minus(c, a));
-    let (from, to) = (dot(&normal, &minus(p, a)), dot(&normal, &minus(q, a)));
+    let normal = cross(&sub(b, a), &sub(c, a));
+    let (from, to) = (dot(&normal, &sub(p, a)), dot(&normal, &sub(q, a)));
     between(p, q, quotient(from, from - to))
 }
 
 /// The point where two crossing segments meet, rounded, for reports only.
 pub(super) fn crossing_point(p: &[f64; 3], q: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    let direction = minus(b, a);
-    let normal = cross(&direction, &cross(&minus(q, p), &direction));
-    let (from, to) = (dot(&normal, &minus(p, a)), dot(&normal, &minus(q, a)));
+    let direction = sub(b, a);
+    let normal = cross(&direction, &cross(&sub(q, p), &direction));
+    let (from, to) = (dot(&normal, &sub(p, a)), dot(&normal, &sub(q, a)));
     between(p, q, quotient(from, from - to))
 }
 
@@ -135,16 +120,4 @@ fn between(p: &[f64; 3], q: &[f64; 3], t: Option<f64>) -> [f64; 3] {
     // Rounding may give anything for nearly parallel elements: stay on the segment.
     let t = t.map_or(0.5, |t| t.clamp(0.0, 1.0));
     std::array::from_fn(|k| p[k] + t * (q[k] - p[k]))
-}
-
-fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

@@ -4,6 +4,7 @@
 //! cannot be computed (overflow) is not wanted.
 use crate::elementary::{cosine_of_degrees, exponent, quotient};
 use crate::predicates::scale;
+use crate::vector::{cross, dot, sub};
 
 type Vector = [f64; 3];
 
@@ -43,7 +44,7 @@ pub(super) struct Quadrilateral<'a> {
 impl<'a> Quadrilateral<'a> {
     pub(super) fn new(vertices: [&'a Vector; 4]) -> Self {
         let [a, b, c, d] = vertices;
-        let normal = |p, q, r| cross(&minus(q, p), &minus(r, p));
+        let normal = |p, q, r| cross(&sub(q, p), &sub(r, p));
         let (old, new) = ([normal(a, b, c), normal(b, a, d)], [normal(c, a, d), normal(d, b, c)]);
         Quadrilateral { vertices, old, new }
     }
@@ -52,7 +53,7 @@ impl<'a> Quadrilateral<'a> {
     pub(super) fn is_not_delaunay(&self) -> bool {
         let [a, b, c, d] = self.vertices;
         let [area_c, area_d] = self.old.each_ref().map(|n| dot(n, n).sqrt());
-        let (ca, cb, da, db) = (minus(a, c), minus(b, c), minus(a, d), minus(b, d));
+        let (ca, cb, da, db) = (sub(a, c), sub(b, c), sub(a, d), sub(b, d));
         let sine = dot(&ca, &cb) * area_d + dot(&da, &db) * area_c;
         let sizes = [ca, cb, da, db].iter().map(|v| dot(v, v).sqrt()).product::<f64>();
         sine < -1e-13 * sizes
@@ -72,24 +73,12 @@ impl<'a> Quadrilateral<'a> {
 
 /// The distance of the lines `ab` and `cd`; infinite if they are parallel.
 pub(super) fn distance([a, b, c, d]: [&Vector; 4]) -> f64 {
-    let normal = cross(&minus(b, a), &minus(d, c));
-    quotient(dot(&normal, &minus(c, a)).abs(), dot(&normal, &normal).sqrt()).unwrap_or(f64::INFINITY)
+    let normal = cross(&sub(b, a), &sub(d, c));
+    quotient(dot(&normal, &sub(c, a)).abs(), dot(&normal, &normal).sqrt()).unwrap_or(f64::INFINITY)
 }
 
 /// Times a power of two, so that the largest component is from 1 to 2; none of the zero vector.
 fn unit(v: &Vector) -> Option<Vector> {
     let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     (largest > 0.0).then(|| v.map(|x| scale(x, -exponent(largest))))
-}
-
-fn minus(a: &Vector, b: &Vector) -> Vector {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: &Vector, b: &Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &Vector, b: &Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
