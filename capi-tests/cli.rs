@@ -1,27 +1,13 @@
 //! The command line program as a process: exit codes, messages, files.
+mod program;
+use program::{delotet, error_line};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn delotet(arguments: &[&str], folder: &Path) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_delotet"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .expect("the program runs")
-}
 
 fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-{name}"));
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).expect("a folder for the test");
-    path
+    program::folder(&format!("cli-{name}"))
 }
 
 const TETRAHEDRON: &str = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-
-fn error_line(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).lines().next().unwrap_or_default().to_string()
-}
 
 #[test]
 fn usage_errors_exit_with_2() {

@@ -1,54 +1,20 @@
 //! The command line program and files that are not what they should be, options of writers, and other programs that read what is
 //! written: CalculiX (`ccx`) and meshio (Python), where they are installed; where not, the test says so.
+mod program;
+use program::{command, delotet, error_lines, text, two_rooms};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-
-fn command(arguments: &[&str], folder: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_delotet"));
-    command.args(arguments).current_dir(folder);
-    command
-}
-
-fn delotet(arguments: &[&str], folder: &Path) -> Output {
-    command(arguments, folder).output().expect("the program runs")
-}
+use std::process::{Command, Stdio};
 
 fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-files-{name}"));
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).expect("a folder for the test");
+    let path = program::folder(&format!("cli-files-{name}"));
     std::fs::write(path.join("cube.off"), CUBE).expect("a file for the test");
     std::fs::write(path.join("rooms.poly"), two_rooms()).expect("a file for the test");
     path
 }
 
-fn error_lines(output: &Output) -> Vec<String> {
-    String::from_utf8_lossy(&output.stderr).lines().map(str::to_string).collect()
-}
-
-fn text(path: PathBuf) -> String {
-    std::fs::read_to_string(path).expect("the file was written")
-}
-
 /// Sides with the markers 1 to 6.
 const CUBE: &str = "OFF\n# marker 1 bottom\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
                     4 0 3 2 1 1\n4 4 5 6 7 2\n4 0 1 5 4 3\n4 1 2 6 5 4\n4 2 3 7 6 5\n4 3 0 4 7 6\n";
-
-/// Two unit cubes side by side with a wall between them: regions 10 and 20, facet markers 1 to 7, 7 the wall.
-fn two_rooms() -> String {
-    let points: String = (0..12).map(|i| format!("{i} {} {} {}\n", i % 3, i / 3 % 2, i / 6)).collect();
-    let facets = [
-        "4 0 3 9 6",
-        "4 2 5 11 8",
-        "6 0 1 2 5 4 3",
-        "6 6 7 8 11 10 9",
-        "6 0 1 2 8 7 6",
-        "6 3 4 5 11 10 9",
-        "4 1 4 10 7",
-    ];
-    let facets: String = facets.iter().enumerate().map(|(i, f)| format!("1 0 {}\n{f}\n", i + 1)).collect();
-    format!("12 3 0 0\n{points}7 1\n{facets}0\n2\n0 0.5 0.5 0.5 10\n1 1.5 0.5 0.5 20\n")
-}
 
 #[test]
 fn files_that_are_none_are_one_line_and_the_right_code() {

@@ -1,51 +1,15 @@
 //! The command line program with the engine behind it: meshes, their files, and what is refused.
+mod program;
+use program::{delotet, error_line, text, two_rooms};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn delotet(arguments: &[&str], folder: &Path) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_delotet"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .expect("the program runs")
-}
+use std::process::Command;
 
 fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-mesh-{name}"));
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).expect("a folder for the test");
-    path
-}
-
-fn text(path: PathBuf) -> String {
-    std::fs::read_to_string(path).expect("the file was written")
-}
-
-fn error_line(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).lines().next().unwrap_or_default().to_string()
+    program::folder(&format!("cli-mesh-{name}"))
 }
 
 const CUBE: &str = "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
                     4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-
-/// The cube with a wall across it.
-fn two_rooms() -> String {
-    let mut points = String::new();
-    for i in 0..12 {
-        points += &format!("{i} {} {} {}\n", i % 3, i / 3 % 2, i / 6);
-    }
-    let facets = [
-        "4 0 3 9 6",
-        "4 2 5 11 8",
-        "6 0 1 2 5 4 3",
-        "6 6 7 8 11 10 9",
-        "6 0 1 2 8 7 6",
-        "6 3 4 5 11 10 9",
-        "4 1 4 10 7",
-    ];
-    let facets: String = facets.iter().enumerate().map(|(i, f)| format!("1 0 {}\n{f}\n", i + 1)).collect();
-    format!("12 3 0 0\n{points}7 1\n{facets}0\n2\n0 0.5 0.5 0.5 10\n1 1.5 0.5 0.5 20\n")
-}
 
 #[test]
 fn a_cube_in_every_mesh_format() {
