@@ -147,6 +147,17 @@ impl Buffered {
         waiting.try_reserve_exact(Buffered::SIZE)?;
         Ok(Buffered { file, waiting })
     }
+
+    /// Writes what has no room in the buffer any more.
+    #[cold]
+    fn write_beyond(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.flush()?;
+        if bytes.len() > self.waiting.capacity() {
+            return self.file.write_all(bytes);
+        }
+        self.waiting.extend_from_slice(bytes);
+        Ok(())
+    }
 }
 
 impl Write for Buffered {
@@ -155,12 +166,10 @@ impl Write for Buffered {
         Ok(bytes.len())
     }
 
+    #[inline]
     fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
-        if self.waiting.len() + bytes.len() > Buffered::SIZE {
-            self.flush()?;
-        }
-        if bytes.len() > Buffered::SIZE {
-            return self.file.write_all(bytes);
+        if bytes.len() > self.waiting.capacity() - self.waiting.len() {
+            return self.write_beyond(bytes);
         }
         self.waiting.extend_from_slice(bytes);
         Ok(())
