@@ -62,8 +62,8 @@
 #define DELOTET_INVALID_INDEX UINT32_C(4294967295)
 
 /**
- * Pointer to record `i` of a view, a `const Type *`. The compiler complains if `Type` is not the type of the view's records. Evaluates `view`
- * more than once.
+ * Pointer to record `i` of a view, a `const Type *`. The compiler complains if `Type` is not the type of the view's records.
+ * Evaluates `view` more than once.
  */
 #define DELOTET_AT(Type, view, i)                                                                            \
     (1 ? (const Type *)(const void *)((const char *)(view).first + (size_t)(i) * (view).stride) : (view).first)
