@@ -26,7 +26,7 @@ fn files_that_are_none_are_one_line_and_the_right_code() {
     std::fs::write(dir.join("cut.off"), &CUBE[..CUBE.len() - 30]).unwrap();
     std::fs::write(dir.join("cube.ply"), CUBE).unwrap();
     for (input, code, message) in [
-        ("-", 2, "standard input is not read"),
+        ("-", 2, "standard input is not supported"),
         ("cube", 2, "it has no extension"),
         ("cube.xyz", 2, "'.xyz' is no known file format"),
         ("absent.off", 1, "cannot read"),
@@ -50,7 +50,7 @@ fn files_that_are_none_are_one_line_and_the_right_code() {
         }
     }
     for (output, message) in [
-        ("-", "nothing is written to standard output"),
+        ("-", "standard output is not supported"),
         ("m", "it has no extension"),
         ("dir.off/", "is a folder"),
         ("absent/m.vtu", "its folder does not exist"),
@@ -171,9 +171,9 @@ fn what_has_no_effect_is_said() {
         (&["bent.poly", "-o", "m.vtu"], "not planar"),
         (
             &["cube.off", "-o", "m.msh", "--region", ".5,.5,.5,2.5"],
-            "cannot be held by the file's format (region 0)",
+            "cannot be stored in this file format (region 0)",
         ),
-        (&["marked.node", "-o", "m.msh"], "cannot be held by the file's format (first: point 0)"),
+        (&["marked.node", "-o", "m.msh"], "cannot be stored in this file format (first: point 0)"),
     ] {
         let with = |quiet: bool| {
             let mut all = vec!["mesh"];

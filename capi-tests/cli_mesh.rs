@@ -279,7 +279,7 @@ fn the_surface_is_preserved() {
     let output = delotet(&preserve, &dir);
     assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(said.contains("1 inside; the boundary is the input's as it is"), "{said}");
+    assert!(said.contains("1 inside; the boundary is exactly the input's"), "{said}");
     let stats = text(dir.join("s.json"));
     assert!(stats.contains("\"interior\": 1") && stats.contains("\"subfaces\": 8"), "{stats}");
     assert!(stats.contains("\"preserve\": {") && stats.contains("\"missing_edges\": "), "{stats}");
