@@ -28,7 +28,7 @@ fn files_that_are_none_are_one_line_and_the_right_code() {
     for (input, code, message) in [
         ("-", 2, "standard input is not supported"),
         ("cube", 2, "it has no extension"),
-        ("cube.xyz", 2, "'.xyz' is no known file format"),
+        ("cube.xyz", 2, "unknown file format '.xyz'"),
         ("absent.off", 1, "cannot read"),
         ("dir.off", 1, "it is a folder"),
         ("empty.stl", 1, "the file is empty"),
