@@ -1,4 +1,4 @@
-//! Doubles that are far nearer to some planes than to the point they stand for.
+//! Doubles that are far nearer to some planes than to the point that they represent.
 //!
 //! Facets that are almost coplanar hold tetrahedra thinner than a unit in the last place: rounding moves their vertices through
 //! each other's planes. Only the error across these planes does that; the error along them is harmless. Among the doubles within a few units
@@ -13,7 +13,7 @@ use crate::predicates::Expansion;
 use crate::vector::dot;
 use rustc_hash::FxHashSet;
 
-/// What is looked at for one point.
+/// The extent of the search for one point.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
     /// Other parameters on its segment.
@@ -107,7 +107,7 @@ impl Repair<'_, '_> {
     }
 }
 
-/// What a search among the doubles round a point counts.
+/// The cost of a search among the doubles around a point.
 fn cells(radius: i32, normals: usize) -> u64 {
     let side = 2 * radius.unsigned_abs() as u64 + 1;
     side * side * side * (normals as u64 + 1) / 4
