@@ -1,4 +1,4 @@
-//! Cavities: sets of tetrahedra taken out of a mesh and put back in another way.
+//! Cavities: sets of tetrahedra removed from a mesh and replaced by others.
 //!
 //! Invariants: the faces of the boundary stay; subfaces (faces flagged on both sides) with both sides in the cavity count as boundary
 //! twice, once each way; constrained edges inside are listed, so that whoever fills the cavity keeps them.

@@ -1,11 +1,11 @@
-//! Recovery of faces: regions of subfaces that the mesh lacks.
+//! Recovery of faces: regions of missing subfaces.
 //!
 //! A region is a set of missing subfaces of one patch joined by edges that the mesh lacks. Its boundary edges are in the mesh. The
 //! tetrahedra that cross it are cut in two halves by the region, and each half is filled by search. What cannot be filled is
 //! tried again when edges that pierce the region are gone, and at last with a point inside that sees the whole half.
 //!
-//! The subfaces are made to have all edges that the mesh has in their plane first: else tetrahedra with a face in the plane would
-//! hide from the search for those that cross the region.
+//! First the subfaces get all edges that the mesh has in their plane: otherwise the search for tetrahedra that cross the region would miss
+//! those with a face in the plane.
 use super::place::place;
 use super::recover::{Recovery, BUDGETS, PIERCING};
 use crate::constrain::cavity::Opening;

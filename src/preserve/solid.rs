@@ -1,10 +1,10 @@
-//! The mesh of the domain alone, closed by ghosts: what the removal of boundary points works on.
+//! The mesh of the domain alone, closed by ghosts, on which the removal of boundary points works.
 //!
 //! Made by carving the constrained mesh ([`Solid::carve`]): every component that does not stay is contracted to the vertex at infinity.
-//! A boundary face has a ghost tetrahedron beyond, as a hull face has in the kernel; round a boundary edge two ghosts are
-//! neighbours if nothing but carved space lies between them. So every face has two sides, every edge a closed ring, and the star of
-//! a point inside a segment is connected, also where domains touch along that segment only. (The star of a vertex at which
-//! domains touch in that point alone is not: nothing here walks round such a vertex.)
+//! A boundary face has a ghost tetrahedron beyond it, like a hull face in the engine's mesh; around a boundary edge two ghosts are
+//! neighbours if only carved space lies between them. So every face has two sides, every edge a closed ring, and the star of a point inside
+//! a segment is connected, even where domains touch only along that segment. (The star of a vertex at which domains touch only in that
+//! point is not connected: nothing here walks around such a vertex.)
 //!
 //! Invariants between operations: those of [`Tetrahedra`]; all tetrahedra but ghosts are positive; a face is flagged on both sides
 //! if and only if it is in `patch_of`; each tetrahedron has a region, ghosts have `NONE`.
