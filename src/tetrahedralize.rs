@@ -196,7 +196,7 @@ impl Run<'_> {
         let mut mesh = match options.mode {
             Mode::Delaunay => {
                 let mut engine = Engine::new(prepared.surface(), options)?;
-                // The surface's copy of the points would lie beside the mesh at its largest.
+                // The surface's copy of the points would coexist with the mesh at its peak size.
                 let alias = fallible::copied(&prepared.surface().alias)?;
                 drop(prepared);
                 self.delaunay(&mut engine, options.worker_threads())?;

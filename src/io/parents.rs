@@ -126,10 +126,7 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
     let replaced = line.optional_int("the number of replaced tetrahedra")?.unwrap_or(0);
     let replaced = usize::try_from(replaced).ok().filter(|&n| n <= mesh.tets.len());
     let Some(replaced) = replaced else {
-        return Err(bad(
-            line.number(),
-            "the number of replaced tetrahedra is not that of the mesh beside it",
-        ));
+        return Err(bad(line.number(), "the number of replaced tetrahedra does not match the mesh"));
     };
     let mut unmeshed = |what| -> Result<usize, Error> {
         let count = line.optional_int(what)?.unwrap_or(0);
@@ -143,7 +140,7 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
     mesh.guarantee =
         *guarantee.ok_or_else(|| bad(line.number(), "what the mesh guarantees is a number from 0 to 3"))?;
     if steiner > mesh.points.len() || faces != mesh.subfaces.len() {
-        let message = "the numbers of points and faces are not those of the mesh beside it";
+        let message = "the numbers of points and faces do not match the mesh";
         return Err(Error::new(Status::Format, message));
     }
     let inputs = line.optional_int("the number of input points")?;
@@ -221,7 +218,7 @@ fn read_steiner_point(
     let mut line = lines.expect("a Steiner point")?;
     let ends = [index(&mut line)?, index(&mut line)?];
     let segment = index(&mut line)?;
-    // Points inside lie where their doubles are.
+    // Points inside lie at their doubles.
     let exact = ends == [INVALID; 2];
     let steiner = points.len() as u32;
     points.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact });

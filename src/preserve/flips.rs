@@ -37,7 +37,7 @@ struct Frame {
     ear: Option<u32>,
     /// Obstructing edges still to be tried, the last first.
     obstacles: Vec<Obstacle>,
-    /// Tetrahedra round it.
+    /// Number of tetrahedra around it.
     ring: usize,
     /// Length of the log when it was first tried, and before the last obstacle.
     start: usize,
@@ -184,7 +184,7 @@ impl Flips {
         }
     }
 
-    /// An obstacle of the topmost frame is gone: tries its edge again.
+    /// Called when an obstacle of the topmost frame was removed: tries its edge again.
     fn resume(&mut self, site: &mut Site) -> Result<Next, Error> {
         let Some(&Frame { edge, ear, ring, kept, .. }) = self.frames.last() else {
             return Ok(Next::Done(true));
@@ -271,7 +271,7 @@ impl Flips {
         Ok(found)
     }
 
-    /// Puts the filling at hand in the place of the ring.
+    /// Replaces the ring by the current filling.
     fn put(&mut self, site: &mut Site) -> Result<(), Error> {
         self.log.begin(&site.delaunay.mesh, &self.ring)?;
         site.cavity.tets.clear();

@@ -161,7 +161,7 @@ impl Hollow {
             self.read.try_reserve(self.tets.len())?;
             self.read.extend_from_slice(&self.tets);
             self.bound(solid, start, isolated)?;
-            // The start itself was tried by whoever asks to grow.
+            // The caller has already tried the start itself.
             if next > 0 && self.fill(reconnect, points, growth.budget, &mut new)? {
                 return Ok(Some(new));
             }

@@ -147,7 +147,7 @@ impl Recovery<'_> {
         Ok(any)
     }
 
-    /// The missing subfaces connected to `s` through edges that the mesh lacks.
+    /// Collects the missing subfaces connected to `s` through edges missing from the mesh.
     fn collect_region(
         &mut self,
         subfaces: &Subfaces,
@@ -281,7 +281,7 @@ impl Recovery<'_> {
         Ok(true)
     }
 
-    /// Takes the newest points inside away again: they are in no tetrahedron yet.
+    /// Removes the newest points inside again, which are in no tetrahedron yet.
     fn forget_points(&mut self, known: usize) -> Result<bool, Error> {
         for _ in known..self.inside.len() {
             self.inside.pop();
@@ -350,7 +350,7 @@ mod tests {
         let tetrahedron = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
         assert!(is_closed(&tetrahedron).unwrap());
         assert!(!is_closed(&tetrahedron[1..]).unwrap());
-        // A face the wrong way round.
+        // A face with the wrong orientation.
         assert!(!is_closed(&[[1, 3, 2], [0, 3, 2], [0, 1, 3], [0, 2, 1]]).unwrap());
         // Both sides of one triangle, as of a dangling facet.
         assert!(is_closed(&[[0, 1, 2], [0, 2, 1]]).unwrap());

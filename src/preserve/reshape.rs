@@ -204,7 +204,7 @@ impl Reshape {
         Ok(true)
     }
 
-    /// Collects tetrahedra round one, up to a number of vertices: always the one with the nearest new vertex, or none new.
+    /// Collects tetrahedra around one, up to a number of vertices: always the one with the nearest new vertex, or without any.
     fn grow(
         &mut self,
         solid: &mut Solid,

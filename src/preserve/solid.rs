@@ -53,7 +53,7 @@ pub fn ghost_at([x, y, z]: [u32; 3]) -> [u32; 4] {
     [x, z, y, GHOST]
 }
 
-/// The face turned round.
+/// The face with the opposite orientation.
 pub fn reversed([x, y, z]: [u32; 3]) -> [u32; 3] {
     [x, z, y]
 }
@@ -164,7 +164,7 @@ impl Solid {
         Ok(())
     }
 
-    /// From the boundary face of a corner round one of its edges through what goes, to the next boundary face's corner.
+    /// From the boundary face of a corner around one of its edges, through what is removed, to the next boundary face's corner.
     fn turn_through_void(&self, code: u32, edge: [u32; 2], slots: usize) -> u32 {
         let mut entered = self.mesh.across(code);
         let mut left = self.mesh.face(code).into_iter().find(|v| !edge.contains(v)).unwrap_or(GHOST);

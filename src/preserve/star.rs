@@ -13,7 +13,7 @@ use rustc_hash::FxHashMap;
 /// A fan of subfaces from the point.
 #[derive(Clone, Debug, Default)]
 pub struct Wall {
-    /// The polygon without the point: from one neighbour on the segment round to the other.
+    /// The polygon without the point: from one neighbour on the segment around to the other.
     pub polygon: Vec<u32>,
     /// Its subfaces' patch, `NONE` for boundary faces that are none.
     pub patch: u32,

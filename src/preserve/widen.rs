@@ -28,7 +28,7 @@ const QUARTERINGS: i32 = 28;
 pub struct Widen {
     /// Tetrahedra taken out.
     pub tets: Vec<u32>,
-    /// Points inside that no tetrahedron has any more.
+    /// Points inside that no longer belong to any tetrahedron.
     pub swallowed: Vec<u32>,
     /// What the last search looked at, with repetitions.
     pub read: Vec<u32>,

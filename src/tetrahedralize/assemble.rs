@@ -212,7 +212,7 @@ pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<Tet
     drop((points, engine_of));
     let Delaunay { mut mesh, cavity, vertex_tet, .. } = delaunay;
     drop((cavity, vertex_tet));
-    // Flags tell below which slots stay; the list of free ones is as good as gone.
+    // Flags tell below which slots stay; the list of free ones is no longer needed.
     mesh.free = Vec::new();
     let mut number = Vec::new();
     number.try_reserve_exact(mesh.slot_count())?;

@@ -34,7 +34,7 @@ struct Merged {
     is_flipped: bool,
 }
 
-/// Per segment whether merging has made it beside the input's surface.
+/// For each segment whether merging made it off the input's surface.
 fn edges_beside(surface: &Surface) -> Result<Vec<bool>, Error> {
     let mut beside = Vec::new();
     beside.try_reserve_exact(surface.segments.len())?;
@@ -236,7 +236,7 @@ impl Run<'_> {
     ) -> Result<(), Error> {
         let Engine { delaunay, engine_of, .. } = engine;
         let mut search = StarSearch::default();
-        // Every edge is asked for many times. Looked up only, never iterated.
+        // Every edge is looked up many times. Never iterated.
         let mut known: FxHashMap<[u32; 2], bool> = FxHashMap::default();
         let mut is_edge = |[a, b]: [u32; 2]| {
             let key = [a.min(b), a.max(b)];
