@@ -1,8 +1,7 @@
 //! Where to split a missing subsegment: the rules of Si & Gärtner 2011, section 5, with shared radii.
 //!
 //! Any parameter strictly inside the subsegment gives a valid mesh; only the number of Steiner points is at stake. So
-//! lengths and angles are approximate here, and the parameter is rounded to so few bits that the point is an exact double where possible
-//! (engine notes §4).
+//! lengths and angles are approximate here, and the parameter is rounded to so few bits that the point is an exact double where possible.
 use crate::elementary::{exponent, power_of_two};
 use crate::predicates::Points;
 

@@ -1,8 +1,8 @@
 //! Subfaces: the constrained Delaunay triangulation of every patch, including the Steiner points on its segments.
 //!
 //! A patch is an exactly coplanar set of triangles, so its subfaces in the final tetrahedralization are known in advance: they are the
-//! two-dimensional constrained Delaunay triangulation with ties broken as in space (engine notes §4, last point). Lawson's flips (1977)
-//! make it from the triangulation that comes with the PLC.
+//! two-dimensional constrained Delaunay triangulation with ties broken as in space. Lawson's flips (1977) make it from the triangulation
+//! that comes with the PLC.
 use super::edge_key;
 use super::placement::distance;
 use super::segment::Segments;

@@ -1,7 +1,7 @@
 //! Delaunay tetrahedralization by incremental insertion (Bowyer 1981, Watson 1981) over ghost tetrahedra.
 //!
-//! Ties are broken by one symbolic perturbation of the lifting by vertex id (engine notes §4): the perturbed Delaunay
-//! tetrahedralization is unique, has no flat tetrahedron, and does not depend on the insertion order.
+//! Ties are broken by one symbolic perturbation of the lifting by vertex id: the perturbed Delaunay tetrahedralization is unique, has no
+//! flat tetrahedron, and does not depend on the insertion order.
 //!
 //! Invariant between insertions: `mesh` is the perturbed Delaunay tetrahedralization of the inserted vertices, closed by
 //! ghosts.

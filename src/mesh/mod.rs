@@ -1,8 +1,8 @@
 //! Tetrahedra and their adjacency: topology only, no coordinates.
 //!
-//! Structure of arrays (engine notes §3). The convex hull is closed by *ghost tetrahedra* `(a, b, c, GHOST)`: their first three vertices
-//! are a hull face, oriented as seen from outside like any face from its tetrahedron, so cavity code needs no special case. The ghost
-//! vertex is always in slot 3.
+//! A structure of arrays. The convex hull is closed by *ghost tetrahedra* `(a, b, c, GHOST)`: their first three vertices are a hull face,
+//! oriented as seen from outside like any face from its tetrahedron, so cavity code needs no special case. The ghost vertex is always in
+//! slot 3.
 //!
 //! Invariants between operations: every live tetrahedron has four live neighbours; `adj[adj[c]] == c` for every corner code
 //! `c = 4·t + f`; the two tetrahedra share the three vertices of that face.

@@ -1,11 +1,11 @@
 //! Rounding: positions in doubles for implicit Steiner points, with every tetrahedron strictly positive.
 //!
-//! Engine notes §9. A Steiner point that is no double is rounded to the nearest one. If that flattens or inverts a tetrahedron, one of its
-//! implicit vertices is moved: along its segment to a parameter that makes it an exact double, if the exact mesh stays constrained
-//! Delaunay; otherwise to a neighbouring lattice point; otherwise along its segment to a parameter that rounds better. Every such move
-//! lowers the number of tetrahedra that are not positive. If none helps, the points at these tetrahedra are moved to doubles nearest to the
-//! planes that they are close to ([`precise`]), or the tetrahedra are replaced ([`untangle`]), a fixed number of times ([`STAGES`]), so the
-//! search terminates. It ends earlier if its budget is spent ([`work`]).
+//! A Steiner point that is no double is rounded to the nearest one. If that flattens or inverts a tetrahedron, one of its implicit vertices
+//! is moved: along its segment to a parameter that makes it an exact double, if the exact mesh stays constrained Delaunay; otherwise to a
+//! neighbouring lattice point; otherwise along its segment to a parameter that rounds better. Every such move lowers the number of
+//! tetrahedra that are not positive. If none helps, the points at these tetrahedra are moved to doubles nearest to the planes that they are
+//! close to ([`precise`]), or the tetrahedra are replaced ([`untangle`]), a fixed number of times ([`STAGES`]), so the search terminates.
+//! It ends earlier if its budget is spent ([`work`]).
 mod candidates;
 mod lawson;
 mod moves;

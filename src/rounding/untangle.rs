@@ -1,7 +1,7 @@
 //! Reconnection where doubles are too coarse for the exact mesh: replaces tetrahedra that rounding has flattened or inverted.
 //!
-//! Engine notes §9 (d). Almost flat facets hold tetrahedra thinner than the last place of their coordinates; no move of a point within
-//! its surroundings makes all of these positive, but other tetrahedra on the same vertices are. So a tetrahedron that is not positive is
+//! Nearly flat facets have tetrahedra at them that are thinner than the last place of their coordinates; no move of a point within its
+//! surroundings makes all of these positive, but other tetrahedra on the same vertices are. So a tetrahedron that is not positive is
 //! removed together with some around it (those around one of its edges, at one of its vertices, or up to a few faces away), and the
 //! polyhedron is filled by small polyhedron reconnection ([`crate::reconnect`]), using exact signs of the output doubles.
 //!
