@@ -18,7 +18,9 @@
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► mesh_query, plc, output
 //! main (the command line) ──► everything above through the public API
-//! doc: pages of text; elementary, error, fallible, options, panics, progress, warning: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
+//! doc: pages of text
+//! elementary, error, fallible, options, panics, progress, warning: leaves, imported anywhere
+//! vector: floating-point arithmetic, below plc, rounding, reconnect, preserve, io
 //! ```
 //!
 //! # Conventions

@@ -22,8 +22,8 @@ pub struct Polygons {
 }
 
 impl Polygons {
-    /// Triangulations of the polygon, turned as it is, without repetition: the cheapest first, then the cheapest for each apex over the edge
-    /// from the last corner to the first.
+    /// The triangulations of the polygon, oriented like it, without repetition: the cheapest first, then the cheapest for each apex
+    /// over the edge from the last corner to the first.
     pub fn triangulations(
         &mut self,
         points: &Points,
