@@ -1,6 +1,6 @@
-//! Holds the code to the module graph in `src/lib.rs` and to the rules that keep it readable and safe to embed.
+//! Enforces the module graph in `src/lib.rs` and the rules that keep the code readable and safe to embed.
 //!
-//! A scanner of lines, not a parser: it drops comments and strings, knows `crate::` and `super::` paths, and skips tests.
+//! It scans lines and does not parse: it drops comments and strings, knows `crate::` and `super::` paths, and skips tests.
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -102,10 +102,10 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("main", &["cli"]),
 ];
 
-/// Modules that may be imported anywhere, and may name each other.
+/// Modules that may be imported anywhere, and may refer to each other.
 const LEAVES: &[&str] = &["elementary", "error", "fallible", "options", "panics", "progress", "warning"];
 
-/// Leaves that need not be listed: tools without a subject of their own.
+/// Leaves that need not be listed: general tools.
 const OPEN: &[&str] = &["elementary", "fallible", "panics"];
 
 /// Files outside of `ffi` that may use `unsafe`, each with the reason.
@@ -116,7 +116,7 @@ const UNSAFE_FILES: &[(&str, &str)] = &[
 
 const LONGEST_FILE: usize = 900;
 
-/// Words that a library must not contain: it never prints, exits, or gives up.
+/// Words that the library must not contain: it never prints, exits or panics.
 const FORBIDDEN: &[&str] = &[
     "println!",
     "eprintln!",
@@ -156,7 +156,7 @@ fn code(line: &str) -> String {
     out
 }
 
-/// Whether `word` stands in `text` on its own: not as part of a longer identifier.
+/// Whether `text` contains `word` on its own, not as part of a longer identifier.
 fn has_word(text: &str, word: &str) -> bool {
     let part = |c: char| c.is_alphanumeric() || c == '_';
     text.match_indices(word).any(|(i, _)| {
@@ -269,7 +269,7 @@ impl Scan<'_> {
         }
         let listed = UNSAFE_FILES.iter().any(|f| f.0 == self.path);
         if has_word(line, "unsafe") && module != "ffi" && !listed {
-            self.fault(i, "unsafe outside of ffi");
+            self.fault(i, "unsafe outside ffi");
         }
         if module == "mesh" && has_word(line, "f64") {
             self.fault(i, "the topology layer knows no coordinates");

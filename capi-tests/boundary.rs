@@ -1,5 +1,5 @@
-//! What the C API costs against the Rust API, on a mesh of a million tetrahedra (in debug builds a small one, without stopwatch):
-//! the same bytes, one copy of the input, none of the output. `cargo test --release --test boundary -- --nocapture` prints figures.
+//! The cost of the C API compared with the Rust API, on a mesh of a million tetrahedra (in debug builds a small one, without timing): the
+//! same bytes, one copy of the input, none of the output. `cargo test --release --test boundary -- --nocapture` prints figures.
 #![allow(unsafe_code)]
 use delotet::ffi::{mesh, options, plc, run, status::DelotetStatus};
 use delotet::{Mode, Options, Plc, Silent, TetMesh};
@@ -16,7 +16,7 @@ fn points(count: usize) -> Vec<[f64; 3]> {
     (0..count).map(|_| [next(), next(), next()]).collect()
 }
 
-/// The caller's work through Rust: from an array to arrays.
+/// The caller's work in Rust: from an array to arrays.
 fn through_rust(points: &[[f64; 3]]) -> TetMesh {
     let plc = Plc { points: points.to_vec(), ..Plc::default() };
     let options = Options { mode: Mode::Delaunay, ..Options::default() };

@@ -1,6 +1,5 @@
 //! The library as C and C++ programs see it, with the compiler that `cc` finds: layouts in C99, C11 and C++17, every program of
-//! `capi-tests/c`, what must not compile, symbol versions, and a program that is short of memory. They link what cargo built for
-//! this test.
+//! `capi-tests/c`, code that must not compile, symbol versions, and a program short of memory. They link what cargo built for this test.
 #![cfg(unix)]
 #![allow(unsafe_code)]
 use delotet::ffi;
@@ -35,7 +34,7 @@ fn libraries() -> PathBuf {
     std::env::current_exe().expect("this program").parent().expect("its folder").to_path_buf()
 }
 
-/// A folder of this test's own.
+/// A folder for this test alone.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("callers").join(name);
     fs::create_dir_all(&folder).expect("a folder");
@@ -56,7 +55,7 @@ fn run(command: &mut Command) -> Output {
     command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"))
 }
 
-/// Runs a command that must succeed; its output.
+/// Runs a command that must succeed; returns its output.
 fn succeed(command: &mut Command) -> String {
     let output = run(command);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
@@ -64,7 +63,7 @@ fn succeed(command: &mut Command) -> String {
     text(&output.stdout)
 }
 
-/// Links what is compiled with the shared library, and finds it at run time.
+/// Links with the shared library, and finds it at run time.
 fn link_shared(command: &mut Command) -> &mut Command {
     let folder = folder("lib");
     let version = concat!(env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
@@ -75,7 +74,7 @@ fn link_shared(command: &mut Command) -> &mut Command {
     } else {
         format!("libdelotet.so.{version}")
     });
-    // Tests run at the same time: the link appears whole, by renaming.
+    // Tests run concurrently, so the link is created by renaming.
     let new = folder.join(format!("{}-{}", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed)));
     std::os::unix::fs::symlink(&library, &new).expect("a link");
     fs::rename(&new, link).expect("a link");
@@ -252,7 +251,7 @@ fn every_c_program_runs() {
     });
 }
 
-/// The header alone in every standard, the wrapper's traits, and what was written down about layouts and numbers.
+/// The header alone in every standard, the wrapper's traits, and the recorded layouts and numbers.
 #[test]
 fn headers_compile_in_every_standard() {
     let object = folder("headers").join("object.o");
@@ -354,7 +353,7 @@ fn a_record_of_the_wrong_type_does_not_compile() {
     succeed(compiler("c99").args(C_WARNINGS).arg("-fsyntax-only").arg(&file));
 }
 
-/// Examples and consumers, but for those that need more than us.
+/// Examples and consumers, except those with other dependencies.
 #[test]
 fn examples_compile() {
     let mut count = 0;
@@ -376,7 +375,7 @@ fn examples_compile() {
     assert!(count >= 6, "only {count}");
 }
 
-/// The whole wrapper is held to that: no member of an owning class hands out a view without `&`.
+/// Checks the whole wrapper: no member of an owning class returns a view without `&`.
 #[test]
 fn every_view_of_the_wrapper_needs_a_name() {
     let text = fs::read_to_string(root().join("include/delotet/delotet.hpp")).expect("the wrapper");
@@ -403,7 +402,8 @@ fn every_view_of_the_wrapper_needs_a_name() {
     assert!(views > 30 && deleted >= views, "{views} views, {deleted} deleted");
 }
 
-/// What C has, C++ has: but for names of constants, which C++ programs call as they are, and callbacks, which the wrapper keeps.
+/// C++ has every C function, except those for names of constants, which C++ programs call directly, and for callbacks, which the wrapper
+/// keeps.
 #[test]
 fn the_wrapper_has_every_function() {
     let wrapper = fs::read_to_string(root().join("include/delotet/delotet.hpp")).expect("the wrapper");
@@ -450,7 +450,7 @@ fn exported_functions_have_versions() {
     assert_eq!(seen, listed.lines().collect::<Vec<_>>());
 }
 
-/// The bytes are the same in any case; threads are started all the same.
+/// The bytes are the same for any number; threads are started nevertheless.
 #[test]
 #[cfg(target_os = "linux")]
 fn threads_are_started_where_they_are_asked_for() {
@@ -469,7 +469,7 @@ fn threads_are_started_where_they_are_asked_for() {
     assert_eq!(count("2", "1000"), 0);
 }
 
-/// Delaunay tetrahedra with so many threads, of so many points; prints how many threads the library has started.
+/// Makes Delaunay tetrahedra of a number of points with a number of threads; prints how many threads the library started.
 const THREADS: &str = r#"
 #define _GNU_SOURCE
 #include <delotet/delotet.h>
@@ -517,7 +517,7 @@ int main(int count, char **words)
 }
 "#;
 
-/// A process whose address space is limited: the status, not an abort, and the statistics say what it took.
+/// A process with limited address space gets the status, not an abort, and the statistics say how much it took.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_limit_of_memory_becomes_a_status() {
@@ -546,7 +546,7 @@ fn a_limit_of_memory_becomes_a_status() {
     let peak: libc::rlim_t = String::from_utf8_lossy(&plenty.stdout).trim().parse().expect("the peak");
     assert!(peak > 20 << 20, "{peak}");
     let mut short = 0;
-    // From hardly more than the program itself to what it took.
+    // From hardly more than the program itself to the amount it took.
     for part in 1..=4 {
         let output = limited((16 << 20) + peak * part / 4);
         assert_eq!(output.status.signal(), None, "{output:?}");

@@ -1,9 +1,9 @@
 #!/bin/sh
 # Everything about the C and C++ side in one run: the CMake build and its tests, installation, consumers of the moved prefix,
-# sanitizers, valgrind and the ABI guard. Needs: cargo, cmake 3.18, gcc, g++, pkg-config, python3; and for the parts that use them
+# sanitizers, valgrind and the ABI guard. Needs cargo, cmake 3.18, gcc, g++, pkg-config and python3; and for the parts that use them
 # valgrind, abidiff (abigail-tools), Eigen (libeigen3-dev), CalculiX (calculix-ccx), CGAL (libcgal-dev), TetGen (libtet1.5-dev).
 #   capi-tests/check.sh [folder for builds, default target/check]
-# The library is that of `cargo build --release`, in cargo's usual folder: what has been built there is not built again.
+# The library is that of `cargo build --release`, in cargo's usual folder, so existing builds are reused.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 mkdir -p "${1:-$root/target/check}"
@@ -99,7 +99,7 @@ quiet cmake --build "$work/examples" -j "$jobs"
 quiet ctest --test-dir "$work/examples" -j "$jobs" --output-on-failure --no-tests=error
 grep 'tests passed' "$log"
 
-step "beside CGAL and TetGen"
+step "comparison with CGAL and TetGen"
 if [ -e /usr/include/tetgen.h ] && [ -d /usr/include/CGAL ]; then
     quiet cmake -S "$root/capi-tests/peers" -B "$work/peers" -DCMAKE_PREFIX_PATH="$work/prefix"
     quiet cmake --build "$work/peers" -j "$jobs"

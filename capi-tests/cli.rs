@@ -87,7 +87,7 @@ fn help_and_version_exit_with_0() {
     );
 }
 
-/// What the program says of itself is in the guide, too.
+/// Everything in the program's help is also in the guide.
 #[test]
 fn the_guide_names_every_option() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/doc/options.md");

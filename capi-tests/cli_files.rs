@@ -1,5 +1,5 @@
-//! The command line program and files that are not what they should be, options of writers, and other programs that read what is
-//! written: CalculiX (`ccx`) and meshio (Python), where they are installed; where not, the test says so.
+//! The command line program with wrong files, options of writers, and other programs that read the output: CalculiX (`ccx`) and meshio
+//! (Python), if they are installed; if not, the test says so.
 mod program;
 use program::{command, delotet, error_lines, text, two_rooms};
 use std::path::{Path, PathBuf};
@@ -26,9 +26,9 @@ fn files_that_are_none_are_one_line_and_the_right_code() {
     std::fs::write(dir.join("cut.off"), &CUBE[..CUBE.len() - 30]).unwrap();
     std::fs::write(dir.join("cube.ply"), CUBE).unwrap();
     for (input, code, message) in [
-        ("-", 2, "standard input is not read"),
+        ("-", 2, "standard input is not supported"),
         ("cube", 2, "it has no extension"),
-        ("cube.xyz", 2, "'.xyz' is no known file format"),
+        ("cube.xyz", 2, "unknown file format '.xyz'"),
         ("absent.off", 1, "cannot read"),
         ("dir.off", 1, "it is a folder"),
         ("empty.stl", 1, "the file is empty"),
@@ -50,7 +50,7 @@ fn files_that_are_none_are_one_line_and_the_right_code() {
         }
     }
     for (output, message) in [
-        ("-", "nothing is written to standard output"),
+        ("-", "standard output is not supported"),
         ("m", "it has no extension"),
         ("dir.off/", "is a folder"),
         ("absent/m.vtu", "its folder does not exist"),
@@ -86,7 +86,7 @@ fn devices_and_full_disks_are_one_line_and_the_right_code() {
     full(&["mesh", "cube.off", "-o", "m.vtu", "--stats", "/dev/full"]);
     full(&["mesh", "cube.off", "-o", "m.vtu", "--quiet", "--report", "/dev/full"]);
     full(&["info", "cube.off", "--report", "/dev/full"]);
-    // A report that cannot be written does not hide what went wrong.
+    // A report that cannot be written does not hide the error.
     let output = delotet(&["info", "absent.off", "--report", "/dev/full"], &dir);
     assert_eq!(output.status.code(), Some(1));
     assert!(
@@ -109,7 +109,7 @@ fn devices_and_full_disks_are_one_line_and_the_right_code() {
             lines.len() == 1 && lines[0].starts_with("error: standard output: cannot write: "),
             "{lines:?}"
         );
-        // Nobody to read on is no error, and nobody to tell no panic.
+        // A closed standard output is no error, and a closed standard error no panic.
         let mut child =
             command(arguments, &dir).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         drop((child.stdout.take(), child.stderr.take()));
@@ -137,7 +137,7 @@ fn an_output_replaces_neither_the_input_nor_another_output() {
     }
     assert_eq!(text(dir.join("a.node")), nodes);
     assert_eq!(delotet(&["mesh", "a.node", "-o", "b.ele", "-q"], &dir).status.code(), Some(0));
-    // A surface may be converted into its own place.
+    // A surface may be converted onto itself.
     assert_eq!(delotet(&["convert", "cube.off", "-o", "cube.off"], &dir).status.code(), Some(0));
     assert_eq!(delotet(&["info", "cube.off"], &dir).status.code(), Some(0));
 }
@@ -171,9 +171,9 @@ fn what_has_no_effect_is_said() {
         (&["bent.poly", "-o", "m.vtu"], "not planar"),
         (
             &["cube.off", "-o", "m.msh", "--region", ".5,.5,.5,2.5"],
-            "cannot be held by the file's format (region 0)",
+            "cannot be stored in this file format (region 0)",
         ),
-        (&["marked.node", "-o", "m.msh"], "cannot be held by the file's format (first: point 0)"),
+        (&["marked.node", "-o", "m.msh"], "cannot be stored in this file format (first: point 0)"),
     ] {
         let with = |quiet: bool| {
             let mut all = vec!["mesh"];
@@ -219,7 +219,7 @@ fn options_of_the_writers() {
     assert!(legacy.lines().any(|line| line.contains(" 11 2 10 ")));
     assert!(run(&["n.msh"]).starts_with("$MeshFormat\n4.1 0 8\n"));
     assert!(run(&["m.inp", "--second-order"]).contains("*ELEMENT, TYPE=C3D10, ELSET=LEFT_ROOM\n"));
-    // Names of markers come along from the surface.
+    // Names of markers come from the surface.
     assert!(delotet(&["mesh", "cube.off", "-o", "c.inp", "-q"], &dir).status.success());
     assert!(text(dir.join("c.inp")).contains("*SURFACE, NAME=BOTTOM, TYPE=ELEMENT\n"));
     for bad in ["left", "=left", "x=left", "1="] {
@@ -302,7 +302,7 @@ fn meshio_reads_every_format() {
         let mut all = vec!["mesh", "rooms.poly", "-q", "-o", name];
         all.extend_from_slice(arguments);
         assert!(delotet(&all, &dir).status.success());
-        // The volume by the corners, and every node in the middle of an edge where it belongs.
+        // The volume from the corners, and every mid-edge node at the midpoint of its edge.
         let script = format!(
             "
 import numpy, meshio

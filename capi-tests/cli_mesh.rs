@@ -1,4 +1,4 @@
-//! The command line program with the engine behind it: meshes, their files, and what is refused.
+//! The command line program with the engine: meshes, their files, and errors.
 mod program;
 use program::{delotet, error_line, text, two_rooms};
 use std::path::{Path, PathBuf};
@@ -83,7 +83,7 @@ fn check_judges_conformity_by_the_parents_file() {
     let other = format!("{} 0.9375", line.rsplit_once(' ').unwrap().0);
     std::fs::write(dir.join("s.parents"), parents.replacen(line, &other, 1)).unwrap();
     assert_eq!(check().0, Some(1));
-    // A number of faces that is not the mesh's.
+    // A number of faces other than the mesh's.
     std::fs::write(dir.join("s.parents"), "0 1 0 0\n0\n").unwrap();
     assert_eq!(check().0, Some(1));
     std::fs::remove_file(dir.join("s.parents")).unwrap();
@@ -156,7 +156,7 @@ fn an_open_surface_is_refused_unless_the_hull_is_kept() {
     let output = delotet(&["mesh", "open.off", "-o", "o.ele", "--report", "r.json"], &dir);
     assert_eq!(output.status.code(), Some(1), "{}", error_line(&output));
     assert!(text(dir.join("r.json")).contains("\"status\": \"NothingEnclosed\""));
-    // The edges round the missing side, with their places, in the message, the list below it and the report.
+    // The edges around the missing side, with their locations, in the message, the list below it and the report.
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(said.contains("encloses nothing: 4 open edges, such as that of facet"), "{said}");
     for (a, b, at) in [(0, 3, "0, 0.5, 0"), (0, 4, "0, 0, 0.5"), (3, 7, "0, 1, 0.5"), (4, 7, "0, 0.5, 1")] {
@@ -279,7 +279,7 @@ fn the_surface_is_preserved() {
     let output = delotet(&preserve, &dir);
     assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(said.contains("1 inside; the boundary is the input's as it is"), "{said}");
+    assert!(said.contains("1 inside; the boundary is exactly the input's"), "{said}");
     let stats = text(dir.join("s.json"));
     assert!(stats.contains("\"interior\": 1") && stats.contains("\"subfaces\": 8"), "{stats}");
     assert!(stats.contains("\"preserve\": {") && stats.contains("\"missing_edges\": "), "{stats}");
@@ -305,7 +305,7 @@ fn the_outer_boundary_is_preserved() {
     assert!(text(dir.join("s.json")).contains("\"on_internal_facets\": 0"));
     let check = delotet(&["check", "t.ele", "--input", "two.poly", "--preserved=outer"], &dir);
     assert_eq!(check.status.code(), Some(0), "{}", error_line(&check));
-    // Fins beside each other round a twisted prism, in a box: the one point needed stays on the fins, none is inside.
+    // Adjacent fins around a twisted prism, in a box: the one point needed stays on the fins, none is inside.
     let fins = concat!(env!("CARGO_MANIFEST_DIR"), "/capi-tests/data/fins_in_box.poly");
     let outer =
         ["mesh", fins, "-o", "f.ele", "--mode", "preserve", "--preserve", "outer", "--stats", "s.json"];

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Compares delotet with the recorded figures of other programs, translated to this machine.
+"""Compares delotet with the recorded figures of other programs, scaled to this machine.
 
   compare_peers.py --bin target/release/delotet [--peers ../shared/docs/peers.tsv] [--corpus ../shared/corpus/models]
                    [--repeat 1] [--only SUBSTRING] [--limit 60] [--merge-facets | --mode preserve]
                    [--tsv FILE] [--write]
 
-Runs Debian's `tetgen -p` and `delotet mesh` alternately on every model of the table, in time without reading and writing (TetGen's
-"Total running seconds"; ours: total less read and write). The factor between this machine and the recorded one is
-TetGen's time here over its recorded time, summed over the models that it survives in both places; the exact peer's recorded seconds are multiplied by it.
-The least of --repeat runs counts. With --merge-facets ours merges facets, as TetGen's -p does. With --mode preserve ours
-keeps the surface, and the table is the one beside `tetgen -pY`: seconds, points inside, points on the surface taken away outright.
-With --write the sums go into the guide (src/doc/figures.md). Exit 0 if delotet meshed every model.
+Runs Debian's `tetgen -p` and `delotet mesh` alternately on every model of the table. Times exclude reading and writing (TetGen's
+"Total running seconds"; ours: total minus read and write). The factor between this machine and the recorded one is TetGen's time here
+over its recorded time, summed over the models on which it succeeds in both places; the exact peer's recorded seconds are multiplied by it.
+The fastest of --repeat runs counts. With --merge-facets delotet merges facets, as TetGen's -p does. With --mode preserve it keeps the
+surface, and the table is the comparison with `tetgen -pY`: seconds, points inside, points on the surface simply deleted. With --write the
+sums go into the guide (src/doc/figures.md). Exit 0 if delotet meshed every model.
 """
 import argparse
 import json
@@ -37,7 +37,7 @@ def number(text):
 
 
 def tetgen_seconds(model, folder, limit, switches="-p"):
-    """TetGen's own seconds, or None if it does not survive. It writes beside its input: so that is a copy."""
+    """TetGen's own seconds, or None if it fails. It writes next to its input, so that is a copy."""
     copy = os.path.join(folder, os.path.basename(model))
     if os.path.abspath(model) != os.path.abspath(copy):
         shutil.copyfile(model, copy)
@@ -50,7 +50,7 @@ def tetgen_seconds(model, folder, limit, switches="-p"):
 
 
 def our_figures(program, model, folder, limit, flags):
-    """(seconds, Steiner points, statistics) or the reason why not."""
+    """(seconds, Steiner points, statistics) or the reason for the failure."""
     stats = os.path.join(folder, "stats.json")
     command = [program, "mesh", model, "-o", os.path.join(folder, "out.ele"), "--stats", stats, "--quiet"] + flags
     try:
@@ -65,7 +65,7 @@ def our_figures(program, model, folder, limit, flags):
 
 
 def measure(options, rows):
-    """One line a model."""
+    """One line per model."""
     failures = 0
     flags = ["--merge-facets"] if options.merge_facets else []
     print(f"{'model':34s} {'triangles':>9s} {'ours s':>9s} {'peer s*':>9s} {'ours pts':>9s} {'peer pts':>9s} {'tetgen s':>9s} {'recorded':>9s} {'tetgen pts':>10s}")
@@ -156,7 +156,7 @@ def tetgen_added(model, folder):
 
 
 def measure_preserved(options, rows):
-    """One line a model: surfaces preserved, beside TetGen's -pY."""
+    """One line per model: preserved surfaces, compared with TetGen's -pY."""
     failures = 0
     print(f"{'model':34s} {'triangles':>9s} {'ours s':>9s} {'tetgen s':>9s} {'recorded':>9s} {'inside':>7s} {'tetgen':>7s} {'recorded':>8s} "
           f"{'deleted':>8s} {'relocated':>9s}")

@@ -1,8 +1,8 @@
-//! What README and guide must keep to, as far as it needs no build: `capi-tests/readme.py` runs their code blocks.
+//! Rules for README and guide that need no build; `capi-tests/readme.py` runs their code blocks.
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The first page is to be read in one go.
+/// The first page should be readable in one go.
 const LONGEST_README: usize = 200;
 
 fn read(path: impl AsRef<Path>) -> String {
@@ -43,7 +43,7 @@ fn every_page_is_shown() {
     }
 }
 
-/// The versions that CMake is asked for, and the tag that is fetched, are those of this release.
+/// The versions requested from CMake and the fetched tag are those of this release.
 #[test]
 fn versions_are_the_crates() {
     let version = env!("CARGO_PKG_VERSION");

@@ -6,8 +6,8 @@
     | table |
     <!-- /figures -->
 
-A script gives its parser `add_options`, and hands its table to `publish` at the end: with --write the table takes the place of the one
-that stands there; with --check it must be the same (for tables of counts, which are the same everywhere).
+A script passes its parser to `add_options`, and its table to `publish` at the end: with --write the table replaces the one in the page;
+with --check it must equal it (for tables of counts, which are the same everywhere).
 """
 import os
 import platform

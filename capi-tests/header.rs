@@ -1,6 +1,6 @@
-//! The committed C header is the one that cbindgen makes of `src/ffi`, and `src/ffi` keeps its conventions.
-//! Within a minor version nothing of the interface is taken away or changed: `capi-tests/abi/<major>.<minor>.txt` says what there is.
-//! `UPDATE_HEADER=1 cargo test --test header` rewrites the header and adds to that list; it takes nothing from it.
+//! The committed C header is the one that cbindgen generates from `src/ffi`, and `src/ffi` follows its conventions. Within a minor version
+//! nothing in the interface is removed or changed: `capi-tests/abi/<major>.<minor>.txt` lists it. `UPDATE_HEADER=1 cargo test --test
+//! header` rewrites the header and adds to that list, but removes nothing from it.
 use std::path::{Path, PathBuf};
 
 /// In the order in which the header explains them.
@@ -64,7 +64,7 @@ fn header_is_current() {
     assert!(read(&path) == expected, "the header is stale: run UPDATE_HEADER=1 cargo test --test header");
 }
 
-/// What a header promises, a line each: functions, fields of structs with their places, numbers, types.
+/// The interface of a header, one item per line: functions, struct fields with their positions, numbers, types.
 fn interface(header: &str) -> Vec<String> {
     let mut text = String::new();
     let mut rest = header;
@@ -76,7 +76,7 @@ fn interface(header: &str) -> Vec<String> {
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut lines = Vec::new();
     for line in text.lines().filter_map(|line| line.strip_prefix("#define DELOTET_")) {
-        // Macros of the compiler's kind and the version are no part of it.
+        // Macros for compilers and the version are not part of it.
         let part = line.split_once(' ').filter(|part| part.1.starts_with(|c: char| c.is_ascii_digit()));
         if let Some((name, value)) = part.filter(|part| !part.0.starts_with("VERSION")) {
             lines.push(format!("DELOTET_{name} = {value}"));
@@ -112,7 +112,7 @@ fn interface(header: &str) -> Vec<String> {
     lines
 }
 
-/// What a list has that another one has not.
+/// The entries of a list that are missing from another.
 fn missing(list: &[String], from: &[String]) -> Vec<String> {
     list.iter().filter(|line| !from.contains(line)).cloned().collect()
 }
@@ -142,7 +142,7 @@ fn nothing_of_the_interface_is_lost_within_a_minor_version() {
     assert!(now.len() > 300, "only {} lines", now.len());
 }
 
-/// The comparison must be able to fail: each kind of change is a loss, each kind of addition is none.
+/// The comparison must be able to fail: each kind of change is reported, no kind of addition is.
 #[test]
 fn changes_of_the_interface_are_seen() {
     let header = "#define DELOTET_MODE_A 0\n/** Text; DELOTET_API { */\ntypedef enum E {\n    /**\n     * One.\n     */\n    E_ONE = 1,\n} E;\n\
@@ -195,7 +195,7 @@ fn exports(source: &str) -> Vec<(String, String)> {
 
 #[test]
 fn exported_functions_are_short_and_guarded() {
-    // These read constants or do plain arithmetic: nothing in them can fail.
+    // These read constants or do simple arithmetic, so nothing in them can fail.
     let constant = ["delotet_version", "delotet_version_string", "delotet_phase_overall"];
     let guards = ["guard(", "change(", "setting(", "settings(", "read(", "make(", "free(", "name_in("];
     let mut count = 0;

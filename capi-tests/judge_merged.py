@@ -3,13 +3,13 @@
 
   judge_merged.py --bin target/release/delotet --judge target/judge --list FILE [--only SUBSTRING] [--limit 60]
 
-* against the surface that was meshed, with nothing excused: the reported flips are applied to the input's triangles, and the judge
-  compares the mesh with that (`--cdt`). A mesh without flips is judged against the input itself.
-* against the input, where there are flips: the mesh must cover the input's patches and have no boundary face off them (`--merge`).
-  The judge's Delaunay test is left out there: in that mode it has to guess which inner faces are constrained, and its guess
-  depends on the order of the tetrahedra.
+* against the surface that was meshed, without exceptions: the reported flips are applied to the input's triangles, and the judge compares
+  the mesh with the result (`--cdt`). A mesh without flips is judged against the input itself.
+* against the input, if there are flips: the mesh must cover the input's patches and have no boundary face off them (`--merge`).
+  The judge's Delaunay test is skipped there: in that mode it has to guess which inner faces are constrained, and its guess depends on the
+  order of the tetrahedra.
 
-FILE has one path a line, relative to its folder. Exit 0 if every model passed."""
+FILE has one path per line, relative to its folder. Exit 0 if every model passed."""
 import argparse
 import json
 import os

@@ -1,5 +1,5 @@
-//! Every status, kind of defect, kind of warning and element in the header comes out of some call; each with the smallest input that was
-//! found, which produces that kind and no other. The lists are the header's: what is added there needs a row here.
+//! Some call returns each status, kind of defect, kind of warning and element in the header, for the smallest input found that produces
+//! this kind and no other. The lists are those of the header: each addition there needs a row here.
 #![allow(unsafe_code)]
 use delotet::ffi::status::{DelotetDefectKind, DelotetStatus, DelotetWarningKind};
 use delotet::ffi::{options as c_options, plc as c_plc};
@@ -21,7 +21,7 @@ thread_local! {
     static REFUSED: Cell<usize> = const { Cell::new(usize::MAX) };
 }
 
-/// The system's allocator, which refuses large blocks where a test asks for it.
+/// The system's allocator, which refuses large blocks if a test asks for it.
 struct Sparing;
 
 // SAFETY: all blocks are the system's; null is an allowed answer.
@@ -257,7 +257,7 @@ fn status<T>(result: Result<T, Error>) -> DelotetStatus {
     result.map_or_else(|error| error.status.into(), |_| DelotetStatus::Ok)
 }
 
-/// An array of as many bytes of zeros, of which none takes memory: `call` may look at a few of them.
+/// An array of this many zero bytes that takes no memory; `call` may read a few of them.
 #[cfg(unix)]
 fn with_zeros<T>(bytes: usize, call: impl FnOnce(*const u32) -> T) -> T {
     let flags = libc::MAP_PRIVATE | libc::MAP_ANONYMOUS | libc::MAP_NORESERVE;
@@ -276,7 +276,7 @@ struct StatusRow {
     run: fn() -> DelotetStatus,
 }
 
-/// Those that come without a list of defects.
+/// The statuses without a list of defects.
 #[rustfmt::skip]
 const STATUSES: &[StatusRow] = &[
     StatusRow { status: DelotetStatus::Ok, run: || status(mesh(&tetrahedron())) },
@@ -318,7 +318,7 @@ const STATUSES: &[StatusRow] = &[
         }
     }) },
     StatusRow { status: DelotetStatus::File, run: || status(io::read(Path::new("no such file.off"))) },
-    // What the caller promised to be valid and is not; a panic ends so too (the guard's own tests).
+    // The result of input wrongly promised to be valid; a panic gives it too (tested with the guard).
     StatusRow { status: DelotetStatus::Internal, run: || {
         let options = Options { validate: false, ..Options::default() };
         let mut plc = tetrahedron();

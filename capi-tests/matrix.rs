@@ -1,4 +1,4 @@
-//! `check` accepts what `mesh` makes: all models of our own in all modes, with all options, in memory and from files.
+//! `check` accepts what `mesh` makes: all our models in all modes, with all options, in memory and from files.
 use delotet::{
     check_guarantee, check_mesh, tetrahedralize, Guarantee, Mode, Options, Plc, Preserve, Silent, Status,
     TetMesh,
@@ -13,7 +13,7 @@ const MODES: [(Mode, Preserve, &[&str]); 4] = [
     (Mode::Delaunay, Preserve::All, &["--mode", "delaunay"]),
 ];
 
-/// The valid models beside this file, by name.
+/// The valid models next to this file, by name.
 fn models() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("capi-tests/data");
     let formats = ["off", "obj", "ply", "stl", "poly", "smesh"];
@@ -28,7 +28,7 @@ fn models() -> Vec<PathBuf> {
 /// Every combination of the options that change what is in a mesh.
 fn options() -> impl Iterator<Item = (Options, &'static [&'static str])> {
     MODES.into_iter().flat_map(|(mode, preserve, arguments)| {
-        // The exact form makes a difference to constrained Delaunay meshes only.
+        // The exact form makes a difference only for constrained Delaunay meshes.
         (0..if mode == Mode::Constrained { 8 } else { 4 }).map(move |bits| {
             let merge_facets = (bits & 1 != 0).then_some(179.9);
             let (keep_hull, exact_form) = (bits & 2 != 0, bits & 4 != 0);
@@ -93,7 +93,7 @@ fn the_exact_form_passes_its_check() {
     let mesh = tetrahedralize(&plc, &exact, &mut Silent).unwrap();
     assert!(!mesh.crowded.is_empty());
     check_guarantee(&plc, &mesh, 10).unwrap();
-    // Unless it hides which points these are.
+    // It fails if it does not list these points.
     let hidden = TetMesh { crowded: Vec::new(), ..mesh };
     assert_eq!(check_guarantee(&plc, &hidden, 10).unwrap_err().status, Status::CheckFailed);
 }

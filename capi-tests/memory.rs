@@ -1,13 +1,13 @@
-//! Memory that fails: whatever request for memory is refused, a call through the C API ends with DELOTET_STATUS_OUT_OF_MEMORY or does
-//! without, and never takes the host down.
+//! Failing allocations: whichever allocation fails, a call through the C API returns DELOTET_STATUS_OUT_OF_MEMORY or succeeds without that
+//! memory, and never brings the host down.
 //!
 //! The allocator of this program refuses the n-th request, or all from the n-th on. Each job (making a mesh in some mode, reading or
-//! writing a format, queries, checks) is run for every n up to the number of its requests, or for some n spread over them where there are
-//! too many; DELOTET_MEMORY_ALL=1 takes them all. The runs are made by child processes, so that an abort is an observation: it is
-//! attributed to the innermost module of the library on the stack of the refused request, and must be among the known ones, which
-//! in turn must all be seen.
+//! writing a format, queries, checks) is run for every n up to the number of its requests, or, if there are too many, for some n spread
+//! over them; DELOTET_MEMORY_ALL=1 runs all of them. The runs are made by child processes, so that an abort is an observation: it is
+//! attributed to the innermost module of the library on the stack of the refused request, and must be among the known ones, which in turn
+//! must all be seen.
 //!
-//! A run that succeeds must give the same result as one with all its memory, and all runs must free what they took.
+//! A run that succeeds must give the same result as one with enough memory, and all runs must free everything they allocated.
 #![allow(unsafe_code)]
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::collections::BTreeMap;
@@ -23,11 +23,10 @@ use delotet::ffi::{
     write::*,
 };
 
-/// Modules with requests that still end the process when they are refused: stages of the engine, and what zlib needs for compressed
-/// `.vtu` files.
+/// Modules with requests whose refusal still aborts the process: stages of the engine, and zlib's memory for compressed `.vtu` files.
 const KNOWN: &[&str] = &["constrain", "delaunay", "io::vtu", "mesh", "preserve", "rounding"];
 
-/// At most about so many requests of a job are refused, one run each, unless all are asked for: meshing takes long.
+/// At most about this many requests of a job are refused, one run each, unless all are requested, since meshing takes long.
 const RUNS_PER_MESH: u64 = 16;
 const RUNS_PER_SMALL_MESH: u64 = 80;
 const RUNS_PER_JOB: u64 = 250;
@@ -51,7 +50,7 @@ const MARK: u8 = b'#';
 /// Blocks handed out and not given back.
 static LIVE: AtomicI64 = AtomicI64::new(0);
 
-/// Writes the number of a refused request to the standard error, without memory and locks.
+/// Writes the number of a refused request to standard error, without allocating or locking.
 fn announce(number: u64) {
     let mut line = [b'\n'; 24];
     line[1] = MARK;
@@ -109,14 +108,14 @@ unsafe impl GlobalAlloc for Failing {
     }
 }
 
-/// What a run gives: its status and a hash of its result.
+/// The outcome of a run: its status and a hash of its result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Outcome {
     status: DelotetStatus,
     hash: u64,
 }
 
-/// A hash of plain arrays (FNV-1a), without memory.
+/// A hash of plain arrays (FNV-1a), without allocating.
 struct Hash(u64);
 
 impl Hash {
@@ -136,7 +135,7 @@ impl Hash {
     }
 }
 
-/// One thing to do with too little memory. What it needs is prepared with all of it.
+/// One job to run with too little memory. Its input is prepared with enough memory.
 struct Job {
     name: String,
     prepare: fn(&Job) -> Box<dyn Fn() -> Outcome>,
@@ -148,7 +147,7 @@ struct Job {
     runs: u64,
     /// Compressed, if it is a file that can be.
     compress: bool,
-    /// What it ends with when there is enough memory.
+    /// Its status with enough memory.
     expected: DelotetStatus,
 }
 
@@ -221,7 +220,7 @@ fn mesh_hash(mesh: *const DelotetMesh) -> u64 {
     hash.0
 }
 
-/// Options, mesh, and all of it freed.
+/// Makes options and a mesh, and frees everything.
 fn make_mesh(
     plc: *const DelotetPlc,
     mode: DelotetMode,
@@ -491,7 +490,7 @@ fn build(plc: &mut *mut DelotetPlc, hash: &mut Hash) -> Result<(), DelotetStatus
     Ok(())
 }
 
-/// A call with wrong arguments: its error is made of memory as well.
+/// A call with wrong arguments: its error needs memory as well.
 fn misuse(_: &Job) -> Box<dyn Fn() -> Outcome> {
     Box::new(|| {
         let mut error = null_mut();
@@ -510,7 +509,7 @@ fn jobs() -> Vec<Job> {
         ("cdt", DELOTET_MODE_CONSTRAINED),
         ("preserve", DELOTET_MODE_PRESERVE),
     ];
-    // Those that are made in a hundredth of a second or a few.
+    // Those that take a few hundredths of a second.
     let models = ["schoenhardt.off", "fins_in_box.poly", "internal.smesh"];
     for (mode_name, mode) in modes {
         for model in models {
@@ -614,7 +613,7 @@ fn jobs() -> Vec<Job> {
     jobs
 }
 
-/// Runs the body with the n-th request refused (0: none), and with `on` all after it. Returns the number of requests too.
+/// Runs the body with the n-th request refused (0: none), and with `on` all later ones. Also returns the number of requests.
 fn run(body: &dyn Fn() -> Outcome, n: u64, on: bool) -> (Outcome, u64) {
     COUNT.store(0, SeqCst);
     REFUSED.store(if n == 0 { u64::MAX } else { n }, SeqCst);
@@ -631,14 +630,14 @@ fn child(arguments: &[String]) {
     let on = arguments[1] == "on";
     let first: u64 = arguments[2].parse().unwrap();
     let traced: u64 = arguments[3].parse().unwrap();
-    // A failed assertion is reported with all the memory that takes.
+    // Reporting a failed assertion gets all the memory it needs.
     let report = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |info| {
         ARMED.store(false, SeqCst);
         report(info);
     }));
     let body = (job.prepare)(job);
-    // Twice: what is set up once for the process is there then, as is the buffer of the standard output.
+    // Twice, so that everything set up once per process exists, including the buffer of standard output.
     say(format_args!("0 0 0"));
     let (reference, _) = run(&*body, 0, false);
     let live = LIVE.load(SeqCst);
@@ -673,12 +672,12 @@ fn say(line: std::fmt::Arguments<'_>) {
     out.flush().unwrap();
 }
 
-/// A child process for a job; its lines, whether it ended well, and its errors.
+/// Runs a child process for a job; returns its output lines, whether it succeeded, and its errors.
 fn start(job: usize, on: bool, first: u64, traced: u64) -> (Vec<String>, bool, String) {
     let mut command = Command::new(std::env::current_exe().unwrap());
     command.args(["--child", &job.to_string(), if on { "on" } else { "once" }, &first.to_string()]);
     command.arg(traced.to_string());
-    // The standard library's own stack of a failed request would take memory too.
+    // The standard library's own backtrace of a failed request would allocate too.
     command.env("RUST_BACKTRACE", "0");
     let mut process = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let (out, err) = (process.stdout.take().unwrap(), process.stderr.take().unwrap());
@@ -726,12 +725,12 @@ fn sweep(job: usize, name: &str, on: bool, tally: &mut Tally) {
         let mut numbers = last.split(' ').map(|number| number.parse::<u64>().unwrap());
         let (n, stride) = (numbers.next().unwrap(), numbers.next().unwrap());
         tally.aborts += 1;
-        // Of all that were refused it is the last one before the end is announced.
+        // Among all refused requests it is the last one before the abort message.
         let before = errors.split("memory allocation of").next().unwrap_or_default();
         let last =
             before.rsplit(char::from(MARK)).next().filter(|_| on).and_then(|rest| rest.trim().parse().ok());
         let (_, _, trace) = start(job, on, n, last.unwrap_or(n));
-        // Optimized builds have no full names of what is inlined: there the kind of job is what is known.
+        // Optimized builds lack full names of inlined functions: there only the kind of job is known.
         let site = match (cfg!(debug_assertions), name) {
             (true, _) => site(&trace),
             (false, name) if name.starts_with("mesh ") => "mesh".into(),
@@ -751,7 +750,7 @@ fn main() {
     if arguments.first().is_some_and(|first| first == "--child") {
         return child(&arguments[1..]);
     }
-    // As the standard harness: a filter by name.
+    // Like the standard harness: a filter by name.
     let filter = arguments.iter().find(|argument| !argument.starts_with('-')).cloned();
     let mut tally = Tally::default();
     for (index, job) in jobs().iter().enumerate() {

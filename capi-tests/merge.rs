@@ -1,10 +1,10 @@
-//! Facet merging from end to end: flips are made, told, applied by the checker, and save Steiner points.
+//! Facet merging from end to end: flips are made, listed, applied by the checker, and save Steiner points.
 use delotet::{
     check_mesh, check_preserved, tetrahedralize, DefectKind, FacetFlip, Mode, Options, Plc, Silent, TetMesh,
 };
 
-/// A closed tube of `n` planar strips up to rounding, each cut into slivers by a fan from one corner and one from the opposite one. Single
-/// precision, the axis along no axis of coordinates. Strips alternate between two markers in pairs.
+/// A closed tube of `n` planar strips up to rounding, each cut into slivers by a fan from one corner and one from the opposite one. In
+/// single precision, with an axis along no coordinate axis. Strips alternate between two markers in pairs.
 fn tube(n: u32, m: u32) -> Plc {
     let mut plc = Plc::default();
     for i in 0..n {
@@ -83,7 +83,7 @@ fn the_checker_needs_the_flips() {
     let untold = TetMesh { facet_flips: Vec::new(), ..merged.clone() };
     let error = check_mesh(&plc, &untold, true, 1000).expect_err("the input's facets are not in the mesh");
     assert!(error.defects.iter().any(|d| d.kind == DefectKind::FacetMissing));
-    // A flip across a border of markers is not accepted, whatever the mesh.
+    // A flip across a border between markers is never accepted.
     let mut wrong = merged.clone();
     wrong.facet_flips.push(FacetFlip { old: [0, 1], new: [5, 6], facets: [0, 1] });
     assert!(check_mesh(&plc, &wrong, true, 1000).is_err());
@@ -116,8 +116,8 @@ fn a_flip_keeps_the_numbers_of_the_facets() {
     assert!(whole.filter(|s| flipped.contains(&s.facet)).count() > 10);
 }
 
-/// Three tubes one in another, each smaller by twice `gap` than the next and turned, so that no facet is planar and none of them is far
-/// from another one: Steiner points lie at parameters that no double holds.
+/// Three nested tubes, each smaller by twice `gap` than the next and rotated, so that no facet is planar and none is far from another:
+/// Steiner points have parameters that no double holds.
 fn nested_tubes(n: u32, m: u32, gap: f64, turns: u32) -> Plc {
     let outer = Plc { triangle_markers: Vec::new(), ..tube(n, m) };
     let count = outer.points.len() as u32;
@@ -138,7 +138,7 @@ fn nested_tubes(n: u32, m: u32, gap: f64, turns: u32) -> Plc {
     plc
 }
 
-/// No flip is followed by another one that takes it back at once, as far as its two facets are concerned.
+/// No flip is directly followed, as far as its two facets are concerned, by another that undoes it.
 fn assert_net(mesh: &TetMesh) {
     let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
     let flips = &mesh.facet_flips;
@@ -173,7 +173,7 @@ fn merging_never_takes_more_points_and_passes_the_check() {
 
 #[test]
 fn merging_does_not_refuse_what_is_meshed_without_it() {
-    // Within this limit without merging only: 214 points, with it 604.
+    // Only without merging within this limit: 214 points, with merging 604.
     let plc = nested_tubes(3, 2, 1e-9, 1);
     let options = Options { steiner_limit: Some(300), ..Options::default() };
     let strict = tetrahedralize(&plc, &options, &mut Silent).unwrap();

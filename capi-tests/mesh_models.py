@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Meshes the project's own models with the program and checks what comes out from the files alone.
+"""Meshes the project's own models with the program and checks the output from the files alone.
 
   mesh_models.py --bin target/release/delotet [--only SUBSTRING]
 
-Every model, constrained, with facets merged, and with its surface preserved: exit 0, the statistics file complete, the number of
-regions right, the input points first and bit for bit, every tetrahedron positive in exact arithmetic, the volume that of the model,
-the program's own check content, the same bytes with two threads. Preserved: every triangle a face of the mesh, the edges
-of general facets edges, the faces on them between input points. Broken models: exit 1, a report, nothing written. Then formats,
-conversions and exit codes. Exit 0 if all is well.
+For every model, constrained, with merged facets, and with its surface preserved: exit 0, a complete statistics file, the right number of
+regions, the input points first and bit for bit, every tetrahedron positive in exact arithmetic, the volume of the model, success of the
+program's own check, and the same bytes with two threads. If the surface is preserved: every triangle is a face of the mesh, the edges of
+general facets are edges, and the faces on them have only input points. For broken models: exit 1, a report, nothing written. Then formats,
+conversions and exit codes. Exit 0 if everything passes.
 """
 import argparse
 import json

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What the CMake project and its package do at the rim: no fit cargo, Ninja, --strip, the manifest, absolute folders, components that are
-# missing, exported targets of a project that contains delotet, plugins that contain the static library.
+# Special cases of the CMake project and its package: no suitable cargo, Ninja, --strip, the manifest, absolute folders, missing components,
+# exported targets of a project that contains delotet, plugins that contain the static library.
 #   capi-tests/packaging.sh WORK TARGET      folder for builds, cargo's folder for the default features
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -34,7 +34,7 @@ configure() {
     cmake -S "$root/cmake" -B "$work/$build" -DDELOTET_CARGO_TARGET_DIR="$target" -DCMAKE_INSTALL_LIBDIR=lib "$@"
 }
 
-# says PATTERN COMMAND...: it fails, and its words, on one line, match.
+# says PATTERN COMMAND...: it fails, and its message, joined into one line, matches.
 says() {
     pattern=$1
     shift
@@ -45,7 +45,7 @@ says() {
     printf '%s\n' "$words" | tr -s '\n ' '  ' | grep -q "$pattern" || { printf '%s\nlacks: %s\n' "$words" "$pattern"; return 1; }
 }
 
-# cargo_says PATTERN LINE: with a cargo of which nothing is known but this line of shell.
+# cargo_says PATTERN LINE: with a fake cargo that consists of this line of shell.
 cargo_says() {
     rm -rf "$work/cargo-build" "$work/fake"
     mkdir -p "$work/fake"
@@ -151,7 +151,7 @@ export_() {
 }
 check "install(EXPORT) of a project that contains delotet" export_
 
-# Plugins: nothing of the archive leaves them.
+# Plugins: they export nothing of the archive.
 plugin() {
     rm -rf "$work/plugin"
     cmake -S "$root/capi-tests/consumer/plugin" -B "$work/plugin" -DCMAKE_PREFIX_PATH="$work/plain/opt/d" &&

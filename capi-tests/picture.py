@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""A mesh cut open, as a PNG: whole tetrahedra at the cut, coloured by region. Python's standard library alone, no display.
+"""A mesh in section, as a PNG: whole tetrahedra at the cut, coloured by region. Needs only Python's standard library, and no display.
 
     delotet mesh capi-tests/data/nested.off -o nested.ele
     python3 capi-tests/picture.py nested.ele -o capi-tests/data/cut.png
 
 Reads STEM.ele and STEM.node. Tetrahedra whose centre lies beyond the cutting plane are left out. Faces of the boundary are light, faces
-that the cut laid bare are in full colour. `--turn`, `--tilt`: where the eye is, degrees; `--normal`, `--at`: the plane, in the
-frame of the model, `--at` as a fraction of its extent along the normal; the side that the normal points to is removed.
+exposed by the cut are in full colour. `--turn`, `--tilt`: the position of the eye in degrees; `--normal`, `--at`: the plane in the frame of
+the model, with `--at` as a fraction of its extent along the normal; the side that the normal points to is removed.
 """
 import argparse
 import math

@@ -6,11 +6,11 @@
   preserve_figures.py growth   --bin ... [--sizes 100000,1000000]        a scan stretched so that edges are missing: seconds per triangle
   preserve_figures.py corpus   --bin ... [--list ../shared/corpus/public.txt] [--only SUBSTRING] [--limit 60] [--tsv FILE]
 
-With `--tetgen` also what `tetgen -pY` does with the same file, and the worst tetrahedra of both meshes: smallest dihedral angle
-(degrees), largest radius-edge ratio. With `--write` the table goes into the guide (src/doc/figures.md), with `--check` it must be the one
-there. Seconds are without reading and writing. Every mesh is checked by
-the program itself (`check --preserved`, exact), but not those of `growth`. With `--from-cdt` every model starts from its constrained
-Delaunay mesh (with its hull, which takes that way) instead of flips: the measure of Si and Gärtner's table. Exit 0 if every model was meshed and passed.
+With `--tetgen` also the result of `tetgen -pY` on the same file, and the worst tetrahedra of both meshes: smallest dihedral angle
+(degrees), largest radius-edge ratio. With `--write` the table goes into the guide (src/doc/figures.md), with `--check` it must equal the
+one there. Seconds exclude reading and writing. The program itself checks every mesh (`check --preserved`, exact) except those of `growth`.
+With `--from-cdt` every model starts from its constrained Delaunay mesh (by keeping its hull) instead of flips, as in Si and Gärtner's
+table. Exit 0 if every model was meshed and passed.
 """
 import argparse
 import json

@@ -6,7 +6,7 @@ use delotet::{
 };
 use proptest::prelude::*;
 
-/// What an input may legitimately end in: not every random complex is valid or encloses something.
+/// Whether an error is legitimate: not every random complex is valid or encloses something.
 fn refused(error: &Error) -> bool {
     matches!(
         error.status,
@@ -19,7 +19,7 @@ fn refused(error: &Error) -> bool {
     )
 }
 
-/// Meshes; the result (if any) must pass the check, and be the same again.
+/// Meshes; the result (if any) must pass the check, and a second run must give the same.
 fn mesh(plc: &Plc, keep_hull: bool) -> Result<Option<TetMesh>, TestCaseError> {
     let options = Options { keep_hull, steiner_limit: Some(5000), ..Options::default() };
     let mesh = match tetrahedralize(plc, &options, &mut Silent) {
@@ -34,7 +34,7 @@ fn mesh(plc: &Plc, keep_hull: bool) -> Result<Option<TetMesh>, TestCaseError> {
     Ok(Some(mesh))
 }
 
-/// What has a constrained mesh has one that keeps the surface; it passes its own check and has the same regions.
+/// An input with a constrained mesh also has one that keeps the surface; it passes its own check and has the same regions.
 fn preserve(plc: &Plc, options: &Options, constrained: &TetMesh) -> Result<(), TestCaseError> {
     let options = Options { mode: Mode::Preserve, ..options.clone() };
     let kept = match tetrahedralize(plc, &options, &mut Silent) {
@@ -67,7 +67,7 @@ fn preserve(plc: &Plc, options: &Options, constrained: &TetMesh) -> Result<(), T
     Ok(())
 }
 
-/// As [`mesh`] for inputs that are valid by construction: a refusal is a failure.
+/// Like [`mesh`] for inputs that are valid by construction: an error is a failure.
 fn mesh_valid(plc: &Plc, keep_hull: bool) -> Result<TetMesh, TestCaseError> {
     match mesh(plc, keep_hull)? {
         Some(mesh) => Ok(mesh),
@@ -97,8 +97,8 @@ fn cube(size: i32) -> Vec<[f64; 3]> {
     (0..8).map(|i| double([i & 1, i >> 1 & 1, i >> 2].map(|x| size * x))).collect()
 }
 
-/// Multiplies all coordinates: by a number that is no binary fraction the grid becomes irregular in the last bits, so that
-/// Steiner points have to be rounded. Axis-parallel planes stay planes.
+/// Multiplies all coordinates. A factor that is no binary fraction makes the grid irregular in the last bits, so that Steiner points have
+/// to be rounded. Axis-parallel planes stay planes.
 fn scaled(plc: &Plc, step: f64) -> Plc {
     Plc { points: plc.points.iter().map(|p| p.map(|x| x * step)).collect(), ..plc.clone() }
 }
@@ -140,7 +140,7 @@ proptest! {
         mesh(&plc, true)?;
     }
 
-    /// Triangles anywhere: the validator takes out those that cross, what remains must be meshed.
+    /// Triangles anywhere: the validator removes those that cross, and the rest must be meshed.
     #[test]
     fn triangles(corners in prop::collection::vec([point(4), point(4), point(4)], 1..12)) {
         let mut plc = Plc { points: cube(4), ..Plc::default() };

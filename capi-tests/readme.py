@@ -3,21 +3,21 @@
 
     capi-tests/readme.py [--work FOLDER] [--target FOLDER] [--vendored FOLDER] [--only NAME.md]
 
-The clone has what is committed and what is changed in the working tree. Blocks run in it, those of README.md first. Nothing outside of
-FOLDER is written: `sudo` is a wrapper that sets DESTDIR, `ldconfig` one that indexes the libraries there, HOME a folder of its own, and git
-finds the project under the address that the documents print. With --target the clone shares cargo's folder with the working tree, with
---vendored the projects that contain the library share one: what has been built there of the same sources is not built again. For this
-the files of every clone have the time stamps that they have here, which is how cargo knows them.
+The clone has the committed files with the changes of the working tree. Blocks run in it, those of README.md first. Nothing outside FOLDER
+is written: `sudo` is a wrapper that sets DESTDIR, `ldconfig` one that indexes the libraries there, HOME is a separate folder, and git finds
+the project under the address in the documents. With --target the clone shares cargo's folder with the working tree; with --vendored the
+projects that contain the library share one. Existing builds of the same sources are then reused: for this the files of every clone have the
+time stamps of the working tree, by which cargo recognizes them.
 
-A comment before a block says what is done with it; a block without one fails the test, unless its language is `text`:
+A comment before a block says how it is run; a block without one fails the test, unless its language is `text`:
 
     run: c NAME, run: cpp NAME    written to NAME, compiled under strict warnings, linked by pkg-config, run
     run: sh [NAME=VALUE ...]      run by bash -e in the clone, with the variables in the environment
-    run: cmake NAME               a CMakeLists.txt beside the sources of the blocks before it: configured, built, `cube` run
-    run: rust                     compiled and run by `cargo test --doc`; here it is made sure that src/doc.rs includes the page
+    run: cmake NAME               a CMakeLists.txt next to the sources of earlier blocks: configured, built, `cube` run
+    run: rust                     compiled and run by `cargo test --doc`; the script only checks that src/doc.rs includes the page
 
-A block `text` after `prints` is what the block before it wrote to stdout; `prints in part`: each of its lines appears there.
-Links between documents are followed, too.
+A block `text` after `prints` is the stdout of the block before it; after `prints in part`, each of its lines appears there.
+Links between documents are followed too.
 """
 import argparse
 import os
@@ -34,7 +34,7 @@ STRICT = ['-Wall', '-Wextra', '-Wpedantic', '-Werror']
 ADDRESS = 'https://example.org/delotet.git'
 
 SUDO = '''#!/bin/sh
-# Root of a file system of its own: whatever is installed goes below that folder.
+# Root of a separate file system: everything is installed below that folder.
 export DESTDIR='{stage}'
 exec "$@"
 '''
@@ -46,17 +46,17 @@ exec "$(PATH="${{PATH#*:}}" command -v ldconfig)" -n "${{DESTDIR:?ldconfig needs
 
 
 HOOK = '''#!/bin/sh
-# After a checkout of the clone: its time stamps.
+# After a checkout of the clone: restores its time stamps.
 git ls-files | while IFS= read -r name; do touch -r '{clone}'/"$name" "$name"; done
 '''
 
 
 class Failure(Exception):
-    """A block that does not do what the document says."""
+    """A block that does not behave as the document says."""
 
 
 def blocks(text):
-    """Line, comment before, language and content of each fenced block."""
+    """Line, preceding comment, language and content of each fenced block."""
     lines = text.split('\n')
     at = 0
     while at < len(lines):
@@ -71,7 +71,7 @@ def blocks(text):
 
 
 def git(*arguments):
-    """What git says of the project; None where this is no repository of its own, but an unpacked archive."""
+    """Output of git for the project; None if this is not a repository but an unpacked archive."""
     if not (ROOT / '.git').exists():
         return None
     run = subprocess.run(['git', '-C', str(ROOT), *arguments], capture_output=True, text=True)
@@ -79,7 +79,7 @@ def git(*arguments):
 
 
 def tracked():
-    """The files of the project: what git knows or would take, or all but what is built where there is no git."""
+    """The files of the project: those that git tracks or would add, or without git all except builds."""
     names = git('ls-files', '-z', '--cached', '--others', '--exclude-standard')
     if names is not None:
         return [name for name in names.split('\0') if name and (ROOT / name).is_file()]
@@ -108,7 +108,7 @@ class Runner:
             PKG_CONFIG_PATH=':'.join(str(self.stage / 'usr/local' / lib / 'pkgconfig') for lib in ('lib', 'lib64')),
             LD_LIBRARY_PATH=':'.join(str(self.stage / 'usr/local' / lib) for lib in ('lib', 'lib64')),
             CMAKE_PREFIX_PATH=str(self.stage / 'usr/local'))
-        # pkg-config would put the folder of the file system before paths that have it already.
+        # pkg-config would prepend the folder of the file system to paths that already have it.
         self.environment.pop('PKG_CONFIG_SYSROOT_DIR', None)
         self.environment.pop('CARGO_TARGET_DIR', None)
         self.vendored = vendored and vendored.resolve()
@@ -123,13 +123,13 @@ class Runner:
             self.command('git', 'init', '--quiet', cwd=self.clone)
         else:
             self.command('git', 'clone', '--quiet', ROOT, self.clone, cwd=ROOT)
-        # What is committed, as it stands in the working tree, with the time stamps that it has there.
+        # The committed files as in the working tree, with their time stamps there.
         for name in self.command('git', 'ls-files', '-z', cwd=self.clone).split('\0')[:-1]:
             (self.clone / name).unlink()
         for name in tracked():
             (self.clone / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, self.clone / name)
-        # The tag that the documents name, on what the clone holds.
+        # The tag named in the documents, on the content of the clone.
         version = re.search(r'^version = "(.*)"', (ROOT / 'Cargo.toml').read_text(), re.M).group(1)
         author = ['-c', 'user.name=test', '-c', 'user.email=test@localhost']
         self.command('git', 'add', '--all', cwd=self.clone)
@@ -147,7 +147,7 @@ class Runner:
         path.chmod(0o755)
 
     def command(self, *command, cwd=None, more=None):
-        """Runs a command; its stdout, or a failure with all it said."""
+        """Runs a command; returns its stdout, or raises a failure with all its output."""
         run = subprocess.run([str(c) for c in command], cwd=cwd or self.clone, capture_output=True, text=True, errors='replace',
                              env=dict(getattr(self, 'environment', os.environ), **(more or {})))
         if run.returncode != 0:
@@ -185,7 +185,7 @@ class Runner:
             raise Failure(f'printed:\n{self.printed}\nthe document says:\n{expected}')
 
     def block(self, page, note, language, content):
-        """Does what the note says; returns what was done, None for nothing."""
+        """Runs the block as its note says; returns the outcome, or None if there was nothing to do."""
         if note in ('prints', 'prints in part'):
             self.check_printed(note != 'prints', content)
             return 'output as shown'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Meshes and judges the whole corpus at ../shared: public models in three modes, open and broken ones, point sets; then the comparison
-# with the recorded figures of other programs, which writes its tables into src/doc/figures.md. It takes a while.
+# Meshes and judges the whole corpus at ../shared: public models in three modes, open and broken ones, point sets; then the comparison with
+# the recorded figures of other programs, which writes its tables into src/doc/figures.md. It takes a while.
 #   bash capi-tests/run-corpus.sh [OUT]      line-per-model tables go to the folder OUT (default: target/corpus)
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
@@ -15,7 +15,7 @@ step "judge" make_judge
 [ "$failed" -eq 0 ] || { closing; exit 1; }
 run() { python3 "$shared/tools/run-corpus" --bin "$bin" --judge "$judge" "$@"; }
 
-# Open surfaces with their hull kept. The judge has no word for "the hull is not on facets", so that finding alone is excused.
+# Open surfaces with their hull kept. The judge cannot be told that the hull is not on facets, so that finding alone is ignored.
 open_models() {
   local name good=0 all=0 source
   while read -r name; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing and runs all tests; on two cores in well under half an hour.
+# Installs missing packages and runs all tests, in well under half an hour on two cores.
 #   bash capi-tests/run-tests.sh
-# With DELOTET_TESTS=list in the environment it installs and runs nothing, but lists its steps.
+# With DELOTET_TESTS=list in the environment it only lists its steps.
 # The whole corpus is another command: capi-tests/run-corpus.sh.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
@@ -25,7 +25,7 @@ picture() {
     ls -s "$work/cut.png"
 }
 
-# A table that a script writes: on a page without one it must come out as it stands in the guide.
+# A table written by a script: on a page without it, the script must produce it exactly as in the guide.
 page() {
   local guide=src/doc/figures.md
   sed '/^<!-- figures: preserve-classics -->/,/^<!-- \/figures -->/{/^<!--/!d}' $guide > "$work/figures.md"
@@ -42,7 +42,7 @@ step "documents" env RUSTDOCFLAGS="-D warnings -A rustdoc::private_intra_doc_lin
 step "tests, debug" cargo test --no-fail-fast
 step "tests, release" cargo test --release --tests --no-fail-fast
 step "program" cargo build --release
-# Without a fresh program an old one would be tested.
+# Without a fresh build an old program would be tested.
 case ${failures[*]:-} in *program:*) closing; exit 1 ;; esac
 step "models are what their generator makes" regenerate
 step "models are what they claim" python3 $data/check_models.py
@@ -52,7 +52,7 @@ for change in turn shift jitter; do
 done
 step "picture of a mesh cut open" picture
 step "figures that are the same everywhere" python3 capi-tests/preserve_figures.py classics --tetgen --check --bin $bin
-step "figures: a page is written anew" page
+step "figures: a page is rewritten" page
 step "C and C++: API, package, examples, sanitizers, valgrind, ABI, peers" sh capi-tests/check.sh
 
 if make_judge; then

@@ -2,8 +2,8 @@
 //! NaN) or overflows, on any path.
 //!
 //! A child process per input enables the traps, reads the model, makes meshes of it in all modes, checks and writes them; a trap ends it
-//! by a signal. Inputs are our own models, some inputs that go to the ends of what is allowed, and, where it is there, the sample of the
-//! corpus (in debug builds only small models: they take long enough). Only where glibc can trap.
+//! by a signal. Inputs are our own models, some inputs at the limits of what is allowed, and the sample of the corpus, if present (in debug
+//! builds only small models, which take long enough). Only with glibc, which can enable traps.
 #![allow(unsafe_code)]
 
 #[cfg(not(all(target_os = "linux", target_env = "gnu", target_arch = "x86_64")))]
@@ -29,7 +29,7 @@ mod glibc {
     /// FE_INVALID, FE_DIVBYZERO and FE_OVERFLOW of x86.
     const TRAPS: i32 = 1 | 4 | 8;
 
-    /// Inputs at the ends of what is allowed: huge and tiny coordinates, flat and equal things.
+    /// Inputs at the limits of what is allowed: huge and tiny coordinates, flat and coincident elements.
     fn extremes() -> Vec<(&'static str, Plc)> {
         let cube = |size: f64| Plc {
             points: (0..8)
@@ -164,7 +164,7 @@ mod glibc {
         let arguments: Vec<String> = std::env::args().skip(1).collect();
         match arguments.first().map(String::as_str) {
             Some("--child") => return child(arguments[1].parse().unwrap()),
-            // The traps are on: a child that divides by zero does not live.
+            // The traps are on: a child that divides by zero is killed.
             Some("--divide") => {
                 // SAFETY: as above.
                 assert_ne!(unsafe { feenableexcept(TRAPS) }, -1);

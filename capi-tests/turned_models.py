@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Meshes models that are turned, moved or roughened: CAD parts in no axis's direction, as assemblies hold them.
+"""Meshes models that are rotated, moved or roughened: CAD parts not aligned with the axes, as in assemblies.
 
   turned_models.py --bin target/release/delotet [--list FILE] [--change turn|shift|jitter] [--seeds 1] [--mode cdt] [--most 3000000] [--limit 60]
 
-Turned by a random rotation, rounded to doubles, planes of a part are planes no more: almost flat facets, and tetrahedra thinner than a unit in
-the last place, are what the mesher has to hand out as doubles. `shift` also moves the part a hundred times its size away; `jitter` moves
-each coordinate by up to two units in the last place and turns nothing. Every OFF file of the list (the project's own by
-default) of at most `most` bytes is meshed; each mesh must pass the program's own exact check. A model that the change makes cross itself
-is refused (exit 1) and counted. Same seeds, same models. Exit 0 if no valid model failed."""
+After a random rotation, rounded to doubles, the planes of a part are no longer exactly planar: the mesher has to return nearly flat facets,
+and tetrahedra thinner than a unit in the last place, in doubles. `shift` also moves the part a hundred times its size away; `jitter` moves
+each coordinate by up to two units in the last place without a rotation. Every OFF file of the list (by default the project's own) of at
+most `most` bytes is meshed; each mesh must pass the program's own exact check. A model that crosses itself after the change is refused
+(exit 1) and counted. The same seeds give the same models. Exit 0 if no valid model failed."""
 import argparse
 import json
 import math

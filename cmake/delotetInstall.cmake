@@ -1,8 +1,8 @@
-# Installation: libraries, program, headers, CMake package, pkg-config file. CMAKE_INSTALL_LIBDIR and its like may be absolute.
+# Installation: libraries, program, headers, CMake package, pkg-config file. CMAKE_INSTALL_LIBDIR and similar variables may be absolute.
 include(CMakePackageConfigHelpers)
 set(_delotet_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/delotet")
 
-# delotet_strip(<flag> <installed file>): `cmake --install --strip` strips what cargo has built, too; CMake does so with targets only.
+# delotet_strip(<flag> <installed file>): makes `cmake --install --strip` strip cargo's outputs too; CMake itself strips only targets.
 function(delotet_strip flag file)
     if(CMAKE_STRIP)
         install(CODE "
@@ -22,7 +22,7 @@ get_filename_component(_delotet_file "${_delotet_static}" NAME)
 set(DELOTET_STATIC_FILE "${CMAKE_INSTALL_LIBDIR}/${_delotet_file}")
 set(DELOTET_IMPLIB_FILE "")
 install(FILES "${_delotet_static}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-# An archive without its symbols would be of no use: only what debuggers read goes.
+# An archive without symbols would be useless, so only debug information is removed.
 delotet_strip(-S "${DELOTET_STATIC_FILE}")
 if(WIN32)
     install(PROGRAMS "${_delotet_shared}" DESTINATION "${CMAKE_INSTALL_BINDIR}")
@@ -59,7 +59,7 @@ write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/delotetConfigVersi
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/delotetConfig.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/delotetConfigVersion.cmake" DESTINATION "${_delotet_config_dir}")
 
-# pkg-config: paths relative to the .pc file, so that the prefix can be moved; where one of them is absolute, all that follows is.
+# pkg-config: paths relative to the .pc file, so that the prefix can be moved; if one of them is absolute, so is everything derived from it.
 if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
     set(DELOTET_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
 else()

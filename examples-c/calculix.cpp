@@ -1,5 +1,5 @@
-// A cantilever in CalculiX: calculix <ccx>. Writes an input deck with node and element sets made of our markers, runs the solver
-// with linear and with second-order tetrahedra, and compares the tip deflection with beam theory.
+// A cantilever in CalculiX: calculix <ccx>. Writes an input deck with node and element sets made from our markers, runs the solver with
+// linear and with second-order tetrahedra, and compares the tip deflection with beam theory.
 #include "lattice.hpp"
 #include "volume.hpp"
 
@@ -47,7 +47,7 @@ static void write(const std::string &name, const delotet::Mesh &mesh, bool secon
             u[axis] = points[face.corners[1]][axis] - points[face.corners[0]][axis];
             v[axis] = points[face.corners[2]][axis] - points[face.corners[0]][axis];
         }
-        const double area = std::fabs(u[1] * v[2] - u[2] * v[1]) / 2; // Both ends are normal to x.
+        const double area = std::fabs(u[1] * v[2] - u[2] * v[1]) / 2; // Both end faces are normal to x.
         for (std::size_t k = 0; k < 3; k++) {
             const std::size_t corner = face.corners[k] + 1, middle = first_middle + face_edges[f][k];
             if (face.marker == x_low) {

@@ -1,4 +1,4 @@
-// From file to file: mesh_file <surface> <mesh>. The extensions name the formats.
+// From file to file: mesh_file <surface> <mesh>. The extensions determine the formats.
 #include "volume.hpp"
 
 #include <iostream>

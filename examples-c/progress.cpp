@@ -1,4 +1,4 @@
-// A progress bar, and a run that is cancelled after one second. An exception would do as well as `return false`.
+// A progress bar, and a run that is cancelled after one second. Throwing an exception would work as well as `return false`.
 #include <delotet/delotet.hpp>
 
 #include <chrono>

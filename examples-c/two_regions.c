@@ -5,7 +5,7 @@
 
 enum { LEFT = 1, RIGHT = 2, SIDES = 3, INTERFACE = 4 };
 
-/* Ends the program with all that is known about a failure. */
+/* Ends the program and prints everything known about a failure. */
 static int fail(DelotetStatus status, DelotetError *error)
 {
     fprintf(stderr, "%s: %s\n", delotet_status_name(status), delotet_error_message(error));

@@ -1,11 +1,11 @@
-//! Gives the shared library its SONAME (or install name), which cargo does not, and on Linux and its like symbol versions:
-//! `delotet_version@@libdelotet.so.0.2`. So the loader tells a program apart that was linked with another ABI, and two versions of the
-//! library can live in one process.
+//! Gives the shared library its SONAME (or install name), which cargo does not, and on Linux and similar systems symbol versions:
+//! `delotet_version@@libdelotet.so.0.2`. So the loader recognizes a program that was linked against another ABI, and two versions of the
+//! library can coexist in one process.
 //!
-//! rustc hands the linker a version script of its own with an anonymous version. GNU ld refuses a second, named one beside it, and lld
-//! keeps to the first; what is left is `--default-symver`, which names the version after the SONAME. Of the common linkers only
-//! GNU ld knows it. So it is tried out here, first with the linker that rustc takes, then with GNU ld; where neither works the library
-//! has no versions, which is allowed and said.
+//! rustc passes the linker a version script of its own with an anonymous version. GNU ld refuses a second, named one beside it, and lld
+//! uses only the first. That leaves `--default-symver`, which names the version after the SONAME; of the common linkers only GNU ld has it.
+//! So it is tried here, first with rustc's linker, then with GNU ld. If neither works, the library has no symbol versions, and a warning
+//! says so.
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -14,7 +14,7 @@ fn main() {
         println!("cargo::rerun-if-env-changed={name}");
     }
     println!("cargo::rerun-if-changed=src/build.rs");
-    // For the tests, which call the compiler of this target.
+    // For the tests, which call the compiler for this target.
     println!("cargo::rustc-env=DELOTET_TARGET={}", var("TARGET"));
     let (major, minor) = (var("CARGO_PKG_VERSION_MAJOR"), var("CARGO_PKG_VERSION_MINOR"));
     let version = if major == "0" { format!("0.{minor}") } else { major };
@@ -29,13 +29,13 @@ fn main() {
             match ways.iter().find(|way| links(way)) {
                 Some(way) => way.iter().for_each(|arg| link_arg(arg)),
                 None => {
-                    println!("cargo::warning=no linker for symbol versions (GNU ld): libdelotet.so has none")
+                    println!("cargo::warning=no linker with symbol versions found (GNU ld): libdelotet.so has no symbol versions")
                 }
             }
         }
         "macos" if own_name => {
             link_arg(&format!("-Wl,-install_name,@rpath/libdelotet.{version}.dylib"));
-            // A program notes the compatibility version that it was linked with; dyld refuses a library with a lower one.
+            // A program records the compatibility version that it was linked against; dyld refuses a library with a lower one.
             link_arg(&format!("-Wl,-compatibility_version,{version}"));
             link_arg(&format!("-Wl,-current_version,{}", var("CARGO_PKG_VERSION")));
         }
@@ -51,7 +51,7 @@ fn link_arg(arg: &str) {
     println!("cargo::rustc-cdylib-link-arg={arg}");
 }
 
-/// Whether a shared library of one function links with these arguments, by the compiler, linker and flags of this build.
+/// Whether a shared library with one function links with these arguments, using the compiler, linker and flags of this build.
 fn links(args: &[&str]) -> bool {
     let folder = PathBuf::from(var("OUT_DIR"));
     let source = folder.join("probe.rs");

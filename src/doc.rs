@@ -1,7 +1,7 @@
-//! The guide: what the README leaves out. The same pages are in `src/doc` as Markdown.
+//! The user guide: everything beyond the README. The same pages are in `src/doc` as Markdown.
 
-/// Declares a page as a module. The definitions before its text let links between pages lead to these modules; the definitions at a page's
-/// end, which lead to files, come second and are ignored by rustdoc.
+/// Declares each page as a module. The link definitions before its text make links between pages lead to these modules; rustdoc ignores the
+/// later definitions at a page's end, which lead to files.
 macro_rules! pages {
     ($($name:ident $text:literal)*) => {
         $(

@@ -1,7 +1,7 @@
-//! Elementary functions that give the same bits everywhere: made of additions, multiplications, divisions and roots, which IEEE 754
-//! defines to the last bit. The mathematical library of a platform is not, and what it computes must not decide a byte of a mesh.
+//! Elementary functions that give the same bits everywhere: they consist of additions, multiplications, divisions and roots, which IEEE 754
+//! defines to the last bit. The math library of a platform is not defined that way, so its results must not decide a byte of a mesh.
 
-/// `2^k`; 0 or infinite where that is no normal double.
+/// `2^k`; 0 or infinity if that is no normal double.
 pub fn power_of_two(k: i32) -> f64 {
     match k {
         -1022..=1023 => f64::from_bits(((k + 1023) as u64) << 52),
@@ -10,7 +10,7 @@ pub fn power_of_two(k: i32) -> f64 {
     }
 }
 
-/// The largest `k` with `2^k <= x`, for a positive finite `x`. Not below −1022 (denormal numbers), not above 1023.
+/// The largest `k` with `2^k <= x`, for a positive finite `x`. From −1022 (also for denormal numbers) to 1023.
 pub fn exponent(x: f64) -> i32 {
     (((x.to_bits() >> 52) & 0x7ff) as i32 - 1023).clamp(-1022, 1023)
 }
@@ -25,27 +25,27 @@ pub fn exponent_above(x: f64) -> i32 {
     }
 }
 
-/// `x / y`, unless that divides by zero or is too large for a double: hosts may trap that.
+/// `x / y`; `None` if `y` is zero or the quotient overflows, which hosts may trap.
 pub fn quotient(x: f64, y: f64) -> Option<f64> {
     (y.abs() > x.abs() * f64::MIN_POSITIVE).then(|| x / y)
 }
 
-/// The arc tangent of a number from 0 to 1, to about 10⁻¹⁶: the angle is halved three times, then comes Euler's series cut off.
+/// The arc tangent of a number from 0 to 1, to about 10⁻¹⁶: the angle is halved three times, then Euler's series is truncated.
 #[cfg(any(test, feature = "io"))] // The quality of tetrahedra, which only files hold.
 fn arc_tangent_of_fraction(x: f64) -> f64 {
     let half = |x: f64| x / (1.0 + (1.0 + x * x).sqrt());
     let x = half(half(half(x)));
-    // |x| <= tan(π/32) < 0.1: the first term left out is below 10⁻¹⁸ of the sum.
+    // |x| <= tan(π/32) < 0.1: the first omitted term is below 10⁻¹⁸ of the sum.
     let square = x * x;
     let sum = (0..9).rev().fold(0.0, |sum, k| 1.0 / f64::from(2 * k + 1) - square * sum);
     8.0 * x * sum
 }
 
-/// The angle in degrees whose cosine is `cosine`, which is cut off to [−1, 1].
+/// The angle in degrees whose cosine is `cosine`, clamped to [−1, 1].
 #[cfg(any(test, feature = "io"))] // The quality of tetrahedra, which only files hold.
 pub fn arc_cosine_degrees(cosine: f64) -> f64 {
     let c = cosine.clamp(-1.0, 1.0);
-    // Twice the angle with this tangent, or with its inverse.
+    // Twice the angle with this tangent, or with its reciprocal.
     let (rise, run) = ((1.0 - c).sqrt(), (1.0 + c).sqrt());
     let degrees = |angle: f64| 2.0 * angle * (180.0 / std::f64::consts::PI);
     if rise <= run {
@@ -58,7 +58,7 @@ pub fn arc_cosine_degrees(cosine: f64) -> f64 {
 /// The cosine of an angle from 0 to 90 degrees, by Taylor's series.
 pub fn cosine_of_degrees(degrees: f64) -> f64 {
     let sine_or_cosine = |x: f64, first: i32| {
-        // x <= π/4: the first term left out is below 10⁻¹⁸.
+        // x <= π/4: the first omitted term is below 10⁻¹⁸.
         (0..9).rev().fold(1.0, |sum, k| {
             let n = f64::from(2 * k + 1 + first);
             1.0 - sum * x * x / (n * (n + 1.0))

@@ -1,24 +1,24 @@
-//! What can go wrong, with the elements at fault. No C types here: `ffi` translates.
+//! Errors and the elements at fault. No C types here: `ffi` translates.
 use crate::fallible;
 use std::borrow::Cow;
 use std::collections::TryReserveError;
 use std::fmt;
 
-/// The class of an outcome. The numbers are part of the C ABI: they are fixed for ever, gaps are left for growth.
+/// The outcome of a call. The numbers are part of the C ABI: they never change, and the gaps leave room for more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(i32)]
 pub enum Status {
     /// An argument is outside its documented range.
     InvalidArgument = 1,
-    /// The request is well-formed, but not offered (a file format, a combination of options).
+    /// The request is well-formed, but not supported (a file format, a combination of options).
     Unsupported = 2,
     /// A coordinate is NaN or infinite.
     NonFinitePoint = 10,
-    /// The coordinates span more binary orders of magnitude than exact arithmetic in doubles can carry.
+    /// The coordinates span more binary orders of magnitude than exact arithmetic in doubles can handle.
     CoordinateRange = 11,
     /// An element refers to a point that does not exist.
     IndexOutOfRange = 12,
-    /// A facet or segment has no extent, or a polygon is not usable as one.
+    /// A facet or segment has no extent, or a ring is not a usable polygon.
     DegenerateFacet = 14,
     /// A polygon is too far from planar to be triangulated without crossing itself.
     NonPlanarFacet = 15,
@@ -26,9 +26,9 @@ pub enum Status {
     SelfIntersection = 16,
     /// All points lie in one plane: there is no tetrahedron.
     DegenerateInput = 17,
-    /// A region seed lies outside the domain, or a region or hole seed on a facet.
+    /// A region seed lies outside the domain, or a region or hole seed lies on a facet.
     SeedOutside = 18,
-    /// The surface encloses nothing, and the convex hull was not asked for.
+    /// The surface encloses nothing, and the convex hull was not requested.
     NothingEnclosed = 19,
     /// The caller's callback asked to stop.
     Cancelled = 30,
@@ -42,11 +42,11 @@ pub enum Status {
     TooLarge = 41,
     /// A file cannot be opened, read or written.
     File = 50,
-    /// A file's content is not what its format prescribes.
+    /// The content of a file does not follow its format.
     Format = 51,
-    /// A mesh does not pass its check.
+    /// A mesh failed its check.
     CheckFailed = 60,
-    /// A failed invariant: a bug of this library. Please report it.
+    /// An invariant failed: a bug in this library. Please report it.
     Internal = 90,
 }
 
@@ -72,9 +72,9 @@ pub enum Element {
 pub enum DefectKind {
     /// A coordinate (or attribute that is a coordinate) is NaN or infinite.
     NonFinite,
-    /// A coordinate cannot be brought into the exact range.
+    /// A coordinate cannot be scaled into the exact range.
     CoordinateRange,
-    /// An index refers to nothing.
+    /// An index refers to no element.
     IndexOutOfRange,
     /// A segment joins a point with itself or with an equal one.
     DegenerateSegment,
@@ -84,7 +84,7 @@ pub enum DefectKind {
     RingIntersection,
     /// An inner ring lies outside the outer one, or inside another inner ring.
     RingNesting,
-    /// A polygon cannot be triangulated: it is folded in its own plane of projection.
+    /// A polygon cannot be triangulated: its projection onto a plane folds over itself.
     NonPlanarFacet,
     /// Two facets cover the same triangle.
     DuplicateFacet,
@@ -100,9 +100,10 @@ pub enum DefectKind {
     SeedOnFacet,
     /// A seed lies outside the domain.
     SeedOutside,
-    /// An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
+    /// An edge of only one facet, where a surface that encloses nothing leaks. The elements are its ends, the point its midpoint.
     OpenEdge,
-    /// Two elements are too close to each other: no double fits where a Steiner point is needed at the first one, and the other is the nearest.
+    /// Two elements are too close to each other: a Steiner point needed on the first has no valid position in doubles, and the second is
+    /// the element nearest to it.
     Rounding,
     /// A tetrahedron is flat (zero volume) or inverted.
     NotPositive,
@@ -120,7 +121,7 @@ pub enum DefectKind {
     HullOffFacets,
 }
 
-/// One defect: kind, the one or two elements involved, and a point where it is seen.
+/// One defect: kind, the one or two elements involved, and a point that locates it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Defect {
     /// The kind.
@@ -133,20 +134,20 @@ pub struct Defect {
     pub point: Option<[f64; 3]>,
 }
 
-/// A failure: its class, a message for people, and all elements at fault.
+/// A failure: its status, a readable message, and all elements at fault.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Error {
-    /// The class.
+    /// The status.
     pub status: Status,
     /// One line in English.
     pub message: Cow<'static, str>,
     /// The defects, at most as many as [`Options::max_defects`](crate::Options::max_defects) allows.
     pub defects: Vec<Defect>,
-    /// How many defects were found in all (`defects` may hold fewer).
+    /// The number of defects found (`defects` may list fewer).
     pub defect_count: usize,
 }
 
-/// The text of an error to be: a static one, or one made for it, unless memory ran out.
+/// The text for an error: static or allocated, or the failure to allocate it.
 #[derive(Debug)]
 pub struct Message(Result<Cow<'static, str>, TryReserveError>);
 
@@ -169,7 +170,7 @@ impl From<fmt::Arguments<'_>> for Message {
 }
 
 impl Error {
-    /// An error without defects. If there is no memory for its text, then that is the error.
+    /// An error without defects. If there is no memory for its text, the error is [`Status::OutOfMemory`].
     pub fn new(status: Status, message: impl Into<Message>) -> Self {
         match message.into().0 {
             Ok(message) => Error { status, message, defects: Vec::new(), defect_count: 0 },
@@ -189,7 +190,7 @@ impl Error {
         error
     }
 
-    /// An error with defects, of which there are `count` in all.
+    /// An error that lists `defects`, out of `count` found.
     pub(crate) fn with_defects(status: Status, message: Message, defects: Vec<Defect>, count: usize) -> Self {
         match message.0 {
             Ok(message) => Error { status, message, defects, defect_count: count },
@@ -197,12 +198,12 @@ impl Error {
         }
     }
 
-    /// A failed invariant of the engine.
+    /// An error for a failed invariant of the engine.
     pub fn internal(message: impl Into<Message>) -> Self {
         Error::new(Status::Internal, message)
     }
 
-    /// The same error with `place` and a colon before its message. Out of memory stays as it is.
+    /// The same error with `place` and a colon in front of its message. An out-of-memory error stays as it is.
     #[must_use]
     pub fn at(self, place: fmt::Arguments<'_>) -> Self {
         if self.status == Status::OutOfMemory {
@@ -215,7 +216,7 @@ impl Error {
     }
 }
 
-/// How many defects of each kind there are, in the order in which the kinds were first seen. Needs no memory of its own.
+/// Counts of defects by kind, in the order in which the kinds were first seen. Allocates nothing.
 #[derive(Clone, Debug)]
 pub(crate) struct KindCounts {
     list: [Option<(DefectKind, usize)>; KindCounts::ROOM],
@@ -228,10 +229,10 @@ impl Default for KindCounts {
 }
 
 impl KindCounts {
-    /// More than there are kinds.
+    /// Larger than the number of kinds.
     const ROOM: usize = 64;
 
-    /// Counts one more.
+    /// Counts one defect of a kind.
     pub(crate) fn add(&mut self, kind: DefectKind) {
         let place = self.list.iter_mut().find(|k| k.is_none_or(|k| k.0 == kind));
         if let Some(place) = place {
@@ -284,7 +285,7 @@ impl fmt::Display for Element {
 }
 
 impl DefectKind {
-    /// The kind in words, as reports print it.
+    /// The kind in words, as printed in reports.
     pub fn name(self) -> &'static str {
         match self {
             DefectKind::NonFinite => "non-finite coordinate",

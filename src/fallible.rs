@@ -1,10 +1,10 @@
-//! Allocation that returns an error instead of ending the process: the standard library's own ways abort, which a library must
-//! not do to its host. Everything that allocates goes through `try_reserve` or one of these.
+//! Allocation that returns an error instead of aborting the process, as the standard library's own functions do: a library must not do that
+//! to its host. Everything that allocates uses `try_reserve` or one of these functions. They fail if memory runs out.
 use std::cmp::Ordering;
 use std::collections::TryReserveError;
 use std::fmt::{self, Write};
 
-/// Memory ran out.
+/// A value, unless memory ran out.
 type Room<T> = Result<T, TryReserveError>;
 
 /// Appends one element.
@@ -25,7 +25,7 @@ pub fn extend<T>(list: &mut Vec<T>, values: impl IntoIterator<Item = T>) -> Room
     Ok(())
 }
 
-/// All elements in a list.
+/// Collects all elements in a list.
 pub fn collect<T>(values: impl IntoIterator<Item = T>) -> Room<Vec<T>> {
     let mut list = Vec::new();
     extend(&mut list, values)?;
@@ -40,7 +40,7 @@ pub fn filled<T: Copy>(value: T, count: usize) -> Room<Vec<T>> {
     Ok(list)
 }
 
-/// `count` elements, each made anew.
+/// A list of `count` elements, each made by a call of `make`.
 pub fn made<T>(count: usize, make: impl FnMut() -> T) -> Room<Vec<T>> {
     let mut list = Vec::new();
     list.try_reserve_exact(count)?;
@@ -48,7 +48,7 @@ pub fn made<T>(count: usize, make: impl FnMut() -> T) -> Room<Vec<T>> {
     Ok(list)
 }
 
-/// A copy.
+/// A copy of a slice.
 pub fn copied<T: Copy>(from: &[T]) -> Room<Vec<T>> {
     let mut list = Vec::new();
     list.try_reserve_exact(from.len())?;
@@ -56,7 +56,7 @@ pub fn copied<T: Copy>(from: &[T]) -> Room<Vec<T>> {
     Ok(list)
 }
 
-/// Sorts so that equal elements keep their order.
+/// A stable sort.
 pub fn stable_sort_by<T: Copy>(list: &mut [T], mut order: impl FnMut(&T, &T) -> Ordering) -> Room<()> {
     let mut numbered = collect(list.iter().copied().enumerate())?;
     numbered.sort_unstable_by(|x, y| order(&x.1, &y.1).then(x.0.cmp(&y.0)));
@@ -64,10 +64,10 @@ pub fn stable_sort_by<T: Copy>(list: &mut [T], mut order: impl FnMut(&T, &T) -> 
     Ok(())
 }
 
-/// A text, as `format!` makes it.
+/// The text that `format!` would make.
 pub fn text(arguments: fmt::Arguments<'_>) -> Room<String> {
     let mut out = Text::default();
-    // A `Display` of ours does not fail by itself; if one did, what came before would be the text.
+    // None of our `Display` implementations fails by itself; if one did, the text would end there.
     let _ = out.write_fmt(arguments);
     match out.short {
         Some(error) => Err(error),
@@ -75,7 +75,7 @@ pub fn text(arguments: fmt::Arguments<'_>) -> Room<String> {
     }
 }
 
-/// A text that grows.
+/// A growing text.
 #[derive(Default)]
 struct Text {
     text: String,

@@ -1,14 +1,14 @@
 //! Exact three-dimensional constrained Delaunay tetrahedralization.
 //!
 //! A [`Plc`] (piecewise linear complex: points, segments, facets, holes, regions) goes in, a [`TetMesh`] comes out
-//! whose boundary is exactly the input's. Every topological decision is taken from an exact sign: there is no
-//! tolerance, and no valid input fails. The same input and options give the same bytes.
+//! whose boundary is exactly the input's. Every topological decision follows an exact sign: there is no tolerance, and no valid input
+//! fails. The same input and options give the same bytes.
 //!
 //! [`doc`] is the guide for users: installation, options, formats, guarantees, figures.
 //!
 //! # Module graph
 //!
-//! Arrows point at what is imported; `capi-tests/architecture.rs` holds the code to it.
+//! Arrows point at what is imported; `capi-tests/architecture.rs` enforces them.
 //!
 //! ```text
 //! ffi ──► tetrahedralize ──► region ──► constrain ──► delaunay ──► mesh ──► (nothing)
@@ -18,7 +18,9 @@
 //!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
 //! io ──► mesh_query, plc, output
 //! main (the command line) ──► everything above through the public API
-//! doc: pages of text; elementary, error, fallible, options, panics, progress, warning: leaves, imported anywhere; vector: plain arithmetic, below plc, rounding, reconnect, preserve, io
+//! doc: pages of text
+//! elementary, error, fallible, options, panics, progress, warning: leaves, imported anywhere
+//! vector: floating-point arithmetic, below plc, rounding, reconnect, preserve, io
 //! ```
 //!
 //! # Conventions

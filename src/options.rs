@@ -1,7 +1,7 @@
-//! What the caller may choose, with the defaults.
+//! The settings of a run and of a writer, with their defaults.
 use crate::error::Error;
 
-/// What is made of the input.
+/// What is made from the input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Mode {
     /// The Delaunay tetrahedralization of the points; segments and facets are ignored.
@@ -10,8 +10,8 @@ pub enum Mode {
     /// on segments only.
     #[default]
     Constrained,
-    /// A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation)
-    /// is a face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+    /// A tetrahedralization that keeps the surface as it is: every facet triangle (for general facets, every triangle of their
+    /// triangulation) is a face, every segment is an edge, and no point is added on them. Points are added only inside, as few as possible.
     Preserve,
 }
 
@@ -21,48 +21,47 @@ pub enum Preserve {
     /// Every facet and segment.
     #[default]
     All,
-    /// The outer boundary: facets with the mesh on one side, and segments on these. Other facets and segments (interfaces of regions,
-    /// dangling ones) are unions of faces and edges, with Steiner points on their segments where they would cost points inside.
+    /// The outer boundary: facets with the mesh on one side, and the segments on them. Other facets and segments (interfaces between
+    /// regions, dangling ones) are unions of faces and edges, with Steiner points on segments where keeping them would take points inside.
     Outer,
 }
 
-/// Settings of one run. `Options::default()` gives what the field docs call default.
+/// Settings of a run. `Options::default()` has the defaults that the field docs give.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// What is made. Default: [`Mode::Constrained`].
     pub mode: Mode,
-    /// What [`Mode::Preserve`] keeps; other modes do not ask. Default: [`Preserve::All`].
+    /// What [`Mode::Preserve`] keeps; other modes ignore it. Default: [`Preserve::All`].
     pub preserve: Preserve,
     /// Keep every tetrahedron of the convex hull, holes and outside included (holes given by seeds are still carved). Default: false.
     pub keep_hull: bool,
-    /// Take facets with equal markers that meet above this angle (degrees, 90 to 180) as one smooth patch, and flip its
-    /// triangles to be Delaunay on the surface first. Default: None (off).
+    /// Treat facets with equal markers that meet at more than this angle (degrees, 90 to 180) as one smooth patch, and flip its triangles
+    /// to be Delaunay on the surface before meshing. Default: None (off).
     pub merge_facets: Option<f64>,
-    /// Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may end in
+    /// Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may cause
     /// [`Status::Internal`](crate::Status::Internal).
     pub validate: bool,
-    /// How many defects a report lists at most, and how many warnings of a kind a mesh. Default: 1000.
+    /// How many defects an error lists at most, and how many warnings of each kind a mesh lists. Default: 1000.
     pub max_defects: usize,
-    /// Worker threads; 0: as many as there are processors for this process. The result does not depend on it. Default: 1.
+    /// The number of worker threads; 0: one per processor available to the process. The mesh is the same for any number. Default: 1.
     pub threads: usize,
-    /// Give up with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None, that
-    /// is 100,000 and 100 more per segment, many times what any model has needed.
+    /// Fail with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None, which means 100,000
+    /// plus 100 per segment, many times what any model has needed.
     pub steiner_limit: Option<u64>,
-    /// Return the mesh also if some Steiner points have no valid position in doubles, instead of
-    /// [`Status::Rounding`](crate::Status::Rounding): [`TetMesh::crowded`](crate::TetMesh::crowded) lists them,
-    /// tetrahedra at them may be flat or inverted in doubles, and the exact mesh is given by
-    /// [`TetMesh::steiner`](crate::TetMesh::steiner). Default: false.
+    /// Return the mesh even if some Steiner points have no valid position in doubles, instead of failing with
+    /// [`Status::Rounding`](crate::Status::Rounding). [`TetMesh::crowded`](crate::TetMesh::crowded) lists these points; tetrahedra at them
+    /// may be flat or inverted in doubles; [`TetMesh::steiner`](crate::TetMesh::steiner) gives the exact mesh. Default: false.
     pub exact_form: bool,
-    /// Leave out the points that no tetrahedron has: those that equal an earlier one, and those around which all was carved. Input
-    /// points then have other numbers in the mesh; [`TetMesh::dropped`](crate::TetMesh::dropped) maps them. What is not meshed is
-    /// not listed, as its points are gone; it is still warned of. Default: false.
+    /// Leave out points that belong to no tetrahedron: those that equal an earlier one, and those around which everything was carved. Input
+    /// points then have other indices in the mesh; [`TetMesh::dropped`](crate::TetMesh::dropped) maps them. Unmeshed subfaces and
+    /// subsegments are not listed, since their points are dropped; warnings about them remain. Default: false.
     pub drop_unmeshed_points: bool,
     /// The points are already in a spatially coherent order: skip sorting. Default: false.
     pub points_sorted: bool,
 }
 
 impl Options {
-    /// How many worker threads a run starts: [`Options::threads`], or the number of processors if that is 0.
+    /// The number of worker threads of a run: [`Options::threads`], or the number of processors if that is 0.
     pub fn worker_threads(&self) -> usize {
         match self.threads {
             0 => std::thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get),
@@ -92,10 +91,10 @@ impl Default for Options {
 /// A version of Gmsh's format.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum MshVersion {
-    /// 4.1, of Gmsh 4.
+    /// Version 4.1, that of Gmsh 4.
     #[default]
     V41,
-    /// 2.2, which many solvers read and some of them only.
+    /// Version 2.2, which many solvers read; some read no other.
     V22,
 }
 
@@ -108,22 +107,22 @@ pub struct RegionName {
     pub name: String,
 }
 
-/// How a mesh is written. `WriteOptions::default()` gives what the field docs call default.
+/// How a mesh is written. `WriteOptions::default()` has the defaults that the field docs give.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WriteOptions {
-    /// `.vtu`: compress the arrays (zlib). Smaller and slower. Default: false.
+    /// `.vtu`: compress the arrays with zlib, which makes smaller files more slowly. Default: false.
     pub compress: bool,
-    /// `.vtu`: also write the subfaces, as `STEM_subfaces.vtu`. Other formats have them in any case, `.vtk` has none.
+    /// `.vtu`: also write the subfaces, to `STEM_subfaces.vtu`. Other formats always contain them, except `.vtk`, which never does.
     /// Default: false.
     pub subfaces: bool,
-    /// Tetrahedra of ten nodes: the corners and the middles of the edges, in the order of the format. All but `.mesh`.
+    /// Write tetrahedra of ten nodes: the corners, then the midpoints of the edges in the order of the format. All formats but `.mesh`.
     /// Default: false.
     pub second_order: bool,
     /// `.msh`: the version. Default: 4.1.
     pub msh_version: MshVersion,
     /// `.msh`, `.inp`: names of regions, by attribute. Default: none.
     pub region_names: Vec<RegionName>,
-    /// How many warnings of a kind are listed. Default: 1000.
+    /// How many warnings of each kind are listed at most. Default: 1000.
     pub max_warnings: usize,
 }
 

@@ -1,40 +1,40 @@
-//! The result: flat arrays in doubles, input points first, with the origin of everything.
+//! The result: flat arrays in doubles, input points first, with the origin of every element.
 use crate::progress::Phase;
 use crate::warning::Warnings;
 
 mod dropped;
 pub use dropped::Dropped;
 
-/// A Steiner point and where it lies: on an edge of the input, or inside ([`SteinerPoint::INSIDE`]; on no segment then).
+/// A Steiner point and where it lies: on an input edge, or inside and on no segment ([`SteinerPoint::INSIDE`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct SteinerPoint {
-    /// Ends of the input edge (input point indices) that the point was put on: exactly `a + t (b − a)`. Both are
+    /// Ends a and b of the input edge (input point indices): the point lies on it at exactly `a + t (b − a)`. Both are
     /// [`INVALID`](crate::INVALID) for a point inside, which lies on no edge ([`TetMesh::preserved`]).
     pub ends: [u32; 2],
-    /// The parameter, up to the point's [`SteinerTerm`]s, which hardly any point has; 0 for a point inside.
+    /// The parameter, up to the point's [`SteinerTerm`]s, which few points have; 0 for a point inside.
     pub t: f64,
     /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only.
     pub segment: u32,
-    /// The double coordinates in `points` are exactly `a + t (b − a)`; false: they are rounded (or moved by the rounding step).
-    /// A point inside lies where its doubles are: true.
+    /// True if the double coordinates in `points` are exactly `a + t (b − a)`, and for a point inside. False if they were rounded, or moved
+    /// by the rounding step.
     pub exact: bool,
 }
 
 impl SteinerPoint {
-    /// A point on no edge, facet or segment of the input ([`Mode::Preserve`](crate::Mode::Preserve)): it lies exactly where
-    /// its doubles are.
+    /// A point on no edge, facet or segment of the input ([`Mode::Preserve`](crate::Mode::Preserve)): it lies exactly at its double
+    /// coordinates.
     pub const INSIDE: SteinerPoint =
         SteinerPoint { ends: [crate::INVALID; 2], t: 0.0, segment: crate::INVALID, exact: true };
 
-    /// Whether the point lies on no edge of the input.
+    /// Whether the point lies on no input edge.
     pub fn is_inside(&self) -> bool {
         self.ends == [crate::INVALID; 2]
     }
 }
 
-/// A term of a Steiner point's parameter beyond [`SteinerPoint::t`]: the exact parameter is the sum. Segments that run
-/// so close to each other that a double is too coarse have such points.
+/// A further term of a Steiner point's parameter: the exact parameter is the sum of [`SteinerPoint::t`] and all terms. Points have terms on
+/// segments that run so close to each other that one double is too coarse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct SteinerTerm {
@@ -54,29 +54,28 @@ pub struct Subface {
     pub facet: u32,
     /// That facet's marker.
     pub marker: i32,
-    /// The tetrahedra on both sides. The first is that of the lower region (by its index), within one region that of the lower
-    /// index; the second is [`INVALID`](crate::INVALID) on the boundary. The corners' normal `(b − a) × (c − a)` points from
-    /// the first to the second: from the lower region to the higher, and outward on the boundary. Both are `INVALID` in
-    /// [`TetMesh::unmeshed_subfaces`] only.
+    /// The tetrahedra on both sides: first the one in the region with the lower index or, within one region, the one with the lower index.
+    /// The second is [`INVALID`](crate::INVALID) on the boundary. The normal `(b − a) × (c − a)` points from the first to the second: from
+    /// the lower region to the higher, and outward on the boundary. Both are `INVALID` in [`TetMesh::unmeshed_subfaces`] only.
     pub tets: [u32; 2],
 }
 
-/// A piece of a segment or of a facet's edge: an edge of the mesh.
+/// A piece of a segment or of a facet edge: an edge of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct Subsegment {
     /// The ends.
     pub ends: [u32; 2],
-    /// The input segment it lies on, or [`INVALID`](crate::INVALID) for an edge of facets.
+    /// The input segment it lies on, or [`INVALID`](crate::INVALID) for a facet edge that is no segment.
     pub segment: u32,
-    /// The segment's marker, 0 for an edge of facets.
+    /// The segment's marker, or 0 if there is no segment.
     pub marker: i32,
 }
 
 /// A region of the mesh: tetrahedra that are connected through unconstrained faces and share a seed (or have none).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region {
-    /// The attribute of the seed; for unseeded regions a number of its own, not used by any seed.
+    /// The attribute of the seed; a region without a seed has a number of its own that no seed uses.
     pub attribute: f64,
     /// Index of the region seed, or [`INVALID`](crate::INVALID).
     pub seed: u32,
@@ -84,50 +83,50 @@ pub struct Region {
     pub max_volume: Option<f64>,
 }
 
-/// What a mesh is beyond being valid, by the mode in which it was made.
+/// What a mesh guarantees beyond validity, by the mode in which it was made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Guarantee {
     /// Every facet and segment is a union of faces and edges, and all other faces are locally Delaunay.
     #[default]
     ConstrainedDelaunay,
-    /// The Delaunay tetrahedralization of the points: facets and segments play no part.
+    /// The Delaunay tetrahedralization of the points: facets and segments are ignored.
     Delaunay,
-    /// The surface is kept as it was ([`Preserve::All`](crate::Preserve::All)).
+    /// The surface is kept as it is in the input ([`Preserve::All`](crate::Preserve::All)).
     Preserved,
-    /// The outer boundary is kept as it was ([`Preserve::Outer`](crate::Preserve::Outer)).
+    /// The outer boundary is kept as it is in the input ([`Preserve::Outer`](crate::Preserve::Outer)).
     PreservedOuter,
 }
 
-/// A flip of two facets' triangles that facet merging made before meshing: edge `old` became edge `new`.
+/// A flip of two facet triangles, made by facet merging before meshing: edge `old` became edge `new`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct FacetFlip {
     /// The removed edge (input point indices).
     pub old: [u32; 2],
-    /// The edge in its place.
+    /// The edge that replaces it.
     pub new: [u32; 2],
     /// The two facets (input facet indices).
     pub facets: [u32; 2],
 }
 
-/// What keeping the boundary took ([`Mode::Preserve`](crate::Mode::Preserve)).
+/// Counts of what it took to keep the surface ([`Mode::Preserve`](crate::Mode::Preserve)).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PreserveStatistics {
     /// Edges of the surface missing from the Delaunay tetrahedralization of the points.
     pub missing_edges: u64,
-    /// Triangles of the surface missing from it.
+    /// Triangles of the surface missing from that tetrahedralization.
     pub missing_faces: u64,
     /// Edges and faces recovered by reconnecting tetrahedra alone.
     pub by_reconnection: u64,
     /// Edges and faces recovered with the help of points inside.
     pub by_interior_points: u64,
-    /// Edges and faces recovered by points on them, which were taken away again.
+    /// Edges and faces recovered by points on them that were removed again.
     pub by_splits: u64,
-    /// Points on the surface taken away without a replacement.
+    /// Points on the surface removed without a replacement.
     pub deleted: u64,
-    /// Points on the surface taken away with points inside in their place.
+    /// Points on the surface replaced by points inside.
     pub relocated: u64,
-    /// Points added inside that are left.
+    /// Points added inside that remain in the mesh.
     pub interior: u64,
     /// Points left on internal facets and segments ([`Preserve::Outer`](crate::Preserve::Outer)).
     pub on_internal_facets: u64,
@@ -138,11 +137,11 @@ pub struct PreserveStatistics {
 pub struct Statistics {
     /// Steiner points on segments and facet edges.
     pub steiner: u64,
-    /// Those whose double coordinates are exact.
+    /// Steiner points whose double coordinates are exact.
     pub steiner_exact: u64,
-    /// Those whose nearest double was not valid and that were moved to another position.
+    /// Steiner points moved to another position because the nearest doubles were not valid.
     pub steiner_moved: u64,
-    /// Tetrahedra that took the place of ones that no doubles made positive.
+    /// Tetrahedra that replace ones for which no double coordinates gave a positive volume.
     pub replaced: u64,
     /// Input points that equal an earlier one.
     pub duplicate_points: u64,
@@ -150,9 +149,9 @@ pub struct Statistics {
     pub missing_segments: u64,
     /// Missing regions that facet recovery filled.
     pub missing_regions: u64,
-    /// Largest number of bytes that the kernel's arrays held.
+    /// Peak size of the engine's arrays in bytes.
     pub peak_bytes: u64,
-    /// What keeping the boundary took; all zero in other modes.
+    /// What it took to keep the surface; all zero in other modes.
     pub preserve: PreserveStatistics,
     /// Seconds per phase, indexed by [`Phase`].
     pub seconds: [f64; Phase::COUNT],
@@ -163,15 +162,16 @@ pub struct Statistics {
 pub struct TetMesh {
     /// All points: the input points first, bit for bit and in input order, then the Steiner points.
     pub points: Vec<[f64; 3]>,
-    /// How many of `points` are input points.
+    /// The number of `points` that are input points.
     pub input_point_count: u32,
-    /// For each input point the first input point equal to it (itself, if there is none): tetrahedra use only that one.
+    /// For each input point the first input point with the same coordinates (itself if there is no earlier one): tetrahedra use only that
+    /// one.
     pub point_alias: Vec<u32>,
     /// The tetrahedra, all positive.
     pub tets: Vec<[u32; 4]>,
-    /// Per tetrahedron and face (opposite each vertex) the tetrahedron beyond, or [`INVALID`](crate::INVALID).
+    /// For each tetrahedron and vertex i the tetrahedron across the face opposite that vertex, or [`INVALID`](crate::INVALID).
     pub neighbors: Vec<[u32; 4]>,
-    /// Per tetrahedron an index into `regions`.
+    /// For each tetrahedron an index into `regions`.
     pub tet_region: Vec<u32>,
     /// The regions.
     pub regions: Vec<Region>,
@@ -179,38 +179,40 @@ pub struct TetMesh {
     pub subfaces: Vec<Subface>,
     /// Edges on segments and facet edges.
     pub subsegments: Vec<Subsegment>,
-    /// Pieces of facets that bound no tetrahedron, since all around them was carved: no faces of the mesh.
+    /// Pieces of facets that bound no tetrahedron because everything around them was carved. They are not faces of the mesh.
     pub unmeshed_subfaces: Vec<Subface>,
     /// Pieces of segments and facet edges that are edges of no tetrahedron.
     pub unmeshed_subsegments: Vec<Subsegment>,
-    /// Points that no tetrahedron has, ascending: those that equal an earlier point, and those around which all was carved.
+    /// Points that belong to no tetrahedron, in ascending order: those that equal an earlier point, and those around which everything was
+    /// carved.
     pub unmeshed_points: Vec<u32>,
-    /// Set if these points were left out ([`Options::drop_unmeshed_points`](crate::Options::drop_unmeshed_points)): all indices of
-    /// points are then those of what is left, but those of `facet_flips`, which stay the input's.
+    /// Set if these points were left out ([`Options::drop_unmeshed_points`](crate::Options::drop_unmeshed_points)): all point indices then
+    /// refer to the remaining points, except those in `facet_flips`, which refer to the input.
     pub dropped: Option<Dropped>,
     /// One per Steiner point, in the order of `points`.
     pub steiner: Vec<SteinerPoint>,
-    /// Terms of parameters that are no doubles, in the order of `steiner`, each point's largest first.
+    /// Further terms of parameters that one double cannot hold, in the order of `steiner`, each point's largest term first.
     pub steiner_terms: Vec<SteinerTerm>,
-    /// Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive in
-    /// `points`, like all, but not necessarily Delaunay, nor positive in the exact positions of Steiner points. Where no doubles were
-    /// found at all, the mesh is [`preserved`](Self::preserved), and these are the tetrahedra at faces that are not locally Delaunay.
+    /// Tetrahedra that replace ones for which no double coordinates gave a positive volume, in ascending order: nearly flat facets force
+    /// them. They are positive in `points`, like all others, but not necessarily Delaunay, nor positive at the exact positions of Steiner
+    /// points. If no valid doubles were found at all, the mesh is [`preserved`](Self::preserved), and these are the tetrahedra at faces
+    /// that are not locally Delaunay.
     pub replaced: Vec<u32>,
     /// Points (indices into `points`) without a valid position in doubles; empty unless
     /// [`Options::exact_form`](crate::Options::exact_form) was set and rounding failed.
     pub crowded: Vec<u32>,
-    /// The facet flips made by merging, in order.
+    /// The flips made by facet merging, in order.
     pub facet_flips: Vec<FacetFlip>,
-    /// The mesh is the convex hull's (nothing outside was carved).
+    /// The mesh fills the convex hull: nothing outside the surface was carved.
     pub hull_kept: bool,
-    /// What the mesh is beyond being valid.
+    /// What the mesh guarantees beyond validity.
     pub guarantee: Guarantee,
-    /// The surface's triangles and segments are faces and edges as they are: Steiner points lie inside, and faces are not
-    /// necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)). With [`Preserve::Outer`](crate::Preserve::Outer) that
-    /// holds for the outer boundary.
+    /// The triangles and segments of the surface are themselves faces and edges: Steiner points lie inside, and faces are not necessarily
+    /// Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)). With [`Preserve::Outer`](crate::Preserve::Outer) this holds for the outer
+    /// boundary.
     pub preserved: bool,
-    /// What the caller should know: leaks, parts of the input that are not meshed, seeds without effect. At most
-    /// [`Options::max_defects`](crate::Options::max_defects) of a kind are listed.
+    /// Warnings about leaks, parts of the input that are not meshed, and seeds without effect. At most
+    /// [`Options::max_defects`](crate::Options::max_defects) of each kind are listed.
     pub warnings: Warnings,
     /// Counts and costs.
     pub statistics: Statistics,

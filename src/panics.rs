@@ -1,7 +1,7 @@
-//! Panics, which are bugs of ours: they become an error of the run, and during calls from C nothing is printed about them.
+//! Panics, which are bugs in the library: they become an error of the run, and during calls from C nothing is printed about them.
 //!
-//! A panic is reported by a hook that the whole process shares, on the thread that panics. So a thread says whether it works for
-//! a call from C; workers inherit that from the thread that starts them.
+//! A panic is reported by a hook shared by the whole process, on the panicking thread. So each thread records whether it works for a call
+//! from C; worker threads inherit this from the thread that starts them.
 use crate::error::Error;
 use crate::fallible;
 use std::cell::{Cell, RefCell};
@@ -12,7 +12,7 @@ use std::sync::{Once, OnceLock};
 compile_error!("delotet turns panics into a status: build it with panic = \"unwind\"");
 
 thread_local! {
-    /// This thread works for a call from C: the hook stays silent and keeps the text.
+    /// Whether this thread works for a call from C: the hook then stays silent and keeps the text.
     static SILENT: Cell<bool> = const { Cell::new(false) };
     static TEXT: RefCell<String> = const { RefCell::new(String::new()) };
 }
@@ -20,10 +20,10 @@ thread_local! {
 type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Send + Sync + 'static>;
 
 static INSTALL: Once = Once::new();
-/// The hook that was there before ours.
+/// The previously installed hook.
 static PREVIOUS: OnceLock<Hook> = OnceLock::new();
 
-/// Keeps the text of panics in silent threads and passes on all others.
+/// Keeps the text of panics in silent threads and passes all others on to the previous hook.
 fn hook(info: &PanicHookInfo<'_>) {
     if SILENT.try_with(Cell::get).unwrap_or(false) {
         let text = fallible::text(format_args!("{info}")).unwrap_or_default();
@@ -33,14 +33,14 @@ fn hook(info: &PanicHookInfo<'_>) {
     }
 }
 
-/// Whether this thread is silent: for [`work`].
+/// Whether this thread is silent; pass it to [`work`].
 pub fn is_silent() -> bool {
     SILENT.try_with(Cell::get).unwrap_or(false)
 }
 
 /// Runs `body`; a panic in it becomes an error with its text. Nothing is printed about it.
 pub fn catch_silently<R>(body: impl FnOnce() -> R) -> Result<R, Error> {
-    // Neither box takes memory: a function has no size.
+    // Neither box allocates: a function has no size.
     INSTALL.call_once(|| {
         let _ = PREVIOUS.set(std::panic::take_hook());
         std::panic::set_hook(Box::new(hook));
@@ -48,7 +48,7 @@ pub fn catch_silently<R>(body: impl FnOnce() -> R) -> Result<R, Error> {
     work(true, body)
 }
 
-/// Runs `body` on a thread that is silent or not; a panic in it becomes an error with its text, where that is known.
+/// Runs `body` on a thread that is silent or not; a panic in it becomes an error with its text, if known.
 pub fn work<R>(silent: bool, body: impl FnOnce() -> R) -> Result<R, Error> {
     let outer = SILENT.replace(silent);
     let result = catch_unwind(AssertUnwindSafe(body));
@@ -60,7 +60,7 @@ pub fn work<R>(silent: bool, body: impl FnOnce() -> R) -> Result<R, Error> {
             true => TEXT.with(|slot| std::mem::take(&mut *slot.borrow_mut())),
             false => String::new(),
         };
-        // One line: it goes into a message.
+        // One line, since it becomes part of a message.
         let mut lines = text.lines();
         let (first, rest) = (lines.next().unwrap_or("a panic"), lines.next().unwrap_or_default());
         Error::internal(format_args!("internal error, please report it: {first} {rest}"))

@@ -1,8 +1,8 @@
-//! Progress, cancellation and log: the caller's eyes and hands during a run.
+//! Progress, cancellation and log of a run.
 use crate::error::{Error, Status};
 use std::ops::ControlFlow;
 
-/// The stages of a run. The numbers are fixed; [`Phase::ALL`] has them in the order in which they come.
+/// The stages of a run. The numbers are fixed; [`Phase::ALL`] has them in the order of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum Phase {
@@ -29,7 +29,7 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// How many phases there are.
+    /// The number of phases.
     pub const COUNT: usize = 10;
 
     /// All phases in the order of a run.
@@ -46,7 +46,7 @@ impl Phase {
         Phase::Write,
     ];
 
-    /// The name as statistics print it.
+    /// The name as printed in statistics.
     pub fn name(self) -> &'static str {
         const NAMES: [&str; Phase::COUNT] = [
             "read", "validate", "delaunay", "segments", "facets", "regions", "round", "audit", "write",
@@ -57,12 +57,12 @@ impl Phase {
 }
 
 impl Phase {
-    /// Where a phase begins in the whole of reading, meshing and writing, in [`Phase::ALL`]'s order; the last one ends at 1. Rough shares
-    /// of the time in our own models, where the phases' shares differ by a factor of ten from one model to another: finer numbers would
-    /// promise what nobody can keep.
+    /// Where each phase begins in the whole of reading, meshing and writing, in the order of [`Phase::ALL`]; the last one ends at 1. These
+    /// are rough shares of the time on our own models. The shares differ by a factor of ten between models, so finer numbers would be
+    /// meaningless.
     const BEGINS: [f64; Phase::COUNT] = [0.0, 0.05, 0.15, 0.35, 0.55, 0.65, 0.7, 0.8, 0.85, 0.9];
 
-    /// The part of the whole that is done when `fraction` of this phase is: from 0 to 1, rising from phase to phase.
+    /// The fraction of the whole that is done when `fraction` of this phase is done: from 0 to 1, increasing from phase to phase.
     pub fn overall(self, fraction: f64) -> f64 {
         let place = self.place();
         let begin = Phase::BEGINS[place];
@@ -70,37 +70,37 @@ impl Phase {
         begin + (end - begin) * fraction.clamp(0.0, 1.0)
     }
 
-    /// The place in [`Phase::ALL`].
+    /// The index in [`Phase::ALL`].
     fn place(self) -> usize {
         Phase::ALL.iter().position(|&phase| phase == self).unwrap_or(0)
     }
 }
 
-/// Receives progress and log lines on the thread that called, and may cancel.
+/// Receives progress and log lines on the calling thread, and may cancel.
 pub trait Observer {
-    /// `fraction` of `phase` is done (0 to 1). During a run phases come in the order of [`Phase::ALL`], each once (those that are not
-    /// needed never), each up to 1; fractions never fall, nor does [`Phase::overall`]. `Break` cancels the run.
+    /// `fraction` of `phase` is done (0 to 1). During a run phases come in the order of [`Phase::ALL`], each once and up to 1 (unneeded
+    /// ones never); neither fractions nor [`Phase::overall`] ever decrease. `Break` cancels the run.
     fn progress(&mut self, phase: Phase, fraction: f64) -> ControlFlow<()> {
         let _ = (phase, fraction);
         ControlFlow::Continue(())
     }
 
-    /// A line of text about the run. Nothing is printed otherwise.
+    /// A line of text about the run. The library prints nothing itself.
     fn log(&mut self, message: &str) {
         let _ = message;
     }
 }
 
-/// An observer that looks away.
+/// An observer that ignores everything.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 
 impl Observer for Silent {}
 
-/// Hands on what never goes back: work that is done again, in another attempt say, shows as no progress.
+/// Passes on only progress that does not go back: repeated work, in another attempt for example, reports no progress.
 pub(crate) struct Steady<'a> {
     observer: &'a mut dyn Observer,
-    /// The phase and its part that were reported last.
+    /// The phase and fraction reported last.
     now: Option<(Phase, f64)>,
 }
 
@@ -132,7 +132,7 @@ impl Observer for Steady<'_> {
     }
 }
 
-/// Reports progress and turns a cancel into an error.
+/// Reports progress; fails with [`Status::Cancelled`] if the observer cancels.
 pub fn report(observer: &mut dyn Observer, phase: Phase, fraction: f64) -> Result<(), Error> {
     match observer.progress(phase, fraction.clamp(0.0, 1.0)) {
         ControlFlow::Continue(()) => Ok(()),
@@ -144,7 +144,7 @@ pub fn report(observer: &mut dyn Observer, phase: Phase, fraction: f64) -> Resul
 mod tests {
     use super::*;
 
-    /// Keeps all that it is told, and checks it.
+    /// Records everything reported, and checks it.
     #[derive(Default)]
     struct Witness(Vec<(Phase, f64)>);
 

@@ -55,7 +55,8 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     outcome
 }
 
-/// The engine's segments in an error become the caller's: an edge of facets is named by the first facet that has it. So is the place.
+/// Translates the engine's segments in an error to the caller's: a facet edge is named by the first facet that has it. The location is
+/// translated too.
 fn in_terms_of_input(mut error: Error, segments: &Segments, input_of: &[u32], surface: &Surface) -> Error {
     for defect in &mut error.defects {
         let Element::Segment(s) = defect.first else { continue };
@@ -91,7 +92,7 @@ struct Run<'a> {
     clock: Instant,
     statistics: Statistics,
     warnings: Warnings,
-    /// So many Steiner points are certain to be needed without merging.
+    /// The number of Steiner points certain to be needed without merging.
     unmerged_at_least: u64,
     /// What the mesh must have, if it is to keep the surface.
     promise: Promise,
@@ -195,7 +196,7 @@ impl Run<'_> {
         let mut mesh = match options.mode {
             Mode::Delaunay => {
                 let mut engine = Engine::new(prepared.surface(), options)?;
-                // The surface's copy of the points would lie beside the mesh at its largest.
+                // The surface's copy of the points would coexist with the mesh at its peak size.
                 let alias = fallible::copied(&prepared.surface().alias)?;
                 drop(prepared);
                 self.delaunay(&mut engine, options.worker_threads())?;
@@ -334,7 +335,7 @@ impl Run<'_> {
         }
     }
 
-    /// Takes note of what the kernel's arrays hold now.
+    /// Records the current size of the engine's arrays.
     fn note_peak(&mut self, engine: &Engine) {
         self.statistics.peak_bytes = self.statistics.peak_bytes.max(engine.delaunay.bytes() as u64);
     }
@@ -369,8 +370,8 @@ impl Run<'_> {
         let mut any_diagonals = true;
         loop {
             let subfaces = match self.recover_facets(surface, &recovered, engine) {
-                // Something lies so near to a polygon that it crosses its new triangles. It does not cross the surface's, which were
-                // checked.
+                // An element lies so close to a polygon that it crosses its new triangles. It does not cross the surface's triangles, which
+                // were checked.
                 Err(e)
                     if matches!(e.status, Status::SelfIntersection | Status::Internal)
                         && !recovered.polygons.facets.is_empty() =>
@@ -396,8 +397,8 @@ impl Run<'_> {
                 !options.exact_form,
             )?;
             self.lap(Phase::Round);
-            // Once at least, and as long as each attempt leaves half as many at most; not where other points might be needed on edges that
-            // merging has made.
+            // At least once, and as long as each attempt leaves at most half as many; not if other points might be needed on edges made by
+            // merging.
             let hopeful = surface.edges_beside.is_empty()
                 && fewest.is_none_or(|fewest| 2 * rounded.crowded.len() <= fewest);
             if !rounded.crowded.is_empty() && hopeful {
@@ -572,7 +573,7 @@ impl Run<'_> {
         Ok((components, regions))
     }
 
-    /// The exact audit of what is handed out.
+    /// The exact audit of the output.
     fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
         report(self.observer, Phase::Audit, 0.0)?;
         let audited = audit(plc, mesh, options.max_defects);

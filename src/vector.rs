@@ -1,4 +1,4 @@
-//! Vectors in plain arithmetic: for proposals, orders and bounds, never for a decision.
+//! Vectors in floating-point arithmetic: for candidates, orders and bounds, never for a decision.
 
 /// The difference.
 #[inline]
@@ -12,7 +12,7 @@ pub fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The vector product.
+/// The cross product.
 #[inline]
 pub fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

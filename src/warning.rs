@@ -1,4 +1,4 @@
-//! What a caller should know about a mesh that was made all the same. No C types here: `ffi` translates.
+//! Warnings: what a caller should know about a mesh that is valid nonetheless. No C types here: `ffi` translates.
 use crate::error::{Element, Error};
 use crate::fallible;
 use crate::progress::Observer;
@@ -7,33 +7,33 @@ use std::fmt;
 /// What a warning is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum WarningKind {
-    /// An edge of one facet only, on a part of the surface that encloses nothing: there it leaks. The elements are the ends.
+    /// An edge of only one facet, on a part of the surface that encloses nothing: it leaks there. The elements are the ends.
     OpenEdge,
     /// A part of a facet bounds no tetrahedron.
     UnmeshedFacet,
     /// A part of a segment is an edge of no tetrahedron.
     UnmeshedSegment,
-    /// A point is a corner of no tetrahedron, and equals no other point.
+    /// A point is a corner of no tetrahedron and equals no earlier point.
     UnmeshedPoint,
     /// A point equals an earlier one, which is used instead. The elements are the point and the earlier one.
     EqualPoints,
-    /// A region seed lies in a region that has an earlier seed, whose attribute is used. The elements are both seeds.
+    /// Two region seeds lie in one region; the attribute of the earlier is used. The elements are the later seed and the earlier one.
     RepeatedSeed,
-    /// A hole seed lies outside the domain: it has no effect.
+    /// A hole seed lies outside the domain and has no effect.
     HoleOutside,
-    /// A region has a volume bound, which is kept, but makes no tetrahedron smaller: there is no refinement yet.
+    /// A region has a volume bound, which is kept but not applied: there is no refinement yet.
     UnusedVolume,
-    /// A polygon is not planar by more than rounding; it was triangulated.
+    /// A polygon is out of plane by more than rounding; it was triangulated.
     NonPlanarFacet,
     /// A file's format cannot hold a value as it is.
     LostValue,
 }
 
 impl WarningKind {
-    /// How many kinds there are.
+    /// The number of kinds.
     pub const COUNT: usize = 10;
 
-    /// All kinds, in the order in which they are listed.
+    /// All kinds, in listing order.
     pub const ALL: [WarningKind; WarningKind::COUNT] = [
         WarningKind::OpenEdge,
         WarningKind::UnmeshedFacet,
@@ -47,7 +47,7 @@ impl WarningKind {
         WarningKind::LostValue,
     ];
 
-    /// The kind in words, as reports print it.
+    /// The kind in words, as printed in reports.
     pub fn name(self) -> &'static str {
         match self {
             WarningKind::OpenEdge => "open edge",
@@ -63,7 +63,7 @@ impl WarningKind {
         }
     }
 
-    /// What one or several warnings of the kind say, after their number.
+    /// The sentence that follows the number of warnings of the kind, for one or for several.
     fn sentence(self, one: bool) -> &'static str {
         let texts = match self {
             WarningKind::OpenEdge => [
@@ -99,27 +99,27 @@ impl WarningKind {
                 "polygons are not planar; they were triangulated",
             ],
             WarningKind::LostValue => {
-                ["value cannot be held by the file's format", "values cannot be held by the file's format"]
+                ["value cannot be stored in this file format", "values cannot be stored in this file format"]
             }
         };
         texts[usize::from(!one)]
     }
 }
 
-/// One warning: kind, the one or two elements involved, and a point where it is seen.
+/// One warning: kind, the one or two elements involved, and a point that locates it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Warning {
     /// The kind.
     pub kind: WarningKind,
-    /// The element that it is about.
+    /// The element that the warning is about.
     pub first: Element,
     /// The other element of a pair.
     pub second: Option<Element>,
-    /// A point at or near it (rounded).
+    /// A point at or near the element (rounded).
     pub point: Option<[f64; 3]>,
 }
 
-/// Warnings, with a limit to how many of a kind are listed; all are counted.
+/// A list of warnings, limited per kind; all are counted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Warnings {
     list: Vec<Warning>,
@@ -127,10 +127,10 @@ pub struct Warnings {
 }
 
 impl Warnings {
-    /// Counts a warning, and lists it unless `limit` others of its kind are listed or memory is short.
+    /// Counts a warning, and lists it unless `limit` others of its kind are already listed or memory is short.
     pub fn push(&mut self, warning: Warning, limit: usize) {
         let count = &mut self.counts[warning.kind as usize];
-        // Those of a kind that are listed come first: none was listed after one that was not.
+        // The listed warnings of a kind are its first ones: none was listed after one that was not.
         let listed = *count < limit as u64;
         *count += 1;
         if listed && self.list.try_reserve(1).is_ok() {
@@ -143,7 +143,7 @@ impl Warnings {
         Ok(Warnings { list: fallible::copied(&self.list)?, counts: self.counts })
     }
 
-    /// Adds the warnings of another list after these.
+    /// Appends the warnings of another list.
     pub fn append(&mut self, other: &Warnings) {
         for (count, more) in self.counts.iter_mut().zip(other.counts) {
             *count += more;
@@ -153,33 +153,33 @@ impl Warnings {
         }
     }
 
-    /// Those that are listed, in the order in which they were found.
+    /// The listed warnings, in the order found.
     pub fn list(&self) -> &[Warning] {
         &self.list
     }
 
-    /// How many there are of a kind, listed or not.
+    /// The number of warnings of a kind, listed or not.
     pub fn count(&self, kind: WarningKind) -> u64 {
         self.counts[kind as usize]
     }
 
-    /// How many there are in all, listed or not.
+    /// The number of all warnings, listed or not.
     pub fn total(&self) -> u64 {
         self.counts.iter().sum()
     }
 
-    /// Whether there are none.
+    /// Whether there are no warnings.
     pub fn is_empty(&self) -> bool {
         self.total() == 0
     }
 
-    /// Those of one kind that are listed.
+    /// The listed warnings of one kind.
     pub fn of(&self, kind: WarningKind) -> impl Iterator<Item = &Warning> {
         self.list.iter().filter(move |warning| warning.kind == kind)
     }
 
-    /// One line in English about the warnings of a kind: how many, what to do, and where the first one is; none if there
-    /// are none.
+    /// One line in English about the warnings of a kind: how many, what to do, and where the first one is; `None` if there are no such
+    /// warnings.
     pub fn line(&self, kind: WarningKind) -> Option<String> {
         let count = self.count(kind);
         let text = kind.sentence(count == 1);
@@ -193,10 +193,10 @@ impl Warnings {
         }
     }
 
-    /// Hands one line per kind to the observer's log.
+    /// Logs one line per kind.
     pub fn log(&self, observer: &mut dyn Observer) {
         for line in WarningKind::ALL.into_iter().filter_map(|kind| self.line(kind)) {
-            // A line that there is no memory for is left out: the warnings themselves are in the mesh.
+            // Without memory for a line, the line is dropped: the mesh has the warnings themselves.
             if let Ok(line) = fallible::text(format_args!("warning: {line}")) {
                 observer.log(&line);
             }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Proves the ABI guard: abidiff finds no change between two builds of the same sources, with and without what the program needs, and
-# reports a function that is removed.
+# Tests the ABI guard: abidiff finds no change between two builds of the same sources, with and without the program's features, and reports
+# a removed function.
 #   capi-tests/abi/guard.sh <folder for builds> <cargo's folder>      the first build is that of cargo's folder, as after `cargo test`
 # To compare with an older release, build that one with full debug information and run abidiff <old> <new> (no --headers-dir:
 # with it changes of structs are filtered out).
@@ -31,7 +31,7 @@ awk -v name="$removed" '
     { print }' "$root/src/ffi/plc_view.rs" >"$work/abi-source/src/ffi/plc_view.rs"
 build removed.so
 if abidiff "$work/first.so" "$work/removed.so" >"$work/abidiff.txt"; then
-    echo "abidiff did not notice that $removed is gone"
+    echo "abidiff did not notice that $removed was removed"
     exit 1
 fi
 grep -q "$removed" "$work/abidiff.txt"

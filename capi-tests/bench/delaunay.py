@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Delaunay tetrahedralizations beside the peers': a table of ratios.
+"""Delaunay tetrahedralizations compared with peers: a table of ratios.
 
   delaunay.py [--points 1000000] [--kinds uniform,sphere,...] [--repeat 5] [--threads 1,2] [--scan FILE.off] [--folder DIR] [--write]
 
-Every run is a process of its own and times ordering and insertion, without reading. Peers and we run in turn on the same file
-(peer, we, peer, we), and medians are compared: of processor seconds with one thread (other programs on the machine
-disturb these less), of wall seconds with more. Peers: CGAL (Delaunay_triangulation_3, exact predicates, range insertion) and
-TetGen 1.5 of Debian, built here with CMake; HXT if the Python package gmsh can be imported. A peer that is not there
-is left out, with a word. Memory is the most that the process held; bytes are the kernel's per tetrahedron.
+Every run is a separate process and times ordering and insertion, without reading. Peer and delotet run alternately on the same file
+(peer, delotet, peer, delotet), and medians are compared: of CPU seconds with one thread (other programs on the machine disturb these less),
+of wall-clock seconds with more. Peers: CGAL (Delaunay_triangulation_3, exact predicates, range insertion) and TetGen 1.5 of Debian, built
+here with CMake; HXT if the Python package gmsh can be imported. A missing peer is skipped with a message. Memory is the peak of the
+process; bytes are the engine's per tetrahedron.
 With --write the table goes into the guide (src/doc/figures.md).
 """
 import argparse

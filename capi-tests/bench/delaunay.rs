@@ -9,8 +9,7 @@ use delotet::predicates::Points;
 use std::io::{BufRead, Read};
 use std::time::Instant;
 
-/// Seconds this thread has computed, so that other programs on the machine disturb less; wall time where the system does
-/// not tell.
+/// CPU seconds of this thread, so that other programs on the machine disturb less; wall-clock time if the system does not report them.
 fn seconds(start: Instant) -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     let nanoseconds = text.split_whitespace().next().and_then(|x| x.parse::<f64>().ok());
@@ -50,7 +49,7 @@ fn read_raw(path: &str) -> Vec<[f64; 3]> {
     points
 }
 
-/// Most memory that the process had, in megabytes; zero where the system does not tell.
+/// Peak memory of the process in megabytes; zero if the system does not report it.
 fn peak_megabytes() -> f64 {
     let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = text.lines().find(|line| line.starts_with("VmHWM"));

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""How the time of meshing grows with the input. Python 3 standard library only; inputs are generated, the same every time.
+"""How meshing time grows with the input. Needs only Python 3's standard library; the generated inputs are always the same.
 
   growth.py --bin target/release/delotet [--only FAMILY] [--repeat 1] [--largest N] [--keep FOLDER] [--write]
 
 Families: scan (a closed surface of 10^4, 10^5, 10^6 triangles), refined (a scan whose triangles are split: exactly planar facets),
 layers (F parallel facets, V points above them), polygon (one planar facet of N corners), sheet (one planar facet with N vertices in it),
-fan (N segments at one point), grid (N^3 cospherical points, Delaunay). A line gives the tetrahedra, the seconds of the phases (the
-least total of --repeat runs; "mesh" is the total without reading and writing), microseconds of "mesh" per tetrahedron, validation over
-the rest of meshing, reading and writing over meshing. --largest leaves out inputs with a larger N. --write puts the table into the guide (src/doc/figures.md).
+fan (N segments at one point), grid (N^3 cospherical points, Delaunay). Each line has the tetrahedra, the seconds of the phases (of the
+fastest of --repeat runs; "mesh" is the total without reading and writing), microseconds of "mesh" per tetrahedron, and the ratios of
+validation to the rest of meshing and of reading and writing to meshing. --largest skips inputs with a larger N. --write puts the table into
+the guide (src/doc/figures.md).
 """
 import argparse
 import json
@@ -102,7 +103,7 @@ FAMILIES = [
 
 
 def run(options, model, folder):
-    """The statistics of the run with the least total, or why there is none."""
+    """The statistics of the run with the least total, or the reason for its failure."""
     best = None
     stats = os.path.join(folder, "stats.json")
     for _ in range(options.repeat):

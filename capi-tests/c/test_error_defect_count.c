@@ -1,4 +1,4 @@
-/* delotet_error_defect_count: counts what the report leaves out, too. */
+/* delotet_error_defect_count: also counts defects that are not listed. */
 #include "test.h"
 
 int main(void)

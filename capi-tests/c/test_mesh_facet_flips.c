@@ -1,4 +1,4 @@
-/* delotet_mesh_facet_flips: none unless merging was asked for. */
+/* delotet_mesh_facet_flips: none unless merging is on. */
 #include "test.h"
 
 int main(void)

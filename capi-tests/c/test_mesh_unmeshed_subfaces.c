@@ -1,4 +1,4 @@
-/* delotet_mesh_unmeshed_subfaces: pieces of facets that bound no tetrahedron are listed apart from the mesh's faces. */
+/* delotet_mesh_unmeshed_subfaces: pieces of facets that bound no tetrahedron are listed separately from the mesh's faces. */
 #include "test.h"
 
 int main(void)

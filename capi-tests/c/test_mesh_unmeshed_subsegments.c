@@ -1,4 +1,4 @@
-/* delotet_mesh_unmeshed_subsegments: pieces of edges that no tetrahedron has are listed apart from the mesh's edges. */
+/* delotet_mesh_unmeshed_subsegments: pieces of edges that no tetrahedron has are listed separately from the mesh's edges. */
 #include "test.h"
 
 int main(void)

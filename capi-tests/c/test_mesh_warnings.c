@@ -1,4 +1,4 @@
-/* delotet_mesh_warnings: a point that equals another one is listed with both, at most as often as asked for, and logged. */
+/* delotet_mesh_warnings: a point that equals another one is listed with both, at most as often as requested, and logged. */
 #include "test.h"
 
 static DelotetPlc *cube_with_equal_points(void)

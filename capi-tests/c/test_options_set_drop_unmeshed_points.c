@@ -1,4 +1,4 @@
-/* delotet_options_set_drop_unmeshed_points: points without tetrahedra are gone, and the mesh still passes its check. */
+/* delotet_options_set_drop_unmeshed_points: points without tetrahedra are dropped, and the mesh still passes its check. */
 #include "test.h"
 
 int main(void)

@@ -1,4 +1,4 @@
-/* delotet_options_set_exact_form: where doubles are too coarse the mesh comes back all the same, and says so. */
+/* delotet_options_set_exact_form: where doubles are too coarse, the mesh is returned anyway and lists the points. */
 #include "test.h"
 
 /* A twisted prism among the integers beyond 2^52: its edges must be split, and no double lies between. */

@@ -1,4 +1,4 @@
-/* delotet_options_set_max_defects: the report is cut, the count is not. */
+/* delotet_options_set_max_defects: the list is truncated, the count is not. */
 #include "test.h"
 
 int main(void)

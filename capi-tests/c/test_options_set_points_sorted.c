@@ -1,4 +1,4 @@
-/* delotet_options_set_points_sorted: a hint: the mesh is a valid one all the same. */
+/* delotet_options_set_points_sorted: a hint: the mesh is valid in any case. */
 #include "test.h"
 
 int main(void)

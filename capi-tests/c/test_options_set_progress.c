@@ -1,4 +1,4 @@
-/* delotet_options_set_progress: phases in order, fractions that do not fall, and cancelling. */
+/* delotet_options_set_progress: phases in order, fractions that never decrease, and cancelling. */
 #include "test.h"
 
 struct seen {

@@ -1,4 +1,4 @@
-/* delotet_phase_overall: one number for the whole run that never falls, on every path. */
+/* delotet_phase_overall: one number for the whole run that never decreases, on every path. */
 #include "test.h"
 
 struct seen {

@@ -1,4 +1,4 @@
-/* delotet_plc_clone: a copy with all that the PLC has, which lives on without it. */
+/* delotet_plc_clone: a copy with everything in the PLC, which stays valid without it. */
 #include "test.h"
 
 int main(void)

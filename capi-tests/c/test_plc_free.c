@@ -1,4 +1,4 @@
-/* delotet_plc_free: NULL is ignored; meshes live on. */
+/* delotet_plc_free: NULL is ignored; meshes stay valid. */
 #include "test.h"
 
 int main(void)

@@ -1,4 +1,4 @@
-/* DELOTET_AT: steps by the view's stride, so that records of a later library, which have more fields, are read right. */
+/* DELOTET_AT: steps by the view's stride, so that records of a later library with more fields are read correctly. */
 #include "test.h"
 
 typedef struct {

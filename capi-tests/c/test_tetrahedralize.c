@@ -1,4 +1,4 @@
-/* delotet_tetrahedralize: a cube, the same twice; what cannot be meshed; misuse. All that in the mode that keeps the surface too. */
+/* delotet_tetrahedralize: a cube, the same twice; input that cannot be meshed; misuse. All this also in the mode that keeps the surface. */
 #include "test.h"
 
 /* Markers, regions, holes and the hull with the surface kept. */

@@ -1,4 +1,4 @@
-/* delotet_write_options_free: NULL is ignored; names that were set go with the options. */
+/* delotet_write_options_free: NULL is ignored; names that were set are freed with the options. */
 #include "test.h"
 
 int main(void)

@@ -1,4 +1,4 @@
-/* delotet_write_options_set_log: what has no effect and what a format cannot hold is told, a line each. */
+/* delotet_write_options_set_log: options without effect and values that a format cannot hold are logged, a line each. */
 #include "test.h"
 
 static void line(void *user_data, const char *message)

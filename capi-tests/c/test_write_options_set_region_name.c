@@ -1,4 +1,4 @@
-/* delotet_write_options_set_region_name: names are copied, replaced and taken away. */
+/* delotet_write_options_set_region_name: names are copied, replaced and removed. */
 #include "test.h"
 
 int main(void)

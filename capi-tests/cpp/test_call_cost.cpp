@@ -1,5 +1,5 @@
-// What a call costs: 10,000 cubes of twelve triangles from PLC to mesh. The figure is printed, not judged; that every call gives the
-// same mesh is.
+// The cost of a call: 10,000 cubes of twelve triangles from PLC to mesh. The figure is only printed; the test is that every call gives the
+// same mesh.
 #include "test.hpp"
 
 #include <chrono>

@@ -38,7 +38,7 @@ int main()
         CHECK(count == last); // Cancelled at once.
     }
 
-    // What is thrown need not be an exception class; the status form lets it out, too.
+    // Anything may be thrown, not only exception classes; the status form rethrows it too.
     delotet::Options rude;
     rude.on_progress([](delotet::Phase, double) -> bool { throw 42; });
     CHECK(caught<int>([&] { delotet::tetrahedralize(plc, rude); }) == 42);
@@ -55,7 +55,7 @@ int main()
           DELOTET_STATUS_CANCELLED);
     CHECK(delotet::tetrahedralize(plc, cancelling, mesh, error) == DELOTET_STATUS_CANCELLED && error);
 
-    // The log: one line for a hole without effect, none where there is nothing to say.
+    // The log: one line for a hole without effect, none if there is nothing to report.
     std::vector<std::string> said;
     delotet::Options logging;
     logging.on_log([&](const char *line) { said.push_back(line); });

@@ -1,5 +1,4 @@
-// What the wrapper takes and gives back of the input: integers of any type, flat or in rows; paths of any type; PLCs read back, copied,
-// changed, written.
+// Input through the wrapper, both ways: integers of any type, flat or in rows; paths of any type; PLCs read back, copied, changed, written.
 #include "test.hpp"
 
 #include <algorithm>

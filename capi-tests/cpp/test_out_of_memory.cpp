@@ -1,5 +1,5 @@
-// Short of memory every call ends with DELOTET_STATUS_OUT_OF_MEMORY, wherever the memory runs out; nothing aborts. Each limit in a
-// child process, from far too little to plenty.
+// When memory is short, every call returns DELOTET_STATUS_OUT_OF_MEMORY, wherever the memory runs out; nothing aborts. Each limit runs in a
+// child process, from far too little memory to plenty.
 #include "test.hpp"
 
 #include <sys/resource.h>

@@ -26,7 +26,7 @@ int main()
                 CHECK(same(delotet::tetrahedralize(cloud, options), big));
                 CHECK(caught<delotet::Exception>([] { pierced().check(); }).status() ==
                       DELOTET_STATUS_SELF_INTERSECTION);
-                // Derived arrays are made once, whoever asks first.
+                // Derived arrays are made once, whichever thread asks first.
                 CHECK(big.faces().begin() == big.faces().begin() && big.edges().begin() == big.edges().begin());
                 std::vector<Index> tets(cloud.points().size());
                 big.locate(cloud.points(), tets);

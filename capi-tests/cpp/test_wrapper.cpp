@@ -138,7 +138,7 @@ static void options()
     CHECK(again.tets().size() == mesh.tets().size());
 }
 
-/// Records that are larger than this header knows, as those of a later library: the stride counts, not the size.
+/// Records larger than in this header, like those of a later library: the stride is used, not the size.
 static void records()
 {
     struct Larger {

@@ -3,10 +3,10 @@
 
   check_models.py [DIR]     DIR: the folder of generate.py (default: this one)
 
-Every model, per shell of triangles or polygons: no degenerate triangle, no facet twice, every polygon exactly plane (to single
-precision where stated), every edge in exactly two facets with opposite directions, volume positive, in exact rationals. Models with
-sheets, interfaces or seeds are checked for what they state instead: see EXPECT. Broken models must be as broken as their names say.
-Crossings are not looked for here. Exit 0 if all is well.
+For every model, per shell of triangles or polygons, in exact rationals: no degenerate triangle, no repeated facet, every polygon exactly
+planar (to single precision where stated), every edge in exactly two facets with opposite directions, positive volume. Models with sheets,
+interfaces or seeds are checked for what they state instead: see EXPECT. Broken models must have the defects that their names say.
+Crossings are not checked here. Exit 0 if everything passes.
 """
 import math
 import os

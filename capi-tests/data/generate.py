@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the project's test models. Python 3 standard library only; the same call always gives the same bytes.
+"""Makes the project's test models. Needs only Python 3's standard library; the same call always gives the same bytes.
 
   generate.py all [DIR]                 every model of this folder (into DIR), the broken ones into DIR/invalid
   generate.py list                      their names
@@ -201,7 +201,7 @@ def fins():
 
 
 def nested():
-    """Three shells inside one another and a fourth beside the second: no seeds, so each is a region border."""
+    """Three nested shells and a fourth next to the second: no seeds, so each is a region border."""
     m = Model()
     points, triangles = icosphere(4)
     for x0, radius, turn in ((0, 10, 0), (-3, 5, 1), (-3, 2, 2), (5.5, 2.5, 3)):
@@ -307,7 +307,7 @@ def schoenhardt():
 
 
 def fins_in_box():
-    """Schönhardt's prism in a box, and a sheaf of triangles above it that turn and nearly touch: internal facets that want points."""
+    """Schönhardt's prism in a box, and a sheaf of triangles above it that turn and nearly touch: internal facets that need points."""
     m = schoenhardt()
     m.box((-3, -3, -3), (3, 3, 4), marker=1)
     for k in range(6):

@@ -1,6 +1,6 @@
 """A small polygonal modeller for generate.py: models, exact triangulation of planar polygons with holes, file writers.
 
-Python 3 standard library only. Decisions are taken in integers: doubles are scaled by a power of two, which is exact.
+Needs only Python 3's standard library. Decisions are made in integers: doubles are scaled by a power of two, which is exact.
 """
 import math
 import struct
@@ -238,7 +238,7 @@ def write_points(model, out):
 
 
 def write_poly(model, path):
-    """TetGen's .poly, numbered from 1. A hole in a facet is told by the middle of its ring's box, which must lie inside it."""
+    """TetGen's .poly, numbered from 1. The seed of a hole in a facet is the centre of its ring's box, which must lie in it."""
     with open(path, "w", newline="\n") as out:
         write_points(model, out)
         facets = model.facets + [([list(s)], marker) for s, marker in model.segments]

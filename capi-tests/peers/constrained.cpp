@@ -1,4 +1,4 @@
-// Constrained Delaunay tetrahedralizations beside TetGen's: peers_constrained <off files>. For each model the volume against the
+// Constrained Delaunay tetrahedralizations compared with TetGen's: peers_constrained <off files>. For each model the volume against the
 // enclosed volume (exact rationals) and TetGen's, every facet covered, every unconstrained face locally Delaunay by CGAL's exact
 // predicates. Prints a table; what the same tests say of TetGen's meshes is counted, not judged.
 #include "ours.hpp"

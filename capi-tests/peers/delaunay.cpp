@@ -1,5 +1,5 @@
-// Delaunay tetrahedralizations beside CGAL's and TetGen's: the same count where points are in general position, the same volume
-// always, and empty circumspheres by CGAL's exact predicates.
+// Delaunay tetrahedralizations compared with CGAL's and TetGen's: the same count if points are in general position, always the same volume,
+// and empty circumspheres by CGAL's exact predicates.
 #include "peers.hpp"
 
 #include <cmath>

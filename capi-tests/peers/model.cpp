@@ -20,7 +20,7 @@ Model read(const char *path)
         return model;
     model.points.resize(points);
     for (Point &p : model.points) {
-        // By strtod: streams round as the locale's library likes.
+        // By strtod, since the rounding of streams depends on the standard library.
         std::string x, y, z;
         in >> x >> y >> z;
         p = {std::strtod(x.c_str(), nullptr), std::strtod(y.c_str(), nullptr), std::strtod(z.c_str(), nullptr)};

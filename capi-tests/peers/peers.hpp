@@ -11,7 +11,7 @@ using Point = std::array<double, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 using Tet = std::array<std::uint32_t, 4>;
 
-/// A mesh by whomever. Tetrahedra are positive.
+/// A mesh of any program. Tetrahedra are positive.
 struct Result {
     std::string outcome = "ok"; ///< "ok", or how the peer ended.
     double seconds = 0;

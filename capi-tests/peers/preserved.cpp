@@ -1,7 +1,7 @@
-// Surfaces preserved beside TetGen's -pY: peers_preserved <off files>. Ours is judged: every triangle of the input is a face, no
-// point is added on the surface, every tetrahedron is positive and the volume is the enclosed one, exactly. Prints a table with
-// points inside, seconds, the smallest dihedral angle and the largest ratio of circumradius to shortest edge, ours and theirs; what
-// the same tests say of TetGen's meshes is counted, not judged.
+// Preserved surfaces compared with TetGen's -pY: peers_preserved <off files>. Ours is judged: every triangle of the input is a face, no
+// point is added on the surface, every tetrahedron is positive and the volume is the enclosed one, exactly. Prints a table with points
+// inside, seconds, the smallest dihedral angle and the largest ratio of circumradius to shortest edge, ours and theirs; what the same tests
+// say of TetGen's meshes is counted, not judged.
 #include "ours.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-//! The program as a process, in a folder of the test's own, and two inputs: for the tests of the command line.
+//! For the tests of the command line: the program as a process, in a folder of the test, and two inputs.
 // Each test program uses a part of it.
 #![allow(dead_code)]
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ pub fn command(arguments: &[&str], folder: &Path) -> Command {
     command
 }
 
-/// What a call ends with.
+/// The output and exit code of a call.
 pub fn delotet(arguments: &[&str], folder: &Path) -> Output {
     command(arguments, folder).output().expect("the program runs")
 }
@@ -29,7 +29,7 @@ pub fn text(path: PathBuf) -> String {
     std::fs::read_to_string(path).expect("the file was written")
 }
 
-/// What was said on the error output.
+/// The lines on standard error.
 pub fn error_lines(output: &Output) -> Vec<String> {
     String::from_utf8_lossy(&output.stderr).lines().map(str::to_string).collect()
 }

@@ -2,18 +2,17 @@
  *
  * Generated from src/ffi by capi-tests/header.rs. Do not edit: run UPDATE_HEADER=1 cargo test --test header.
  *
- * Objects: DelotetPlc is the input, DelotetOptions the settings, DelotetMesh the result, DelotetError a failure. Whoever got one
- * through an out-parameter or from _new owns it and frees it with the _free function of its type; free(NULL) is allowed.
+ * Objects: DelotetPlc is the input, DelotetOptions the settings, DelotetMesh the result, DelotetError a failure. Whoever receives one
+ * through an out-parameter or from a _new function owns it and frees it with the _free function of its type, which ignores NULL.
  *
  * Failures: every function that can fail returns a DelotetStatus, 0 on success. If its last argument `out_error` is not NULL, it
- * receives NULL on success and an owned DelotetError on failure: message and all elements at fault. Results are written on
- * success only; handles in out-parameters are NULL on failure.
+ * receives NULL on success and an owned DelotetError on failure, with a message and all elements at fault. Results are written only on
+ * success; handles in out-parameters are NULL on failure.
  *
- * Arrays: input arrays are read during the call and copied; (NULL, 0) is the empty array. Output arrays are views: a pointer into
- * the object and a count, valid until the object is freed, never copied. Rows are contiguous; "#points by 3" means 3 numbers per
- * point. Indices are 0-based uint32_t; DELOTET_INVALID_INDEX means none. Views of records (DelotetSubfacesView, for instance) have a
- * stride, too: later versions may append fields to a record, so step from one to the next by `stride`, not by its size when you
- * compiled. DELOTET_AT does that:
+ * Arrays: input arrays are read during the call and copied; (NULL, 0) is the empty array. Output arrays are views: a pointer into the
+ * object and a count, without a copy, valid until the object is freed. Rows are contiguous; "#points by 3" means 3 numbers per point.
+ * Indices are 0-based uint32_t; DELOTET_INVALID_INDEX means none. Views of records (DelotetSubfacesView, for instance) also have a stride:
+ * later versions may append fields to a record, so step from one to the next by `stride`, not by sizeof. DELOTET_AT does that:
  *
  *     DelotetSubfacesView faces = delotet_mesh_subfaces(mesh);
  *     for (size_t i = 0; i < faces.count; i++) {
@@ -22,11 +21,12 @@
  *     }
  *
  * Threads: functions may be called from any thread. Functions that take const handles may run concurrently on the same handle;
- * functions that take non-const handles need exclusive use of it. Distinct handles share nothing. There is no global state that a
- * caller could see.
+ * functions that take non-const handles need exclusive access to them. Distinct handles share nothing. There is no global state visible to
+ * callers.
  *
- * Environment: the calling thread is in round-to-nearest mode. Nothing is printed, no signal handled, no locale read. Callbacks must
- * not throw C++ exceptions through the library (delotet.hpp takes care of that), not longjmp, and not use the handles of the call.
+ * Environment: the calling thread must be in round-to-nearest mode. The library prints nothing, handles no signals and reads no locale.
+ * Callbacks must not throw C++ exceptions through the library (delotet.hpp takes care of that), must not longjmp, and must not use the
+ * handles of the call.
  */
 
 #ifndef DELOTET_DELOTET_H
@@ -62,15 +62,15 @@
 #define DELOTET_INVALID_INDEX UINT32_C(4294967295)
 
 /**
- * Record number `i` of a view of records: a `const Type *`. The compiler complains if `Type` is not what the view has. The view is
- * evaluated more than once.
+ * Pointer to record `i` of a view, a `const Type *`. The compiler complains if `Type` is not the type of the view's records.
+ * Evaluates `view` more than once.
  */
 #define DELOTET_AT(Type, view, i)                                                                            \
     (1 ? (const Type *)(const void *)((const char *)(view).first + (size_t)(i) * (view).stride) : (view).first)
 
 /**
- * Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 stopped or not possible within the
- * caller's limits; 40-49 resources; 50-59 files; 60-69 checks; 90 a bug of the library.
+ * Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 cancelled, or impossible within the caller's
+ * limits; 40-49 resources; 50-59 files; 60-69 checks; 90 a bug in the library.
  */
 typedef enum DelotetStatus {
     /**
@@ -78,11 +78,11 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_OK = 0,
     /**
-     * An argument is NULL where that is not allowed, or outside its documented range.
+     * An argument is NULL where that is not allowed, or is outside its documented range.
      */
     DELOTET_STATUS_INVALID_ARGUMENT = 1,
     /**
-     * Well-formed, but not offered: an unknown file format, a combination of options.
+     * Well-formed, but not supported: an unknown file format, a combination of options.
      */
     DELOTET_STATUS_UNSUPPORTED = 2,
     /**
@@ -90,7 +90,7 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_NON_FINITE_POINT = 10,
     /**
-     * The coordinates span more binary orders of magnitude than exact arithmetic in doubles can carry.
+     * The coordinates span more binary orders of magnitude than exact arithmetic in doubles can handle.
      */
     DELOTET_STATUS_COORDINATE_RANGE = 11,
     /**
@@ -98,7 +98,7 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_INDEX_OUT_OF_RANGE = 12,
     /**
-     * A facet or segment has no extent, or a polygon is not usable as one.
+     * A facet or segment has no extent, or a ring is not a usable polygon.
      */
     DELOTET_STATUS_DEGENERATE_FACET = 14,
     /**
@@ -114,11 +114,11 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_DEGENERATE_INPUT = 17,
     /**
-     * A region seed lies outside the domain, or a region or hole seed on a facet.
+     * A region seed lies outside the domain, or a region or hole seed lies on a facet.
      */
     DELOTET_STATUS_SEED_OUTSIDE = 18,
     /**
-     * The surface encloses nothing, and the convex hull was not asked for.
+     * The surface encloses nothing, and the convex hull was not requested.
      */
     DELOTET_STATUS_NOTHING_ENCLOSED = 19,
     /**
@@ -146,21 +146,22 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_FILE = 50,
     /**
-     * A file's content is not what its format prescribes.
+     * The content of a file does not follow its format.
      */
     DELOTET_STATUS_FORMAT = 51,
     /**
-     * A mesh does not pass its check.
+     * A mesh failed its check.
      */
     DELOTET_STATUS_CHECK_FAILED = 60,
     /**
-     * A failed invariant: a bug of the library, please report it. A handle that the call was changing may only be freed.
+     * An invariant failed: a bug in the library, please report it. Any handle that the call was modifying may only be freed.
      */
     DELOTET_STATUS_INTERNAL = 90,
 } DelotetStatus;
 
 /**
- * Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
+ * Stages of a run. The numbers are fixed. The stages run in this order, except that DELOTET_PHASE_PRESERVE comes before
+ * DELOTET_PHASE_AUDIT.
  */
 typedef enum DelotetPhase {
     /**
@@ -248,11 +249,11 @@ typedef enum DelotetDefectKind {
      */
     DELOTET_DEFECT_KIND_NON_FINITE = 1,
     /**
-     * A coordinate cannot be brought into the exact range.
+     * A coordinate cannot be scaled into the exact range.
      */
     DELOTET_DEFECT_KIND_COORDINATE_RANGE = 2,
     /**
-     * An index refers to nothing.
+     * An index refers to no element.
      */
     DELOTET_DEFECT_KIND_INDEX_OUT_OF_RANGE = 3,
     /**
@@ -272,7 +273,7 @@ typedef enum DelotetDefectKind {
      */
     DELOTET_DEFECT_KIND_RING_NESTING = 7,
     /**
-     * A polygon cannot be triangulated: it is folded in its own plane of projection.
+     * A polygon cannot be triangulated: its projection onto a plane folds over itself.
      */
     DELOTET_DEFECT_KIND_NON_PLANAR_FACET = 8,
     /**
@@ -304,11 +305,12 @@ typedef enum DelotetDefectKind {
      */
     DELOTET_DEFECT_KIND_SEED_OUTSIDE = 15,
     /**
-     * An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
+     * An edge of only one facet, where a surface that encloses nothing leaks. The elements are its ends, the point its midpoint.
      */
     DELOTET_DEFECT_KIND_OPEN_EDGE = 16,
     /**
-     * Two elements are too close to each other: no double fits where a Steiner point is needed at the first one, and the other is the nearest.
+     * Two elements are too close to each other: a Steiner point needed on the first has no valid position in doubles, and the second is
+     * the element nearest to it.
      */
     DELOTET_DEFECT_KIND_ROUNDING = 17,
     /**
@@ -346,7 +348,7 @@ typedef enum DelotetDefectKind {
  */
 typedef enum DelotetWarningKind {
     /**
-     * An edge of one facet only, on a part of the surface that encloses nothing: there it leaks. The elements are the ends.
+     * An edge of only one facet, on a part of the surface that encloses nothing: it leaks there. The elements are the ends.
      */
     DELOTET_WARNING_KIND_OPEN_EDGE = 1,
     /**
@@ -358,7 +360,7 @@ typedef enum DelotetWarningKind {
      */
     DELOTET_WARNING_KIND_UNMESHED_SEGMENT = 3,
     /**
-     * A point is a corner of no tetrahedron, and equals no other point.
+     * A point is a corner of no tetrahedron and equals no earlier point.
      */
     DELOTET_WARNING_KIND_UNMESHED_POINT = 4,
     /**
@@ -366,19 +368,19 @@ typedef enum DelotetWarningKind {
      */
     DELOTET_WARNING_KIND_EQUAL_POINTS = 5,
     /**
-     * A region seed lies in a region that has an earlier seed, whose attribute is used. The elements are both seeds.
+     * Two region seeds lie in one region; the attribute of the earlier is used. The elements are the later seed and the earlier one.
      */
     DELOTET_WARNING_KIND_REPEATED_SEED = 6,
     /**
-     * A hole seed lies outside the domain: it has no effect.
+     * A hole seed lies outside the domain and has no effect.
      */
     DELOTET_WARNING_KIND_HOLE_OUTSIDE = 7,
     /**
-     * A region has a volume bound, which is kept, but makes no tetrahedron smaller: there is no refinement yet.
+     * A region has a volume bound, which is kept but not applied: there is no refinement yet.
      */
     DELOTET_WARNING_KIND_UNUSED_VOLUME = 8,
     /**
-     * A polygon is not planar by more than rounding; it was triangulated.
+     * A polygon is out of plane by more than rounding; it was triangulated.
      */
     DELOTET_WARNING_KIND_NON_PLANAR_FACET = 9,
     /**
@@ -388,7 +390,7 @@ typedef enum DelotetWarningKind {
 } DelotetWarningKind;
 
 /**
- * A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
+ * A failure: its status, a readable message, and all elements at fault. Created by the failing call, owned by the caller.
  */
 typedef struct DelotetError DelotetError;
 
@@ -398,8 +400,7 @@ typedef struct DelotetError DelotetError;
 typedef struct DelotetMesh DelotetMesh;
 
 /**
- * Settings of a run. One object may serve any number of runs, also at the same time (the callbacks are then called from all
- * their threads).
+ * Settings of a run. One object may serve any number of runs, even concurrent ones (the callbacks are then called from all their threads).
  */
 typedef struct DelotetOptions DelotetOptions;
 
@@ -410,21 +411,21 @@ typedef struct DelotetOptions DelotetOptions;
 typedef struct DelotetPlc DelotetPlc;
 
 /**
- * How a mesh is written. One object may serve any number of calls, also at the same time (the log is then called from all their
+ * How a mesh is written. One object may serve any number of calls, even concurrent ones (the log callback is then called from all their
  * threads).
  */
 typedef struct DelotetWriteOptions DelotetWriteOptions;
 
 /**
- * One defect: kind, the one or two elements involved, and a point where it is seen.
+ * One defect: kind, the one or two elements involved, and a point that locates it.
  */
 typedef struct DelotetDefect {
     /**
-     * The kind: a DelotetDefectKind, in 32 bits with any compiler.
+     * The kind: a DelotetDefectKind, stored as 32 bits with every compiler.
      */
     uint32_t kind;
     /**
-     * What `first` counts: a DelotetElement.
+     * What kind of element `first` is: a DelotetElement.
      */
     uint32_t first_element;
     /**
@@ -432,7 +433,7 @@ typedef struct DelotetDefect {
      */
     uint32_t first;
     /**
-     * What `second` counts: a DelotetElement, DELOTET_ELEMENT_NONE if only one element is involved.
+     * What kind of element `second` is: a DelotetElement, DELOTET_ELEMENT_NONE if only one element is involved.
      */
     uint32_t second_element;
     /**
@@ -458,17 +459,17 @@ typedef struct DelotetDefectsView {
      */
     const struct DelotetDefect *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetDefectsView;
 
 /**
- * What is made of the input: one of the DELOTET_MODE_ constants.
+ * What is made from the input: one of the DELOTET_MODE_ constants.
  */
 typedef uint32_t DelotetMode;
 
@@ -478,16 +479,17 @@ typedef uint32_t DelotetMode;
 typedef uint32_t DelotetPreserve;
 
 /**
- * Receives progress: `fraction` of `phase` is done, from 0 to 1. Phases come in their order, each once and up to 1 (those that are not
- * needed never), and fractions never fall: what is done again in another attempt shows as no progress. delotet_phase_overall() makes
- * one number of both. Return 0 to go on, anything else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the
- * thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
+ * Receives progress: `fraction` of `phase` is done, from 0 to 1. Phases come in order, each once and up to 1 (unneeded ones never), and
+ * fractions never decrease: repeated attempts report no progress. delotet_phase_overall() combines both into one number. Return 0 to
+ * continue, anything else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the thread that made the call. Must not
+ * throw, must not longjmp, and must not use the handles of the call.
  */
 typedef int32_t (*DelotetProgressFn)(void *user_data, enum DelotetPhase phase, double fraction);
 
 /**
- * Receives a line of text about the run: "warning: ..." and one line per kind of warning at its end; `message` is UTF-8 and valid during the call of the callback only. Called on the
- * thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
+ * Receives a line of text about the run; warnings begin with "warning: " and come at its end, one line per kind. `message` is UTF-8 and
+ * valid only during the callback. Called on the thread that made the call. Must not throw, must not longjmp, and must not use the handles
+ * of the call.
  */
 typedef void (*DelotetLogFn)(void *user_data, const char *message);
 
@@ -500,7 +502,7 @@ typedef struct DelotetPointsView {
      */
     const double *data;
     /**
-     * How many points.
+     * Number of points.
      */
     size_t count;
 } DelotetPointsView;
@@ -514,11 +516,11 @@ typedef struct DelotetDoublesView {
      */
     const double *data;
     /**
-     * How many rows.
+     * Number of rows.
      */
     size_t count;
     /**
-     * How many doubles per row.
+     * Number of doubles per row.
      */
     size_t width;
 } DelotetDoublesView;
@@ -532,7 +534,7 @@ typedef struct DelotetMarkersView {
      */
     const int32_t *data;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
 } DelotetMarkersView;
@@ -560,11 +562,11 @@ typedef struct DelotetSegmentsView {
      */
     const struct DelotetSegment *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetSegmentsView;
@@ -578,11 +580,11 @@ typedef struct DelotetRegionSeed {
      */
     double point[3];
     /**
-     * The attribute that the tetrahedra there get.
+     * The attribute of the tetrahedra there.
      */
     double attribute;
     /**
-     * The largest volume of a tetrahedron there; 0 if there is no bound.
+     * Bound on the volume of a tetrahedron there; 0 if there is none.
      */
     double max_volume;
 } DelotetRegionSeed;
@@ -596,11 +598,11 @@ typedef struct DelotetRegionSeedsView {
      */
     const struct DelotetRegionSeed *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetRegionSeedsView;
@@ -614,11 +616,11 @@ typedef struct DelotetIndexRowsView {
      */
     const uint32_t *data;
     /**
-     * How many rows.
+     * Number of rows.
      */
     size_t count;
     /**
-     * How many indices per row.
+     * Number of indices per row.
      */
     size_t width;
 } DelotetIndexRowsView;
@@ -632,7 +634,7 @@ typedef struct DelotetIndicesView {
      */
     const uint32_t *data;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
 } DelotetIndicesView;
@@ -651,7 +653,7 @@ typedef struct DelotetTetsView {
      */
     const uint32_t *data;
     /**
-     * How many tetrahedra.
+     * Number of tetrahedra.
      */
     size_t count;
 } DelotetTetsView;
@@ -661,7 +663,7 @@ typedef struct DelotetTetsView {
  */
 typedef struct DelotetRegion {
     /**
-     * The attribute of the seed; for unseeded regions a number of its own, not used by any seed.
+     * The attribute of the seed; a region without a seed has a number of its own that no seed uses.
      */
     double attribute;
     /**
@@ -683,11 +685,11 @@ typedef struct DelotetRegionsView {
      */
     const struct DelotetRegion *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetRegionsView;
@@ -701,7 +703,7 @@ typedef struct DelotetSubface {
      */
     uint32_t corners[3];
     /**
-     * The input facet it lies on (where coplanar neighbours with equal markers are meshed as one: one of them).
+     * The input facet it lies on (one of them, if coplanar neighbours with equal markers are meshed as one facet).
      */
     uint32_t facet;
     /**
@@ -709,9 +711,9 @@ typedef struct DelotetSubface {
      */
     int32_t marker;
     /**
-     * The tetrahedra on both sides. The first is that of the lower region (by its index), within one region that of the lower index;
-     * the second is DELOTET_INVALID_INDEX on the boundary. `(b - a) x (c - a)` points from the first to the second: from the
-     * lower region to the higher, and outward on the boundary.
+     * The tetrahedra on both sides: first the one in the region with the lower index or, within one region, the one with the lower index.
+     * The second is DELOTET_INVALID_INDEX on the boundary. `(b - a) x (c - a)` points from the first to the second: from the lower region
+     * to the higher, and outward on the boundary.
      */
     uint32_t tets[2];
 } DelotetSubface;
@@ -725,17 +727,17 @@ typedef struct DelotetSubfacesView {
      */
     const struct DelotetSubface *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetSubfacesView;
 
 /**
- * A piece of a segment or of a facet's edge: an edge of the mesh.
+ * A piece of a segment or of a facet edge: an edge of the mesh.
  */
 typedef struct DelotetSubsegment {
     /**
@@ -743,11 +745,11 @@ typedef struct DelotetSubsegment {
      */
     uint32_t ends[2];
     /**
-     * The input segment it lies on, or DELOTET_INVALID_INDEX for an edge of facets.
+     * The input segment it lies on, or DELOTET_INVALID_INDEX for a facet edge that is no segment.
      */
     uint32_t segment;
     /**
-     * The segment's marker, 0 for an edge of facets.
+     * The segment's marker, or 0 if there is no segment.
      */
     int32_t marker;
 } DelotetSubsegment;
@@ -761,26 +763,27 @@ typedef struct DelotetSubsegmentsView {
      */
     const struct DelotetSubsegment *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetSubsegmentsView;
 
 /**
- * A Steiner point and where it lies: on an edge of the input, or inside (DELOTET_MODE_PRESERVE), exactly where its doubles are.
+ * A Steiner point and where it lies: on an input edge, or inside (DELOTET_MODE_PRESERVE), exactly at its double coordinates.
  */
 typedef struct DelotetSteinerPoint {
     /**
-     * Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a); both
-     * DELOTET_INVALID_INDEX for a point inside.
+     * Input points a and b, the ends of the input edge; the point lies on it at exactly a + t (b - a). Both are DELOTET_INVALID_INDEX for
+     * a point inside.
      */
     uint32_t ends[2];
     /**
-     * The parameter t; 0 for a point inside. Terms beyond a double, which hardly any point has, are in delotet_mesh_steiner_terms.
+     * The parameter t; 0 for a point inside. The few parameters that one double cannot hold have further terms in
+     * delotet_mesh_steiner_terms().
      */
     double t;
     /**
@@ -788,8 +791,8 @@ typedef struct DelotetSteinerPoint {
      */
     uint32_t segment;
     /**
-     * Its coordinates are exactly a + t (b - a); false: they are rounded, or were moved to keep every tetrahedron positive.
-     * True for a point inside.
+     * True if its coordinates are exactly a + t (b - a), and for a point inside. False if they were rounded, or moved to keep every
+     * tetrahedron positive.
      */
     bool exact;
 } DelotetSteinerPoint;
@@ -803,21 +806,21 @@ typedef struct DelotetSteinerView {
      */
     const struct DelotetSteinerPoint *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetSteinerView;
 
 /**
- * A term of a Steiner point's parameter beyond `t`: the exact parameter is the sum of `t` and its terms.
+ * A further term of a Steiner point's parameter: the exact parameter is the sum of `t` and its terms.
  */
 typedef struct DelotetSteinerTerm {
     /**
-     * Index into the Steiner points.
+     * Index into delotet_mesh_steiner_points().
      */
     uint32_t steiner;
     /**
@@ -835,17 +838,17 @@ typedef struct DelotetSteinerTermsView {
      */
     const struct DelotetSteinerTerm *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetSteinerTermsView;
 
 /**
- * A flip of two facets' triangles that facet merging made before meshing.
+ * A flip of two facet triangles, made by facet merging before meshing.
  */
 typedef struct DelotetFacetFlip {
     /**
@@ -853,7 +856,7 @@ typedef struct DelotetFacetFlip {
      */
     uint32_t old_ends[2];
     /**
-     * The edge in its place.
+     * The edge that replaces it.
      */
     uint32_t new_ends[2];
     /**
@@ -871,33 +874,33 @@ typedef struct DelotetFacetFlipsView {
      */
     const struct DelotetFacetFlip *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetFacetFlipsView;
 
 /**
- * Counts and costs of the run that made a mesh. Later versions append fields: `struct_size` tells both sides how many there are.
+ * Counts and costs of the run that made a mesh. Later versions append fields; `struct_size` tells both sides which ones exist.
  */
 typedef struct DelotetStats {
     /**
-     * Set by the caller to sizeof(DelotetStats); set by the library to the number of bytes that it wrote.
+     * The caller sets it to sizeof(DelotetStats); the library sets it to the number of bytes written.
      */
     size_t struct_size;
     /**
-     * Steiner points on segments and edges of facets.
+     * Steiner points on segments and facet edges.
      */
     uint64_t steiner;
     /**
-     * Those whose double coordinates are exact.
+     * Steiner points whose double coordinates are exact.
      */
     uint64_t steiner_exact;
     /**
-     * Those whose nearest double was not valid and that were moved to another position.
+     * Steiner points moved to another position because the nearest doubles were not valid.
      */
     uint64_t steiner_moved;
     /**
@@ -913,7 +916,7 @@ typedef struct DelotetStats {
      */
     uint64_t missing_regions;
     /**
-     * Largest number of bytes that the kernel's arrays held.
+     * Peak size of the engine's arrays in bytes.
      */
     uint64_t peak_bytes;
     /**
@@ -921,11 +924,12 @@ typedef struct DelotetStats {
      */
     double seconds[16];
     /**
-     * DELOTET_MODE_PRESERVE, else 0: edges of the surface missing from the Delaunay tetrahedralization of the points.
+     * Edges of the surface missing from the Delaunay tetrahedralization of the points. Like all `preserve_` fields, 0 except in
+     * DELOTET_MODE_PRESERVE.
      */
     uint64_t preserve_missing_edges;
     /**
-     * Triangles of the surface missing from it.
+     * Triangles of the surface missing from that tetrahedralization.
      */
     uint64_t preserve_missing_faces;
     /**
@@ -937,19 +941,19 @@ typedef struct DelotetStats {
      */
     uint64_t preserve_by_interior_points;
     /**
-     * Edges and faces recovered by points on them, which were taken away again.
+     * Edges and faces recovered by points on them that were removed again.
      */
     uint64_t preserve_by_splits;
     /**
-     * Points on the surface taken away without a replacement.
+     * Points on the surface removed without a replacement.
      */
     uint64_t preserve_deleted;
     /**
-     * Points on the surface taken away with points inside in their place.
+     * Points on the surface replaced by points inside.
      */
     uint64_t preserve_relocated;
     /**
-     * Points added inside that are left.
+     * Points added inside that remain in the mesh.
      */
     uint64_t preserve_interior;
     /**
@@ -957,34 +961,34 @@ typedef struct DelotetStats {
      */
     uint64_t preserve_on_internal_facets;
     /**
-     * Tetrahedra that took the place of ones that no doubles made positive (delotet_mesh_replaced_tets).
+     * Tetrahedra that replace ones for which no double coordinates gave a positive volume (delotet_mesh_replaced_tets()).
      */
     uint64_t replaced;
     /**
-     * Largest resident memory of the process up to the end of the run in bytes, with all that the host holds; 0 where the system
-     * does not tell.
+     * Peak resident memory of the process up to the end of the run in bytes, including the host program's; 0 if the system does not report
+     * it.
      */
     uint64_t peak_resident_bytes;
 } DelotetStats;
 
 /**
- * One warning: kind, the one or two elements involved, and a point where it is seen.
+ * One warning: kind, the one or two elements involved, and a point that locates it.
  */
 typedef struct DelotetWarning {
     /**
-     * The kind: a DelotetWarningKind, in 32 bits with any compiler.
+     * The kind: a DelotetWarningKind, stored as 32 bits with every compiler.
      */
     uint32_t kind;
     /**
-     * What `first` counts: a DelotetElement.
+     * What kind of element `first` is: a DelotetElement.
      */
     uint32_t first_element;
     /**
-     * Index of the element that it is about.
+     * Index of the element that the warning is about.
      */
     uint32_t first;
     /**
-     * What `second` counts: a DelotetElement; DELOTET_ELEMENT_NONE if only one element is involved.
+     * What kind of element `second` is: a DelotetElement, DELOTET_ELEMENT_NONE if only one element is involved.
      */
     uint32_t second_element;
     /**
@@ -996,7 +1000,7 @@ typedef struct DelotetWarning {
      */
     uint32_t has_point;
     /**
-     * x y z of a point at or near it (rounded); zeros if there is none.
+     * x y z of a point at or near the element (rounded); zeros if there is none.
      */
     double point[3];
 } DelotetWarning;
@@ -1010,11 +1014,11 @@ typedef struct DelotetWarningsView {
      */
     const struct DelotetWarning *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetWarningsView;
@@ -1028,16 +1032,16 @@ typedef struct DelotetFace {
      */
     uint32_t corners[3];
     /**
-     * The tetrahedra on both sides, the smaller index first, but of a subface in its order; the second is DELOTET_INVALID_INDEX on the
-     * boundary.
+     * The tetrahedra on both sides, the smaller index first, or in the order of the subface if it is one; the second is
+     * DELOTET_INVALID_INDEX on the boundary.
      */
     uint32_t tets[2];
     /**
-     * The subface that it is, or DELOTET_INVALID_INDEX.
+     * Its subface, or DELOTET_INVALID_INDEX if it is not constrained.
      */
     uint32_t subface;
     /**
-     * The subface's marker, else 0.
+     * The marker of its subface, or 0.
      */
     int32_t marker;
 } DelotetFace;
@@ -1051,11 +1055,11 @@ typedef struct DelotetFacesView {
      */
     const struct DelotetFace *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetFacesView;
@@ -1069,15 +1073,15 @@ typedef struct DelotetEdge {
      */
     uint32_t ends[2];
     /**
-     * A tetrahedron that has it.
+     * A tetrahedron that has this edge.
      */
     uint32_t tet;
     /**
-     * The subsegment that it is, or DELOTET_INVALID_INDEX.
+     * Its subsegment, or DELOTET_INVALID_INDEX if it is not constrained.
      */
     uint32_t subsegment;
     /**
-     * The subsegment's marker, else 0.
+     * The marker of its subsegment, or 0.
      */
     int32_t marker;
 } DelotetEdge;
@@ -1091,11 +1095,11 @@ typedef struct DelotetEdgesView {
      */
     const struct DelotetEdge *first;
     /**
-     * How many.
+     * Number of elements.
      */
     size_t count;
     /**
-     * Bytes from one to the next.
+     * Bytes from one element to the next.
      */
     size_t stride;
 } DelotetEdgesView;
@@ -1110,12 +1114,12 @@ typedef uint32_t DelotetNodeOrder;
  */
 typedef struct DelotetSecondOrderView {
     /**
-     * #nodes by 3 doubles: the mid-edge nodes, one per edge in the order of delotet_mesh_edges. Node i has the index
+     * #nodes by 3 doubles: the mid-edge nodes, one per edge in the order of delotet_mesh_edges(). Node i has the index
      * #points + i.
      */
     const double *nodes;
     /**
-     * How many mid-edge nodes.
+     * Number of mid-edge nodes.
      */
     size_t node_count;
     /**
@@ -1123,7 +1127,7 @@ typedef struct DelotetSecondOrderView {
      */
     const uint32_t *tets;
     /**
-     * How many tetrahedra.
+     * Number of tetrahedra.
      */
     size_t tet_count;
 } DelotetSecondOrderView;
@@ -1145,8 +1149,8 @@ typedef uint32_t DelotetMshVersion;
 #define DELOTET_MODE_CONSTRAINED 1
 
 /**
- * A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation) is a
- * face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+ * A tetrahedralization that keeps the surface as it is: every facet triangle (for general facets, every triangle of their triangulation)
+ * is a face, every segment is an edge, and no point is added on them. Points are added only inside, as few as possible.
  */
 #define DELOTET_MODE_PRESERVE 2
 
@@ -1156,18 +1160,18 @@ typedef uint32_t DelotetMshVersion;
 #define DELOTET_PRESERVE_ALL 0
 
 /**
- * The outer boundary: facets with the mesh on one side, and segments on these. Others (interfaces of regions, dangling facets) are
- * unions of faces and edges, with Steiner points on their segments where they would cost points inside.
+ * The outer boundary: facets with the mesh on one side, and the segments on them. Other facets and segments (interfaces between regions,
+ * dangling facets) are unions of faces and edges, with Steiner points on segments where keeping them would take points inside.
  */
 #define DELOTET_PRESERVE_OUTER 1
 
 /**
- * The first ring is the outer boundary, the others are holes in it (delotet_plc_add_facet; all facets of one ring).
+ * The first ring is the outer boundary, the others are holes in it (delotet_plc_add_facet(), and all facets of one ring).
  */
 #define DELOTET_FACET_RULE_RINGS 0
 
 /**
- * TetGen's rule: holes are where hole seeds are (delotet_plc_add_facet_with_hole_seeds).
+ * TetGen's rule: hole seeds mark the holes (delotet_plc_add_facet_with_hole_seeds()).
  */
 #define DELOTET_FACET_RULE_SEEDS 1
 
@@ -1187,12 +1191,12 @@ typedef uint32_t DelotetMshVersion;
 #define DELOTET_NODE_ORDER_TETGEN 2
 
 /**
- * 4.1, of Gmsh 4. The default.
+ * Version 4.1, that of Gmsh 4. The default.
  */
 #define DELOTET_MSH_4_1 41
 
 /**
- * 2.2, which many solvers read and some of them only.
+ * Version 2.2, which many solvers read; some read no other.
  */
 #define DELOTET_MSH_2_2 22
 
@@ -1201,8 +1205,8 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * Version of the loaded library: 1,000,000 * major + 1,000 * minor + patch, as DELOTET_VERSION is for the header.
- * Before 1.0 library and header must agree in major and minor. Any thread, any time; cannot fail.
+ * Version of the loaded library: 1,000,000 * major + 1,000 * minor + patch, like DELOTET_VERSION for the header. Before 1.0, library and
+ * header must agree in major and minor version. May be called from any thread at any time; cannot fail.
  */
 DELOTET_API
 uint32_t delotet_version(void);
@@ -1237,8 +1241,8 @@ DELOTET_API
 const char *delotet_warning_kind_name(uint32_t kind);
 
 /**
- * The part of a whole run that is done when `fraction` of `phase` is, from 0 to 1: for a single bar of progress. It never falls during
- * a run, as phases come in their order. The shares of the phases are rough. 0 for other numbers.
+ * The fraction of the whole run that is done when `fraction` of `phase` is done, from 0 to 1: for a single progress bar. It never
+ * decreases during a run, since phases come in order. The shares of the phases are rough estimates. 0 for unknown phases.
  */
 DELOTET_API
 double delotet_phase_overall(uint32_t phase,
@@ -1251,34 +1255,34 @@ DELOTET_API
 const char *delotet_phase_name(uint32_t phase);
 
 /**
- * The status of `error`, the same that the failing call returned; DELOTET_STATUS_OK for NULL.
+ * The status of `error`, the same as the failing call returned; DELOTET_STATUS_OK for NULL.
  */
 DELOTET_API enum DelotetStatus delotet_error_status(const struct DelotetError *error);
 
 /**
- * One line in English, UTF-8. Borrowed from `error`: valid until it is freed. "" for NULL; never NULL.
+ * The message: one line of English, UTF-8. Borrowed from `error`: valid until it is freed. "" for NULL; never NULL.
  */
 DELOTET_API const char *delotet_error_message(const struct DelotetError *error);
 
 /**
- * All defects that the report lists (at most what delotet_options_set_max_defects allows). Borrowed from `error`: valid until
- * it is freed. Empty for NULL.
+ * The defects that the error lists, at most as many as delotet_options_set_max_defects() allows. Borrowed from `error`: valid until it is
+ * freed. Empty for NULL.
  */
 DELOTET_API
 struct DelotetDefectsView delotet_error_defects(const struct DelotetError *error);
 
 /**
- * How many defects were found in all; the report may list fewer. 0 for NULL.
+ * The number of defects found; the error may list fewer. 0 for NULL.
  */
 DELOTET_API size_t delotet_error_defect_count(const struct DelotetError *error);
 
 /**
- * Frees an error and all that was borrowed from it. NULL is ignored.
+ * Frees an error and everything borrowed from it. NULL is ignored.
  */
 DELOTET_API void delotet_error_free(struct DelotetError *error);
 
 /**
- * New options with the defaults that the setters document. The caller owns them: free with delotet_options_free. NULL only if
+ * New options with the defaults that the setters document. The caller owns them; free them with delotet_options_free(). NULL only if
  * memory ran out.
  */
 DELOTET_API
@@ -1286,7 +1290,7 @@ DELOTET_MUST_USE
 struct DelotetOptions *delotet_options_new(void);
 
 /**
- * What is made: a DELOTET_MODE_ constant. Default: DELOTET_MODE_CONSTRAINED. Errors: INVALID_ARGUMENT (other values).
+ * Sets what is made: a DELOTET_MODE_ constant. Default: DELOTET_MODE_CONSTRAINED. Errors: INVALID_ARGUMENT (other values).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1295,7 +1299,7 @@ enum DelotetStatus delotet_options_set_mode(struct DelotetOptions *options,
                                             struct DelotetError **out_error);
 
 /**
- * What DELOTET_MODE_PRESERVE keeps: a DELOTET_PRESERVE_ constant; other modes do not ask. Default: DELOTET_PRESERVE_ALL.
+ * Sets what DELOTET_MODE_PRESERVE keeps: a DELOTET_PRESERVE_ constant; other modes ignore it. Default: DELOTET_PRESERVE_ALL.
  * Errors: INVALID_ARGUMENT (other values).
  */
 DELOTET_API
@@ -1315,8 +1319,8 @@ enum DelotetStatus delotet_options_set_keep_hull(struct DelotetOptions *options,
                                                  struct DelotetError **out_error);
 
 /**
- * Take facets with equal markers that meet above `angle` degrees (90 to 180) as one smooth patch, and flip its triangles to be
- * Delaunay on the surface first; delotet_mesh_facet_flips reports the flips. 0: off, the default. Errors: INVALID_ARGUMENT.
+ * Treat facets with equal markers that meet at more than `angle` degrees (90 to 180) as one smooth patch, and flip its triangles to be
+ * Delaunay on the surface before meshing; delotet_mesh_facet_flips() lists the flips. 0, the default: off. Errors: INVALID_ARGUMENT.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1325,7 +1329,7 @@ enum DelotetStatus delotet_options_set_merge_facets(struct DelotetOptions *optio
                                                     struct DelotetError **out_error);
 
 /**
- * Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may end in
+ * Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may cause
  * DELOTET_STATUS_INTERNAL. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
@@ -1335,7 +1339,8 @@ enum DelotetStatus delotet_options_set_validate(struct DelotetOptions *options,
                                                 struct DelotetError **out_error);
 
 /**
- * How many defects an error lists at most, and how many warnings of a kind a mesh. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
+ * Sets how many defects an error lists at most, and how many warnings of each kind a mesh lists. Default: 1000. Errors: INVALID_ARGUMENT
+ * (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1344,7 +1349,8 @@ enum DelotetStatus delotet_options_set_max_defects(struct DelotetOptions *option
                                                    struct DelotetError **out_error);
 
 /**
- * Worker threads; 0: as many as there are processors for this process. The mesh does not depend on it, bit for bit. Default: 1.
+ * Sets the number of worker threads; 0: one per processor available to the process. The mesh is the same, bit for bit, for any number.
+ * Default: 1.
  * Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
@@ -1354,8 +1360,7 @@ enum DelotetStatus delotet_options_set_threads(struct DelotetOptions *options,
                                                struct DelotetError **out_error);
 
 /**
- * Give up with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX: the default, 100,000 and 100 more
- * per segment.
+ * Fail with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX, the default: 100,000 plus 100 per segment.
  * Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
@@ -1365,9 +1370,9 @@ enum DelotetStatus delotet_options_set_steiner_limit(struct DelotetOptions *opti
                                                      struct DelotetError **out_error);
 
 /**
- * Return the mesh also if some Steiner points have no valid position in doubles, instead of DELOTET_STATUS_ROUNDING:
- * delotet_mesh_crowded_points() lists them, tetrahedra at them may be flat or inverted in doubles, and the exact mesh is
- * given by delotet_mesh_steiner_points(). Default: false. Errors: INVALID_ARGUMENT (NULL).
+ * Return the mesh even if some Steiner points have no valid position in doubles, instead of failing with DELOTET_STATUS_ROUNDING.
+ * delotet_mesh_crowded_points() lists these points; tetrahedra at them may be flat or inverted in doubles; delotet_mesh_steiner_points()
+ * gives the exact mesh. Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1376,9 +1381,9 @@ enum DelotetStatus delotet_options_set_exact_form(struct DelotetOptions *options
                                                   struct DelotetError **out_error);
 
 /**
- * Leave out the points that no tetrahedron has: those that equal an earlier one, and those around which all was carved. Input points
- * then have other numbers in the mesh, which delotet_mesh_point_map() tells. What is not meshed is not listed, as its points are gone;
- * it is still warned of. Default: false. Errors: INVALID_ARGUMENT (NULL).
+ * Leave out points that belong to no tetrahedron: those that equal an earlier one, and those around which everything was carved. Input
+ * points then have other indices in the mesh, which delotet_mesh_point_map() gives. Unmeshed subfaces and subsegments are not listed,
+ * since their points are dropped; warnings about them remain. Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1396,7 +1401,7 @@ enum DelotetStatus delotet_options_set_points_sorted(struct DelotetOptions *opti
                                                      struct DelotetError **out_error);
 
 /**
- * Progress goes to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default.
+ * Sets the callback that receives progress; `user_data` is passed to it unchanged. NULL, the default: none.
  * Errors: INVALID_ARGUMENT (options is NULL).
  */
 DELOTET_API
@@ -1407,8 +1412,8 @@ enum DelotetStatus delotet_options_set_progress(struct DelotetOptions *options,
                                                 struct DelotetError **out_error);
 
 /**
- * Log lines go to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default; the library
- * itself never prints. Errors: INVALID_ARGUMENT (options is NULL).
+ * Sets the callback that receives log lines; `user_data` is passed to it unchanged. NULL, the default: none. The library itself never
+ * prints. Errors: INVALID_ARGUMENT (options is NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1418,63 +1423,63 @@ enum DelotetStatus delotet_options_set_log(struct DelotetOptions *options,
                                            struct DelotetError **out_error);
 
 /**
- * The mode, as delotet_options_set_mode() sets it. For NULL, here and in all getters of options: the default.
+ * The mode, as set by delotet_options_set_mode(). All getters return the default for NULL.
  */
 DELOTET_API DelotetMode delotet_options_mode(const struct DelotetOptions *options);
 
 /**
- * What DELOTET_MODE_PRESERVE keeps, as delotet_options_set_preserve() sets it.
+ * What DELOTET_MODE_PRESERVE keeps, as set by delotet_options_set_preserve().
  */
 DELOTET_API DelotetPreserve delotet_options_preserve(const struct DelotetOptions *options);
 
 /**
- * Whether the convex hull is kept, as delotet_options_set_keep_hull() sets it.
+ * Whether the convex hull is kept, as set by delotet_options_set_keep_hull().
  */
 DELOTET_API bool delotet_options_keep_hull(const struct DelotetOptions *options);
 
 /**
- * The angle of facet merging in degrees, 0 if it is off, as delotet_options_set_merge_facets() sets it.
+ * The angle of facet merging in degrees, 0 if it is off, as set by delotet_options_set_merge_facets().
  */
 DELOTET_API double delotet_options_merge_facets(const struct DelotetOptions *options);
 
 /**
- * Whether the input is validated, as delotet_options_set_validate() sets it.
+ * Whether the input is validated, as set by delotet_options_set_validate().
  */
 DELOTET_API bool delotet_options_validate(const struct DelotetOptions *options);
 
 /**
- * How many defects an error lists at most, as delotet_options_set_max_defects() sets it.
+ * How many defects an error lists at most, as set by delotet_options_set_max_defects().
  */
 DELOTET_API size_t delotet_options_max_defects(const struct DelotetOptions *options);
 
 /**
- * The number of worker threads, as delotet_options_set_threads() sets it.
+ * The number of worker threads, as set by delotet_options_set_threads().
  */
 DELOTET_API size_t delotet_options_threads(const struct DelotetOptions *options);
 
 /**
- * The limit on Steiner points, UINT64_MAX for the default one, as delotet_options_set_steiner_limit() sets it.
+ * The limit on Steiner points, UINT64_MAX for the default limit, as set by delotet_options_set_steiner_limit().
  */
 DELOTET_API
 uint64_t delotet_options_steiner_limit(const struct DelotetOptions *options);
 
 /**
- * Whether a mesh is returned that has no valid doubles, as delotet_options_set_exact_form() sets it.
+ * Whether a mesh without valid double coordinates is returned, as set by delotet_options_set_exact_form().
  */
 DELOTET_API bool delotet_options_exact_form(const struct DelotetOptions *options);
 
 /**
- * Whether points are left out that no tetrahedron has, as delotet_options_set_drop_unmeshed_points() sets it.
+ * Whether points that belong to no tetrahedron are left out, as set by delotet_options_set_drop_unmeshed_points().
  */
 DELOTET_API bool delotet_options_drop_unmeshed_points(const struct DelotetOptions *options);
 
 /**
- * Whether sorting is skipped, as delotet_options_set_points_sorted() sets it.
+ * Whether sorting is skipped, as set by delotet_options_set_points_sorted().
  */
 DELOTET_API bool delotet_options_points_sorted(const struct DelotetOptions *options);
 
 /**
- * The progress callback, NULL if there is none, as delotet_options_set_progress() sets it.
+ * The progress callback, NULL if there is none, as set by delotet_options_set_progress().
  * `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
  */
 DELOTET_API
@@ -1482,22 +1487,23 @@ DelotetProgressFn delotet_options_progress(const struct DelotetOptions *options,
                                            void **out_user_data);
 
 /**
- * The log callback, NULL if there is none, as delotet_options_set_log() sets it.
+ * The log callback, NULL if there is none, as set by delotet_options_set_log().
  * `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
  */
 DELOTET_API DelotetLogFn delotet_options_log(const struct DelotetOptions *options, void **out_user_data);
 
 /**
- * Frees options. NULL is ignored. Not while a run uses them.
+ * Frees options. NULL is ignored. No run may be using them.
  */
 DELOTET_API void delotet_options_free(struct DelotetOptions *options);
 
 /**
- * A new PLC with these points and nothing else.
+ * Creates a PLC with these points and nothing else.
  * `xyz`: #points by 3 doubles, x y z per point; copied; may be NULL if `point_count` is 0. Finiteness is checked later, by
- * delotet_plc_check and delotet_tetrahedralize.
- * `out_plc`: the PLC, owned by the caller: free with delotet_plc_free; NULL on failure.
- * `out_error`: may be NULL; NULL on success, else an error to be freed with delotet_error_free. So for all functions here.
+ * delotet_plc_check() and delotet_tetrahedralize().
+ * `out_plc`: the PLC, owned by the caller; free it with delotet_plc_free(). NULL on failure.
+ * `out_error`: may be NULL; receives NULL on success, otherwise an error to be freed with delotet_error_free(). The same holds for all
+ * functions here.
  * Errors: INVALID_ARGUMENT, TOO_LARGE (2^32 - 1 points or more), OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -1508,8 +1514,8 @@ enum DelotetStatus delotet_plc_new(const double *xyz,
                                    struct DelotetError **out_error);
 
 /**
- * A copy of a PLC with all that it has.
- * `out_plc`: the copy, owned by the caller: free with delotet_plc_free; NULL on failure. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ * Copies a PLC with everything in it.
+ * `out_plc`: the copy, owned by the caller; free it with delotet_plc_free(). NULL on failure. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1518,7 +1524,7 @@ enum DelotetStatus delotet_plc_clone(const struct DelotetPlc *plc,
                                      struct DelotetError **out_error);
 
 /**
- * Adds points after those that the PLC has. Their attributes and markers are 0, where the points have any.
+ * Appends points. Their attributes and markers are 0, if the points have any.
  * `xyz`: #points by 3 doubles; copied. `out_first`: NULL, or receives the index of the first new point (the others follow).
  * Errors: INVALID_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
  */
@@ -1531,7 +1537,7 @@ enum DelotetStatus delotet_plc_add_points(struct DelotetPlc *plc,
                                           struct DelotetError **out_error);
 
 /**
- * Sets the attributes of all points (replacing earlier ones): fields that are carried to the mesh, linear at Steiner points.
+ * Sets the attributes of all points, replacing earlier ones. They are passed on to the mesh, and interpolated linearly at Steiner points.
  * `attributes`: #points by `attribute_count` doubles; copied. `attribute_count` 0 removes them.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
@@ -1543,7 +1549,7 @@ enum DelotetStatus delotet_plc_set_point_attributes(struct DelotetPlc *plc,
                                                     struct DelotetError **out_error);
 
 /**
- * Sets the markers of all points (replacing earlier ones).
+ * Sets the markers of all points, replacing earlier ones.
  * `markers`: #points integers; copied; NULL removes them. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -1553,7 +1559,7 @@ enum DelotetStatus delotet_plc_set_point_markers(struct DelotetPlc *plc,
                                                  struct DelotetError **out_error);
 
 /**
- * Sets the markers of all segments (replacing earlier ones).
+ * Sets the markers of all segments, replacing earlier ones.
  * `markers`: #segments integers; copied; NULL sets all to 0. Errors: INVALID_ARGUMENT.
  */
 DELOTET_API
@@ -1563,7 +1569,7 @@ enum DelotetStatus delotet_plc_set_segment_markers(struct DelotetPlc *plc,
                                                    struct DelotetError **out_error);
 
 /**
- * Sets the markers of all facets (replacing earlier ones).
+ * Sets the markers of all facets, replacing earlier ones.
  * `markers`: #facets integers; copied; NULL sets all to 0. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -1583,8 +1589,8 @@ enum DelotetStatus delotet_plc_set_facet_marker(struct DelotetPlc *plc,
                                                 struct DelotetError **out_error);
 
 /**
- * Names a facet marker: files call groups by such names. `name`: UTF-8, zero-terminated; its first line is copied; NULL or "" takes
- * the name away. Errors: INVALID_ARGUMENT (also if `name` is not UTF-8), OUT_OF_MEMORY.
+ * Names a facet marker; files use such names for groups. `name`: UTF-8, zero-terminated; its first line is copied; NULL or "" removes the
+ * name. Errors: INVALID_ARGUMENT (also if `name` is not UTF-8), OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1594,7 +1600,7 @@ enum DelotetStatus delotet_plc_set_marker_name(struct DelotetPlc *plc,
                                                struct DelotetError **out_error);
 
 /**
- * Adds a segment from point `a` to point `b`. Edges of facets need not be given, unless they carry a marker.
+ * Adds a segment from point `a` to point `b`. Facet edges need not be added, unless they carry a marker.
  * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
  */
 DELOTET_API
@@ -1620,9 +1626,9 @@ enum DelotetStatus delotet_plc_add_segments(struct DelotetPlc *plc,
 
 /**
  * Adds `count` triangular facets.
- * `corners`: #triangles by 3 point indices; copied. `markers`: #triangles integers, or NULL (all 0). The order of the corners
- * is free. Coplanar neighbours with equal markers are meshed as one: the edge between them need not be an edge of the mesh, unless
- * it is a segment, too.
+ * `corners`: #triangles by 3 point indices; copied. `markers`: #triangles integers, or NULL (all 0). Corners may be in either order.
+ * Coplanar neighbours with equal markers are meshed as one facet: the edge between them need not be an edge of the mesh, unless it is also
+ * a segment.
  * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
  */
 DELOTET_API
@@ -1650,10 +1656,10 @@ enum DelotetStatus delotet_plc_add_polygons(struct DelotetPlc *plc,
                                             struct DelotetError **out_error);
 
 /**
- * Adds one planar facet with holes: the first ring is its outer boundary, all others (three corners or more) are holes in it.
- * Rings of one or two corners are points and edges inside the facet that the mesh has to respect.
+ * Adds one planar facet with holes: the first ring is its outer boundary, all others (three corners or more) are holes in it. Rings of one
+ * or two corners are points and edges in the facet that the mesh must contain.
  * `corners`: the corner indices of all rings, one after the other; `ring_ends`: #rings ascending positions, as for
- * delotet_plc_add_polygons. Copied.
+ * delotet_plc_add_polygons(). Copied.
  * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
  */
 DELOTET_API
@@ -1666,10 +1672,10 @@ enum DelotetStatus delotet_plc_add_facet(struct DelotetPlc *plc,
                                          struct DelotetError **out_error);
 
 /**
- * Adds one planar facet by TetGen's rule: what cannot be reached from outside without crossing an edge of a polygon belongs to
- * the facet, except what can be reached from a hole seed. Inner polygons and polygons of two corners constrain only.
- * `corners`, `polygon_ends`: as for delotet_plc_add_facet. `hole_seeds`: #holes by 3 doubles, one point in each hole; copied;
- * may be NULL if `hole_count` is 0.
+ * Adds one planar facet by TetGen's rule: the facet is what cannot be reached from outside without crossing a polygon's edge, except what
+ * can be reached from a hole seed. Inner polygons and polygons of two corners only constrain the mesh.
+ * `corners`, `polygon_ends`: as for delotet_plc_add_facet(). `hole_seeds`: #holes by 3 doubles, one point in each hole; copied; may be
+ * NULL if `hole_count` is 0.
  * Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
  */
 DELOTET_API
@@ -1684,8 +1690,8 @@ enum DelotetStatus delotet_plc_add_facet_with_hole_seeds(struct DelotetPlc *plc,
                                                          struct DelotetError **out_error);
 
 /**
- * Adds a hole: what can be reached from the point `seed` (x y z) without crossing a facet is not meshed.
- * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY. That the seed lies inside is checked later.
+ * Adds a hole: everything reachable from the point `seed` (x y z) without crossing a facet is left unmeshed.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY. Whether the seed lies inside is checked later.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1694,9 +1700,9 @@ enum DelotetStatus delotet_plc_add_hole(struct DelotetPlc *plc,
                                         struct DelotetError **out_error);
 
 /**
- * Adds a region: the tetrahedra that can be reached from the point `seed` (x y z) without crossing a facet get `attribute`.
- * `max_volume`: largest volume of a tetrahedron there, carried to delotet_mesh_regions; not positive: none.
- * Errors: INVALID_ARGUMENT (also a NaN), OUT_OF_MEMORY. That the seed lies inside is checked later.
+ * Adds a region: the tetrahedra reachable from the point `seed` (x y z) without crossing a facet get `attribute`. `max_volume`: bound on
+ * the volume of a tetrahedron there, passed on to delotet_mesh_regions(); none if it is not positive.
+ * Errors: INVALID_ARGUMENT (NULL or NaN), OUT_OF_MEMORY. Whether the seed lies inside is checked later.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1707,10 +1713,10 @@ enum DelotetStatus delotet_plc_add_region(struct DelotetPlc *plc,
                                           struct DelotetError **out_error);
 
 /**
- * Looks for defects: non-finite points, elements without extent, self-intersections, unusable polygons. All of them are listed
- * in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel. A surface that
- * encloses nothing fails too, with its open edges, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; where other parts
- * enclose something, the log gets a warning.
+ * Looks for defects: non-finite points, elements without extent, self-intersections, unusable polygons. The error lists all of them, up to
+ * the maximum of `options`, which may be NULL (the defaults). The callbacks of `options` receive progress and may cancel. A surface that
+ * encloses nothing fails too, with its open edges listed, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; if only part of
+ * the surface encloses nothing, the log gets a warning.
  * Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -1720,7 +1726,7 @@ enum DelotetStatus delotet_plc_check(const struct DelotetPlc *plc,
                                      struct DelotetError **out_error);
 
 /**
- * Frees a PLC and all that was borrowed from it. NULL is ignored. Meshes made from it live on.
+ * Frees a PLC and everything borrowed from it. NULL is ignored. Meshes made from it stay valid.
  */
 DELOTET_API void delotet_plc_free(struct DelotetPlc *plc);
 
@@ -1737,18 +1743,18 @@ DELOTET_API
 struct DelotetDoublesView delotet_plc_point_attributes(const struct DelotetPlc *plc);
 
 /**
- * The markers of the points: one each, or none at all. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
+ * The markers of the points: one per point, or none at all. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
  */
 DELOTET_API
 struct DelotetMarkersView delotet_plc_point_markers(const struct DelotetPlc *plc);
 
 /**
- * How many segments. 0 for NULL.
+ * The number of segments. 0 for NULL.
  */
 DELOTET_API size_t delotet_plc_segment_count(const struct DelotetPlc *plc);
 
 /**
- * How many facets: triangles and others. 0 for NULL.
+ * The number of facets, triangles and others. 0 for NULL.
  */
 DELOTET_API size_t delotet_plc_facet_count(const struct DelotetPlc *plc);
 
@@ -1774,21 +1780,21 @@ struct DelotetPointsView delotet_plc_holes(const struct DelotetPlc *plc);
 DELOTET_API struct DelotetRegionSeedsView delotet_plc_regions(const struct DelotetPlc *plc);
 
 /**
- * The triangles that come first among the facets: #triangles by 3 indices, facets 0 to #triangles - 1. All facets, if only triangles
- * were added, or up to the first other facet; those behind have delotet_plc_facet_ring, which works for all. Borrowed from `plc`:
- * valid until it is changed or freed. Empty for NULL.
+ * The triangles that come first among the facets: #triangles by 3 indices, facets 0 to #triangles - 1. They end at the first facet that
+ * was not added as a triangle; delotet_plc_facet_ring() works for every facet. Borrowed from `plc`: valid until it is changed or freed.
+ * Empty for NULL.
  */
 DELOTET_API
 struct DelotetIndexRowsView delotet_plc_triangles(const struct DelotetPlc *plc);
 
 /**
- * How many rings (polygons) a facet has: 1 for triangles. 0 for NULL and for facets that do not exist.
+ * The number of rings (polygons) of a facet: 1 for triangles. 0 for NULL and for facets that do not exist.
  */
 DELOTET_API size_t delotet_plc_facet_ring_count(const struct DelotetPlc *plc, uint32_t facet);
 
 /**
- * The corners of a ring of a facet, in the order in which they were given. Borrowed from `plc`: valid until it is changed or freed.
- * Empty for NULL and for rings that do not exist.
+ * The corners of a ring of a facet, in the order given. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL and for
+ * rings that do not exist.
  */
 DELOTET_API
 struct DelotetIndicesView delotet_plc_facet_ring(const struct DelotetPlc *plc,
@@ -1809,23 +1815,23 @@ struct DelotetPointsView delotet_plc_facet_hole_seeds(const struct DelotetPlc *p
                                                       uint32_t facet);
 
 /**
- * How many facet markers have names: those of the groups, solids, materials or colours of a file, and those set by
- * delotet_plc_set_marker_name. 0 for NULL.
+ * The number of facet markers with names: from the groups, solids, materials or colours of a file, or set by
+ * delotet_plc_set_marker_name(). 0 for NULL.
  */
 DELOTET_API
 size_t delotet_plc_marker_name_count(const struct DelotetPlc *plc);
 
 /**
- * The name of a facet marker, UTF-8, zero-terminated; NULL if it has none, and for NULL. Borrowed from `plc`: valid until it is
- * changed or freed.
+ * The name of a facet marker, UTF-8, zero-terminated; NULL if it has none or `plc` is NULL. Borrowed from `plc`: valid until it is changed
+ * or freed.
  */
 DELOTET_API
 const char *delotet_plc_marker_name(const struct DelotetPlc *plc,
                                     int32_t marker);
 
 /**
- * The markers that have names, ascending: number `index` of them. 0 for NULL and for indices of delotet_plc_marker_name_count and
- * above.
+ * The marker with index `index` among those with names, in ascending order. 0 for NULL and if `index` is not below
+ * delotet_plc_marker_name_count().
  */
 DELOTET_API
 int32_t delotet_plc_named_marker(const struct DelotetPlc *plc,
@@ -1839,21 +1845,21 @@ DELOTET_API
 struct DelotetPointsView delotet_mesh_points(const struct DelotetMesh *mesh);
 
 /**
- * How many of the points are input points. 0 for NULL.
+ * The number of points that are input points. 0 for NULL.
  */
 DELOTET_API size_t delotet_mesh_input_point_count(const struct DelotetMesh *mesh);
 
 /**
- * For each input point the first input point equal to it (itself, if there is none): tetrahedra use only that one. Borrowed
- * from `mesh`. Empty for NULL.
+ * For each input point the first input point with the same coordinates (itself if there is no earlier one): tetrahedra use only that one.
+ * Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_point_aliases(const struct DelotetMesh *mesh);
 
 /**
- * Where input points are in a mesh made with delotet_options_set_drop_unmeshed_points(): per input point its index in
- * delotet_mesh_points(), of a point that equals an earlier one that one's; DELOTET_INVALID_INDEX if it was left out. Borrowed from `mesh`.
- * Empty for NULL and without that option: points then keep their numbers.
+ * Where the input points are in a mesh made with delotet_options_set_drop_unmeshed_points(): for each input point its index in
+ * delotet_mesh_points(), or the index of the earlier point that it equals; DELOTET_INVALID_INDEX if it was left out. Borrowed from `mesh`.
+ * Empty for NULL and without that option: points then keep their indices.
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_point_map(const struct DelotetMesh *mesh);
@@ -1866,44 +1872,44 @@ DELOTET_API
 struct DelotetIndicesView delotet_mesh_crowded_points(const struct DelotetMesh *mesh);
 
 /**
- * Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive, but
- * not necessarily Delaunay. Where sheets leave doubles no room for points on the surface, the mesh has none there, and these are all
- * tetrahedra at faces that are not locally Delaunay. Borrowed from `mesh`. Empty for NULL.
+ * Tetrahedra that replace ones for which no double coordinates gave a positive volume, in ascending order: nearly flat facets force them.
+ * They are positive, but not necessarily Delaunay. Where sheets are too close for Steiner points on the surface in doubles, the mesh has
+ * no such points, and these are all tetrahedra at faces that are not locally Delaunay. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_replaced_tets(const struct DelotetMesh *mesh);
 
 /**
- * Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge, inside
- * in a tetrahedron of points around.
- * Borrowed from `mesh`. Empty for NULL and if the input had none.
+ * Attributes of all points: #points by `width` doubles. Input points have the input's; Steiner points on an input edge are interpolated
+ * linearly between its ends, those inside linearly in a tetrahedron of surrounding points.
+ * Borrowed from `mesh`. Empty for NULL and if the input has none.
  */
 DELOTET_API
 struct DelotetDoublesView delotet_mesh_point_attributes(const struct DelotetMesh *mesh);
 
 /**
- * Markers of all points: the input's, at Steiner points their segment's, 0 on an edge of facets only and inside. Borrowed from `mesh`.
- * Empty for NULL and if the input had none.
+ * Markers of all points. Input points have the input's; Steiner points have that of their segment, or 0 if they lie on no segment.
+ * Borrowed from `mesh`. Empty for NULL and if the input has none.
  */
 DELOTET_API
 struct DelotetMarkersView delotet_mesh_point_markers(const struct DelotetMesh *mesh);
 
 /**
- * The tetrahedra: four corners each, positive: det(b - a, c - a, d - a) > 0, as in VTK, Gmsh and TetGen's output. Borrowed from
+ * The tetrahedra: four corners each, positively oriented, det(b - a, c - a, d - a) > 0, as in VTK, Gmsh and TetGen's output. Borrowed from
  * `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetTetsView delotet_mesh_tets(const struct DelotetMesh *mesh);
 
 /**
- * Neighbours: per tetrahedron and corner i the tetrahedron beyond the face opposite that corner, or DELOTET_INVALID_INDEX.
- * Borrowed from `mesh`. Empty for NULL.
+ * The neighbours: for each tetrahedron and corner i the tetrahedron across the face opposite that corner, or DELOTET_INVALID_INDEX if
+ * there is none. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetTetsView delotet_mesh_neighbors(const struct DelotetMesh *mesh);
 
 /**
- * Per tetrahedron the index of its region in delotet_mesh_regions. Borrowed from `mesh`. Empty for NULL.
+ * For each tetrahedron the index of its region in delotet_mesh_regions(). Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API struct DelotetIndicesView delotet_mesh_tet_regions(const struct DelotetMesh *mesh);
 
@@ -1913,48 +1919,48 @@ DELOTET_API struct DelotetIndicesView delotet_mesh_tet_regions(const struct Delo
 DELOTET_API struct DelotetRegionsView delotet_mesh_regions(const struct DelotetMesh *mesh);
 
 /**
- * The faces on facets, with facet, marker and both tetrahedra; pieces of facets that bound no tetrahedron are in
- * delotet_mesh_unmeshed_subfaces. Borrowed from `mesh`. Empty for NULL.
+ * The faces on facets, with facet, marker and both tetrahedra. Pieces of facets that bound no tetrahedron are in
+ * delotet_mesh_unmeshed_subfaces(). Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetSubfacesView delotet_mesh_subfaces(const struct DelotetMesh *mesh);
 
 /**
- * The edges on segments and on edges of facets, with segment and marker. Borrowed from `mesh`. Empty for NULL.
+ * The mesh edges on segments and on facet edges, with segment and marker. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetSubsegmentsView delotet_mesh_subsegments(const struct DelotetMesh *mesh);
 
 /**
- * Pieces of facets that bound no tetrahedron, since all around them was carved: a shell that leaks, a facet outside of the domain, a
- * wall in a hole. They are no faces of the mesh: both tetrahedra are DELOTET_INVALID_INDEX. Borrowed from `mesh`. Empty for NULL.
+ * Pieces of facets that bound no tetrahedron because everything around them was carved: a shell that leaks, a facet outside the domain, a
+ * wall in a hole. They are not faces of the mesh: both tetrahedra are DELOTET_INVALID_INDEX. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetSubfacesView delotet_mesh_unmeshed_subfaces(const struct DelotetMesh *mesh);
 
 /**
- * Pieces of segments and of edges of facets that are edges of no tetrahedron. Borrowed from `mesh`. Empty for NULL.
+ * Pieces of segments and of facet edges that are edges of no tetrahedron. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetSubsegmentsView delotet_mesh_unmeshed_subsegments(const struct DelotetMesh *mesh);
 
 /**
- * Points that no tetrahedron has, ascending: those that equal an earlier point (delotet_mesh_point_aliases), and those around which
- * all was carved. Borrowed from `mesh`. Empty for NULL.
+ * Points that belong to no tetrahedron, in ascending order: those that equal an earlier point (delotet_mesh_point_aliases()), and those
+ * around which everything was carved. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_unmeshed_points(const struct DelotetMesh *mesh);
 
 /**
- * The Steiner points in the order of the points, with the input edge and the segment they lie on, if any. Borrowed from `mesh`. Empty
- * for NULL.
+ * The Steiner points, in the order of delotet_mesh_points(), with the input edge and the segment that each lies on, if any. Borrowed from
+ * `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetSteinerView delotet_mesh_steiner_points(const struct DelotetMesh *mesh);
 
 /**
- * Terms of parameters that need more than a double (segments an ulp or so apart), in the order of the Steiner points, the
- * largest term of a point first. Borrowed from `mesh`. Empty for NULL.
+ * Further terms of parameters that one double cannot hold (segments about an ulp apart), in the order of the Steiner points, each point's
+ * largest term first. Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetSteinerTermsView delotet_mesh_steiner_terms(const struct DelotetMesh *mesh);
@@ -1967,7 +1973,7 @@ struct DelotetFacetFlipsView delotet_mesh_facet_flips(const struct DelotetMesh *
 
 /**
  * Counts and costs of the run. Set `stats->struct_size = sizeof *stats` before the call.
- * Errors: INVALID_ARGUMENT (NULL, or a struct_size too small for itself).
+ * Errors: INVALID_ARGUMENT (NULL, or a `struct_size` smaller than that field itself).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -1976,7 +1982,7 @@ enum DelotetStatus delotet_mesh_stats(const struct DelotetMesh *mesh,
                                       struct DelotetError **out_error);
 
 /**
- * Checks a mesh against its PLC, exactly: all tetrahedra positive and conforming, points unmoved, segments and facets covered;
+ * Checks a mesh against its PLC exactly: all tetrahedra are positive and conforming, points are unmoved, segments and facets are covered;
  * with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
  * Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
  */
@@ -1989,8 +1995,8 @@ enum DelotetStatus delotet_mesh_check(const struct DelotetMesh *mesh,
                                       struct DelotetError **out_error);
 
 /**
- * Checks a mesh like delotet_mesh_check(), without the Delaunay property, and that it keeps the surface as DELOTET_MODE_PRESERVE
- * promises: every input triangle is a face (or, if input points lie on it, a union of faces between these) and no added point
+ * Checks a mesh like delotet_mesh_check() without the Delaunay property, and also that it keeps the surface as DELOTET_MODE_PRESERVE
+ * promises: every input triangle is a face (or, if input points lie on it, a union of faces with these as corners), and no added point
  * lies on a facet or segment. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -2001,8 +2007,8 @@ enum DelotetStatus delotet_mesh_check_preserved(const struct DelotetMesh *mesh,
                                                 struct DelotetError **out_error);
 
 /**
- * Checks a mesh like delotet_mesh_check_preserved(), but of the outer boundary only, as DELOTET_PRESERVE_OUTER promises: other facets
- * and segments must be covered, and may have added points. The error lists at most `max_defects`.
+ * Checks a mesh like delotet_mesh_check_preserved(), but only its outer boundary, as DELOTET_PRESERVE_OUTER promises: other facets and
+ * segments must be covered and may carry added points. The error lists at most `max_defects`.
  * Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -2013,20 +2019,20 @@ enum DelotetStatus delotet_mesh_check_preserved_outer(const struct DelotetMesh *
                                                       struct DelotetError **out_error);
 
 /**
- * Frees a mesh and all that was borrowed from it. NULL is ignored.
+ * Frees a mesh and everything borrowed from it. NULL is ignored.
  */
 DELOTET_API void delotet_mesh_free(struct DelotetMesh *mesh);
 
 /**
- * What should be known about a mesh: leaks, parts of the input that are not meshed, seeds without effect. Of each kind at most as many
- * as delotet_options_set_max_defects allows; delotet_mesh_warning_count() counts all. The log gets a line per kind. Borrowed from
- * `mesh`. Empty for NULL.
+ * The warnings about a mesh: leaks, parts of the input that are not meshed, seeds without effect. Lists at most as many of each kind as
+ * delotet_options_set_max_defects() allows; delotet_mesh_warning_count() counts all. The log gets a line per kind. Borrowed from `mesh`.
+ * Empty for NULL.
  */
 DELOTET_API
 struct DelotetWarningsView delotet_mesh_warnings(const struct DelotetMesh *mesh);
 
 /**
- * How many warnings of a kind (a DelotetWarningKind) there are, listed or not. 0 for NULL and for other numbers.
+ * The number of warnings of a kind (a DelotetWarningKind), listed or not. 0 for NULL and for unknown kinds.
  */
 DELOTET_API
 uint64_t delotet_mesh_warning_count(const struct DelotetMesh *mesh,
@@ -2034,10 +2040,10 @@ uint64_t delotet_mesh_warning_count(const struct DelotetMesh *mesh,
 
 /**
  * Makes the mesh of a PLC.
- * `options`: NULL for the defaults. `out_mesh`: the mesh, owned by the caller: free with delotet_mesh_free; NULL on failure. It
- * does not refer to `plc` or `options`. `out_error`: may be NULL; NULL on success, else an error to be freed with
- * delotet_error_free: it lists the elements at fault.
- * The same input and options give the same mesh, bit for bit. The stack of the calling thread may be small (256 KiB do).
+ * `options`: NULL for the defaults. `out_mesh`: the mesh, owned by the caller; free it with delotet_mesh_free(). NULL on failure. It does
+ * not refer to `plc` or `options`. `out_error`: may be NULL; receives NULL on success, otherwise an error that lists the elements at
+ * fault, to be freed with delotet_error_free().
+ * The same input and options give the same mesh, bit for bit. The calling thread needs little stack: 256 KiB suffice.
  * Errors: INVALID_ARGUMENT, the statuses from 10 to 41, INTERNAL.
  */
 DELOTET_API
@@ -2048,7 +2054,7 @@ enum DelotetStatus delotet_tetrahedralize(const struct DelotetPlc *plc,
                                           struct DelotetError **out_error);
 
 /**
- * The region attribute of each tetrahedron: #tetrahedra by 1. Made on first use; borrowed from `mesh`, valid until it is freed.
+ * The region attribute of each tetrahedron: #tetrahedra by 1. Computed on first use; borrowed from `mesh`, valid until it is freed.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -2058,8 +2064,8 @@ enum DelotetStatus delotet_mesh_tet_attributes(const struct DelotetMesh *mesh,
                                                struct DelotetError **out_error);
 
 /**
- * For each point a tetrahedron that has it as a corner (the first), or DELOTET_INVALID_INDEX if none has. Made on first use;
- * borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ * For each point the first tetrahedron that has it as a corner, or DELOTET_INVALID_INDEX if there is none. Computed on first use; borrowed
+ * from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2068,7 +2074,7 @@ enum DelotetStatus delotet_mesh_point_tets(const struct DelotetMesh *mesh,
                                            struct DelotetError **out_error);
 
 /**
- * All faces, each once; delotet_mesh_subfaces has the constrained ones only. Made on first use; borrowed from `mesh`.
+ * All faces, each once; delotet_mesh_subfaces() has only the constrained ones. Computed on first use; borrowed from `mesh`.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -2078,7 +2084,7 @@ enum DelotetStatus delotet_mesh_faces(const struct DelotetMesh *mesh,
                                       struct DelotetError **out_error);
 
 /**
- * Per tetrahedron its four faces (indices into delotet_mesh_faces), face i opposite corner i. Made on first use; borrowed from
+ * For each tetrahedron its four faces (indices into delotet_mesh_faces()), face i opposite corner i. Computed on first use; borrowed from
  * `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -2088,8 +2094,8 @@ enum DelotetStatus delotet_mesh_tet_faces(const struct DelotetMesh *mesh,
                                           struct DelotetError **out_error);
 
 /**
- * All edges, each once, ascending by their ends; delotet_mesh_subsegments has the constrained ones only. Made on first use;
- * borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
+ * All edges, each once, sorted by their ends; delotet_mesh_subsegments() has only the constrained ones. Computed on first use; borrowed
+ * from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2098,7 +2104,7 @@ enum DelotetStatus delotet_mesh_edges(const struct DelotetMesh *mesh,
                                       struct DelotetError **out_error);
 
 /**
- * Per tetrahedron its edges 01 02 03 12 13 23 (indices into delotet_mesh_edges): #tetrahedra by 6. Made on first use; borrowed
+ * For each tetrahedron its edges 01 02 03 12 13 23 (indices into delotet_mesh_edges()): #tetrahedra by 6. Computed on first use; borrowed
  * from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
  */
 DELOTET_API
@@ -2108,8 +2114,8 @@ enum DelotetStatus delotet_mesh_tet_edges(const struct DelotetMesh *mesh,
                                           struct DelotetError **out_error);
 
 /**
- * Per subface (a, b, c) its edges ab bc ca (indices into delotet_mesh_edges): #subfaces by 3. With second-order nodes the node
- * on edge i is #points + i. Made on first use; borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
+ * For each subface (a, b, c) its edges ab bc ca (indices into delotet_mesh_edges()): #subfaces by 3. In a second-order mesh the node on
+ * edge i has the index #points + i. Computed on first use; borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2118,8 +2124,8 @@ enum DelotetStatus delotet_mesh_subface_edges(const struct DelotetMesh *mesh,
                                               struct DelotetError **out_error);
 
 /**
- * Second-order tetrahedra: a node in the middle of every edge (rounded to doubles), shared by all tetrahedra around it.
- * `node_order`: a DELOTET_NODE_ORDER_ constant. Made on first use; borrowed from `mesh`.
+ * Second-order tetrahedra: a node at the midpoint of every edge (rounded to doubles), shared by all tetrahedra around it. `node_order`: a
+ * DELOTET_NODE_ORDER_ constant. Computed on first use; borrowed from `mesh`.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
  */
 DELOTET_API
@@ -2130,12 +2136,12 @@ enum DelotetStatus delotet_mesh_second_order(const struct DelotetMesh *mesh,
                                              struct DelotetError **out_error);
 
 /**
- * Finds the tetrahedra that hold points, exactly; a point on a common face, edge or corner belongs to the tetrahedron with the
- * smallest index.
- * `xyz`: #points by 3 doubles. `out_tets`: #points indices, written: DELOTET_INVALID_INDEX outside the mesh and for points that
- * are not finite. `out_barycentric`: NULL, or #points by 4 doubles, written: the barycentric coordinates in that tetrahedron,
- * none negative, with sum 1 up to rounding; NaN outside. A linear field at the point is the sum of coordinate times corner
- * value. The search tree is made on first use and kept: about 40 bytes per tetrahedron.
+ * Finds the tetrahedra that contain points, exactly. A point on a shared face, edge or corner belongs to the tetrahedron with the smallest
+ * index.
+ * `xyz`: #points by 3 doubles. `out_tets`: room for #points indices; receives DELOTET_INVALID_INDEX for points outside the mesh and points
+ * that are not finite. `out_barycentric`: NULL, or room for #points by 4 doubles; receives the barycentric coordinates in that
+ * tetrahedron, none negative, with sum 1 up to rounding; NaN outside. A linear field at the point is the sum of each coordinate times the
+ * value at its corner. The search tree is built on first use and kept: about 40 bytes per tetrahedron.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY; then nothing was written.
  */
 DELOTET_API
@@ -2148,10 +2154,10 @@ enum DelotetStatus delotet_mesh_locate(const struct DelotetMesh *mesh,
                                        struct DelotetError **out_error);
 
 /**
- * Reads a PLC from a file; the extension names the format (src/doc/formats.md lists them).
- * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
- * on failure.
- * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
+ * Reads a PLC from a file; the extension determines the format (src/doc/formats.md lists them).
+ * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: the PLC, owned by the caller; free it with delotet_plc_free().
+ * NULL on failure.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, FORMAT, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2160,9 +2166,9 @@ enum DelotetStatus delotet_plc_read(const char *path,
                                     struct DelotetError **out_error);
 
 /**
- * Writes a PLC to a file; the extension names the format (src/doc/formats.md lists the surface formats).
- * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
- * NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+ * Writes a PLC to a file; the extension determines the format (src/doc/formats.md lists the surface formats).
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
+ * file formats), NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2171,9 +2177,9 @@ enum DelotetStatus delotet_plc_write(const struct DelotetPlc *plc,
                                      struct DelotetError **out_error);
 
 /**
- * Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
- * formats carry its markers and attributes.
- * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
+ * Writes a mesh to a file; the extension determines the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made
+ * from: some formats store its markers and attributes.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2183,15 +2189,16 @@ enum DelotetStatus delotet_mesh_write(const struct DelotetMesh *mesh,
                                       struct DelotetError **out_error);
 
 /**
- * New options with the defaults that the setters document. The caller owns them: free with delotet_write_options_free. NULL only
- * if memory ran out.
+ * New options with the defaults that the setters document. The caller owns them; free them with delotet_write_options_free(). NULL only if
+ * memory ran out.
  */
 DELOTET_API
 DELOTET_MUST_USE
 struct DelotetWriteOptions *delotet_write_options_new(void);
 
 /**
- * .vtu: compress the arrays (zlib); smaller and slower. Other formats ignore it. Default: false. Errors: INVALID_ARGUMENT (NULL).
+ * .vtu: compress the arrays with zlib, which makes smaller files more slowly. Other formats ignore it. Default: false. Errors:
+ * INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2200,8 +2207,8 @@ enum DelotetStatus delotet_write_options_set_compress(struct DelotetWriteOptions
                                                       struct DelotetError **out_error);
 
 /**
- * .vtu: also write the subfaces, as STEM_subfaces.vtu for STEM.vtu. Other formats ignore it: they have them in any case, but for .vtk.
- * Default: false. Errors: INVALID_ARGUMENT (NULL).
+ * .vtu: also write the subfaces, to STEM_subfaces.vtu for STEM.vtu. Other formats ignore it: they always contain the subfaces, except
+ * .vtk, which never does. Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2210,7 +2217,7 @@ enum DelotetStatus delotet_write_options_set_subfaces(struct DelotetWriteOptions
                                                       struct DelotetError **out_error);
 
 /**
- * Tetrahedra of ten nodes: the corners, then the middles of the edges in the order of the format. Writing .mesh fails with it.
+ * Write tetrahedra of ten nodes: the corners, then the midpoints of the edges in the order of the format. Writing .mesh then fails.
  * Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
@@ -2220,7 +2227,7 @@ enum DelotetStatus delotet_write_options_set_second_order(struct DelotetWriteOpt
                                                           struct DelotetError **out_error);
 
 /**
- * .msh: the version, a DELOTET_MSH_ constant. Other formats ignore it. Default: DELOTET_MSH_4_1. Errors: INVALID_ARGUMENT (other
+ * .msh: sets the version, a DELOTET_MSH_ constant. Other formats ignore it. Default: DELOTET_MSH_4_1. Errors: INVALID_ARGUMENT (other
  * values).
  */
 DELOTET_API
@@ -2230,8 +2237,8 @@ enum DelotetStatus delotet_write_options_set_msh_version(struct DelotetWriteOpti
                                                          struct DelotetError **out_error);
 
 /**
- * .msh, .inp: the name of the regions with an attribute; other formats ignore it. `name`: zero-terminated UTF-8, copied, of which
- * the first line counts; NULL or an empty one takes the name away. Default: no names.
+ * .msh, .inp: names the regions with an attribute; other formats ignore it. `name`: zero-terminated UTF-8; its first line is copied; NULL
+ * or "" removes the name. Default: no names.
  * Errors: INVALID_ARGUMENT (NULL, an attribute that is not finite, a name that is not UTF-8), OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -2242,8 +2249,8 @@ enum DelotetStatus delotet_write_options_set_region_name(struct DelotetWriteOpti
                                                          struct DelotetError **out_error);
 
 /**
- * Lines of text about what is written go to `callback` together with `user_data`, which is only handed through: a line
- * "warning: ..." for each kind of thing that the format cannot hold or that has no effect in it. NULL: nowhere, the default.
+ * Sets the callback that receives log lines; `user_data` is passed to it unchanged. There is one line "warning: ..." for each kind of data
+ * that the format cannot hold and for each option without effect in it. NULL, the default: none.
  * Errors: INVALID_ARGUMENT (options is NULL).
  */
 DELOTET_API
@@ -2254,34 +2261,35 @@ enum DelotetStatus delotet_write_options_set_log(struct DelotetWriteOptions *opt
                                                  struct DelotetError **out_error);
 
 /**
- * Whether arrays are compressed. For NULL, here and in all getters of options: the default.
+ * Whether arrays are compressed, as set by delotet_write_options_set_compress(). All getters return the default for NULL.
  */
 DELOTET_API bool delotet_write_options_compress(const struct DelotetWriteOptions *options);
 
 /**
- * Whether subfaces are written too, as delotet_write_options_set_subfaces() sets it.
+ * Whether subfaces are also written, as set by delotet_write_options_set_subfaces().
  */
 DELOTET_API bool delotet_write_options_subfaces(const struct DelotetWriteOptions *options);
 
 /**
- * Whether tetrahedra have ten nodes, as delotet_write_options_set_second_order() sets it.
+ * Whether tetrahedra have ten nodes, as set by delotet_write_options_set_second_order().
  */
 DELOTET_API bool delotet_write_options_second_order(const struct DelotetWriteOptions *options);
 
 /**
- * The version of .msh, as delotet_write_options_set_msh_version() sets it.
+ * The version of .msh, as set by delotet_write_options_set_msh_version().
  */
 DELOTET_API DelotetMshVersion delotet_write_options_msh_version(const struct DelotetWriteOptions *options);
 
 /**
- * The name of the regions with an attribute: UTF-8, NULL if they have none. Borrowed from `options` until it is changed.
+ * The name of the regions with an attribute, UTF-8; NULL if they have none. Borrowed from `options`: valid until they are changed or
+ * freed.
  */
 DELOTET_API
 const char *delotet_write_options_region_name(const struct DelotetWriteOptions *options,
                                               double attribute);
 
 /**
- * The log callback, NULL if there is none, as delotet_write_options_set_log() sets it.
+ * The log callback, NULL if there is none, as set by delotet_write_options_set_log().
  * `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
  */
 DELOTET_API
@@ -2289,14 +2297,14 @@ DelotetLogFn delotet_write_options_log(const struct DelotetWriteOptions *options
                                        void **out_user_data);
 
 /**
- * Frees options. NULL is ignored. Not while a call uses them.
+ * Frees options. NULL is ignored. No call may be using them.
  */
 DELOTET_API void delotet_write_options_free(struct DelotetWriteOptions *options);
 
 /**
- * Writes a mesh to a file as delotet_mesh_write() does, in the way that `options` ask for (NULL: the defaults). What the format
- * cannot hold as it is goes to the options' log; the guide's page on formats says what each one holds.
- * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one without second order, or a library built without files), FILE,
+ * Writes a mesh to a file like delotet_mesh_write(), with `options` (NULL: the defaults). The log callback is told what the format cannot
+ * hold; src/doc/formats.md says what each format holds.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one without second order, or the library was built without file formats), FILE,
  * TOO_LARGE, OUT_OF_MEMORY.
  */
 DELOTET_API

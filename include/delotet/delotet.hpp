@@ -1,19 +1,19 @@
 /* delotet for C++17: owning handles, spans, exceptions that carry all defects, callbacks that may throw. MIT OR Apache-2.0.
  *
- * A thin layer over delotet.h, which documents shapes, ownership and threads; the names are the same. Options have setters and
- * getters of one name: options.threads(4), options.threads().
+ * A thin layer over delotet.h, which documents shapes, ownership and threads; the names are the same. A setter and its getter share a name:
+ * options.threads(4), options.threads().
  *
- * Two forms of every call that can fail:
+ * Every call that can fail has two forms:
  *   - the plain form throws delotet::Exception;
- *   - the form with an `Error &` as last argument returns the status, throws nothing of its own, and is all there is with
- *     -fno-exceptions. Its results are written on success only.
- * Callbacks are std::functions and may throw: the run is then cancelled, and the exception comes out of the call.
- * Views (Span, Records) point into the object they come from and die with it; a view of a temporary does not compile. Nothing is
- * allocated beside what the library allocates, except for a std::function that is too large for its own buffer, for the exception
- * object of a failure, and for indices of another type than uint32_t.
+ *   - the form with an `Error &` as last argument returns the status and throws nothing of its own; it is the only form with
+ *     -fno-exceptions. Results are written only on success.
+ * Callbacks are std::functions and may throw: the run is then cancelled, and the call rethrows the exception. Views (Span, Records) point
+ * into the object they come from and are valid as long as it is; taking a view of a temporary does not compile. The wrapper itself
+ * allocates only for a std::function too large for its own buffer, for the exception object of a failure, and for indices of a type other
+ * than uint32_t.
  *
- * Indices may come as any integers, flat or in rows: std::vector<int>, std::vector<std::array<delotet::Index, 3>>, int[12][3]. What is
- * negative or too large is refused like any index that no point has. Paths are C strings, std::string or std::filesystem::path.
+ * Indices may be any integers, flat or in rows: std::vector<int>, std::vector<std::array<delotet::Index, 3>>, int[12][3]. Negative or too
+ * large values are refused like any other index of no point. Paths are C strings, std::string or std::filesystem::path.
  */
 #ifndef DELOTET_DELOTET_HPP
 #define DELOTET_DELOTET_HPP
@@ -91,7 +91,7 @@ enum class NodeOrder : std::uint32_t {
     tetgen = DELOTET_NODE_ORDER_TETGEN
 };
 
-/// The loaded library has the ABI of this header (the same minor version before 1.0, the same major version after).
+/// Whether the loaded library has the ABI of this header: the same minor version before 1.0, the same major version after.
 inline bool compatible() noexcept
 {
     const std::uint32_t library = delotet_version();
@@ -100,7 +100,7 @@ inline bool compatible() noexcept
     return library / 1000000 == DELOTET_VERSION_MAJOR && library >= DELOTET_VERSION;
 }
 
-/// Elements in a row that belong to somebody else: made of pointer and count, of C arrays, and of all that has data() and size().
+/// A view of contiguous elements, not owned: made from a pointer and a count, from a C array, or from anything with data() and size().
 template <class T> class Span {
   public:
     constexpr Span() noexcept = default;
@@ -126,8 +126,8 @@ template <class T> class Span {
     std::size_t size_ = 0;
 };
 
-/// Records in a row that belong to somebody else. From one to the next it is stride() bytes, which is more than sizeof(T) if the
-/// loaded library knows fields that this header does not.
+/// A view of consecutive records, not owned. They are stride() bytes apart, which is more than sizeof(T) if the loaded library has fields
+/// that this header does not know.
 template <class T> class Records {
   public:
     class iterator {
@@ -206,7 +206,7 @@ template <class T> class Records {
     std::size_t size_ = 0, stride_ = sizeof(T);
 };
 
-/// A text or the name of a file, as an argument: made of a C string, std::string or std::filesystem::path. Borrows it.
+/// A text or path argument: made from a C string, std::string or std::filesystem::path. Borrows it.
 class Text {
   public:
     Text(const char *text) noexcept : text_(text) {}
@@ -215,7 +215,7 @@ class Text {
     Text(const String &text) noexcept : text_(text.c_str())
     {
     }
-    /// std::filesystem::path on Windows, where its own characters are wide: the library takes UTF-8.
+    /// std::filesystem::path on Windows, where its characters are wide: converted to UTF-8 for the library.
     template <class String,
               std::enable_if_t<std::is_same_v<decltype(std::declval<const String &>().c_str()), const wchar_t *>, int> = 0,
               class Narrow = decltype(std::declval<const String &>().u8string())>
@@ -237,7 +237,7 @@ using Path = Text;
 
 namespace detail {
 
-/// A row of integers: how many, and of which type. Integers themselves are rows of one.
+/// A row of integers: how many, and of which type. A single integer is a row of one.
 template <class T> struct Row {
     static constexpr bool fits = std::is_integral_v<T> && !std::is_same_v<T, bool>;
     static constexpr std::size_t width = 1;
@@ -256,9 +256,9 @@ template <class T, std::size_t N> struct Row<T[N]> {
 
 } // namespace detail
 
-/// Integers from the caller as the library takes them, as an argument: made of arrays and containers with data() and size() of any
-/// integers, flat or (for `Width` > 1) in rows of `Width`. Those of another type are converted; what `To` cannot hold becomes its
-/// largest value, which is no index. Borrows what needs no conversion.
+/// An argument of integers in the library's type: made from arrays and containers with data() and size() of any integers, flat or (for
+/// `Width` > 1) in rows of `Width`. Other types are converted; a value that `To` cannot hold becomes its largest value, which is no valid
+/// index. Borrows what needs no conversion.
 template <class To, std::size_t Width> class Integers {
     template <class T>
     static constexpr bool accepts =
@@ -283,7 +283,7 @@ template <class To, std::size_t Width> class Integers {
 
     const To *data() const noexcept { return data_; }
     std::size_t size() const noexcept { return size_; }
-    /// There was no memory for the conversion.
+    /// True if there was no memory for the conversion.
     bool failed() const noexcept { return failed_; }
 
   private:
@@ -293,7 +293,7 @@ template <class To, std::size_t Width> class Integers {
         size_ = count * detail::Row<std::remove_cv_t<T>>::width;
         const From *from = reinterpret_cast<const From *>(rows);
         if constexpr (std::is_same_v<std::make_unsigned_t<From>, To>) {
-            // The same type but for the sign: as it is, unless something is negative.
+            // The same type except for the sign: used as it is, unless a value is negative.
             bool as_it_is = true;
             if constexpr (std::is_signed_v<From>)
                 for (std::size_t i = 0; i < size_; i++)
@@ -325,7 +325,7 @@ template <class To, std::size_t Width> class Integers {
 
 /// Point indices in rows of `Width` (triangles: 3, segments: 2), or flat.
 template <std::size_t Width = 1> using Indices = Integers<Index, Width>;
-/// Where polygons end in a list of corners.
+/// The ends of polygons in a list of corners.
 using Ends = Integers<std::size_t, 1>;
 
 /// A failure with all its defects; empty on success.
@@ -336,7 +336,7 @@ class Error {
     Status status() const noexcept { return handle_ ? delotet_error_status(handle_.get()) : status_; }
     const char *message() const & noexcept { return handle_ ? delotet_error_message(handle_.get()) : text_; }
     void message() const && = delete;
-    /// The elements at fault, at most as many as Options::max_defects allows; defect_count() counts all.
+    /// The elements at fault, at most Options::max_defects of them; defect_count() counts all.
     Records<Defect> defects() const & noexcept
     {
         const DelotetDefectsView view = delotet_error_defects(handle_.get());
@@ -346,7 +346,7 @@ class Error {
     std::size_t defect_count() const noexcept { return delotet_error_defect_count(handle_.get()); }
     explicit operator bool() const noexcept { return status() != DELOTET_STATUS_OK; }
 
-    /// For the wrapper: takes over what a call reported.
+    /// For the wrapper: takes ownership of the error that a call reported.
     Status set(Status status, DelotetError *handle, const char *text = "") noexcept
     {
         handle_.reset(handle);
@@ -391,13 +391,13 @@ class Exception : public std::exception {
 };
 #endif
 
-/// The part of a whole run that is done when `fraction` of `phase` is, from 0 to 1.
+/// The fraction of the whole run that is done when `fraction` of `phase` is done, from 0 to 1.
 inline double overall(Phase phase, double fraction) noexcept
 {
     return delotet_phase_overall(static_cast<std::uint32_t>(phase), fraction);
 }
 
-/// Receives progress: `fraction` of `phase` is done; `overall` makes one number of both. Returns false to cancel.
+/// Receives progress: `fraction` of `phase` is done; `overall` combines both into one number. Return false to cancel.
 using ProgressFunction = std::function<bool(Phase phase, double fraction)>;
 /// Receives a line of text.
 using LogFunction = std::function<void(const char *message)>;
@@ -408,7 +408,7 @@ template <class T, void (*free_function)(T *)> struct Free {
     void operator()(T *handle) const noexcept { free_function(handle); }
 };
 
-/// Runs a C call that ends with `DelotetError **` and puts its report into `error`.
+/// Runs a C call whose last argument is a `DelotetError **` and stores its report in `error`.
 template <class Call> Status run(Error &error, Call &&call)
 {
     DelotetError *handle = nullptr;
@@ -438,7 +438,7 @@ template <class To, class From> Span<const To> rows(const From *data, std::size_
     return {reinterpret_cast<const To *>(data), count};
 }
 
-/// Views of C as spans and records.
+/// C views as spans and records.
 template <class View> Span<std::remove_pointer_t<decltype(View::data)>> span(View view) noexcept
 {
     return {view.data, view.count};
@@ -454,7 +454,7 @@ inline Span<const Point> points_of(DelotetPointsView view) noexcept
 }
 
 #if DELOTET_EXCEPTIONS
-/// Makes the throwing form of a call from the other.
+/// Turns the form with an `Error &` into the throwing form.
 template <class Call> void require(Call &&call)
 {
     Error error;
@@ -463,8 +463,8 @@ template <class Call> void require(Call &&call)
 }
 #endif
 
-/// The callbacks of the call that this thread is in. Callbacks come on the calling thread, so no allocation and no lock is needed,
-/// and options may serve several threads at the same time.
+/// The callbacks of the call that this thread is in. Callbacks run on the calling thread, so no allocation or lock is needed, and several
+/// threads may use the same options at the same time.
 class Running {
   public:
     Running(const ProgressFunction &progress, const LogFunction &log) noexcept
@@ -491,7 +491,7 @@ class Running {
         if (self && self->log_ && !self->failed())
             self->guarded([&] { self->log_(message); });
     }
-    /// Throws what a callback threw.
+    /// Rethrows what a callback threw.
     void rethrow()
     {
 #if DELOTET_EXCEPTIONS
@@ -506,7 +506,7 @@ class Running {
         thread_local Running *running = nullptr;
         return running;
     }
-    /// No exception may pass through the library: it waits here until the call has returned.
+    /// No exception may pass through the library: it is kept here until the call returns.
     template <class Call> void guarded(Call &&call) noexcept
     {
 #if DELOTET_EXCEPTIONS
@@ -540,12 +540,12 @@ class Running {
 
 } // namespace detail
 
-/// Settings of a run. The throwing setters return *this, so that they can be chained; a value that is refused leaves the setting as it was.
+/// Settings of a run. The throwing setters return *this for chaining; a refused value leaves the setting unchanged.
 class Options {
   public:
     Options() noexcept : handle_(delotet_options_new())
     {
-        Error error; // Cannot fail but for a handle that could not be made, which every use of it reports.
+        Error error; // Fails only without a handle, which every use reports.
         change(error, [&](auto e) { return delotet_options_set_progress(get(), &detail::Running::progress, nullptr, e); });
         change(error, [&](auto e) { return delotet_options_set_log(get(), &detail::Running::log, nullptr, e); });
     }
@@ -664,14 +664,14 @@ class Options {
     }
     Options &&points_sorted(bool on) && { return std::move(points_sorted(on)); }
 #endif
-    /// `progress` may throw: the run is cancelled, and the exception comes out of it.
+    /// `progress` may throw: the run is then cancelled and rethrows the exception.
     Options &on_progress(ProgressFunction progress) & noexcept
     {
         progress_ = std::move(progress);
         return *this;
     }
     Options &&on_progress(ProgressFunction progress) && noexcept { return std::move(on_progress(std::move(progress))); }
-    /// `log` may throw, as `progress` may.
+    /// `log` may throw, like `progress`.
     Options &on_log(LogFunction log) & noexcept
     {
         log_ = std::move(log);
@@ -683,7 +683,7 @@ class Options {
     void progress() const && = delete;
     const LogFunction &log() const & noexcept { return log_; }
     void log() const && = delete;
-    /// NULL if memory ran out when the options were made, and after a move.
+    /// NULL if memory ran out when the options were created, and after a move.
     DelotetOptions *get() const noexcept { return handle_.get(); }
 
   private:
@@ -703,12 +703,12 @@ class Options {
     LogFunction log_;
 };
 
-/// How a mesh is written. Setters throw, or take an Error, as those of Options do.
+/// How a mesh is written. Setters throw or take an Error, like those of Options.
 class WriteOptions {
   public:
     WriteOptions() noexcept : handle_(delotet_write_options_new())
     {
-        Error error; // Cannot fail but for a handle that could not be made, which every use of it reports.
+        Error error; // Fails only without a handle, which every use reports.
         change(error, [&](auto e) { return delotet_write_options_set_log(get(), &detail::Running::log, nullptr, e); });
     }
 
@@ -734,13 +734,13 @@ class WriteOptions {
         });
     }
     MshVersion msh_version() const noexcept { return static_cast<MshVersion>(delotet_write_options_msh_version(get())); }
-    /// The name of the regions with an attribute; an empty one takes it away.
+    /// Names the regions with an attribute; an empty name removes theirs.
     Status region_name(double attribute, const Text &name, Error &error) noexcept
     {
         return change(error,
                       [&](DelotetError **e) { return delotet_write_options_set_region_name(get(), attribute, name.c_str(), e); });
     }
-    /// NULL without a name. Valid until the options change.
+    /// NULL if they have no name. Valid until the options change.
     const char *region_name(double attribute) const & noexcept { return delotet_write_options_region_name(get(), attribute); }
     void region_name(double) const && = delete;
 
@@ -771,7 +771,7 @@ class WriteOptions {
     }
     WriteOptions &&region_name(double attribute, const Text &name) && { return std::move(region_name(attribute, name)); }
 #endif
-    /// Lines about what a format cannot hold. `log` may throw: the exception comes out of the call, and the file is there.
+    /// Receives lines about what a format cannot hold. `log` may throw: the call rethrows the exception, and the file exists.
     WriteOptions &on_log(LogFunction log) & noexcept
     {
         log_ = std::move(log);
@@ -779,12 +779,12 @@ class WriteOptions {
     }
     WriteOptions &&on_log(LogFunction log) && noexcept { return std::move(on_log(std::move(log))); }
 
-    /// No call that writes reports progress.
+    /// Writing reports no progress.
     const ProgressFunction &progress() const & noexcept { return progress_; }
     void progress() const && = delete;
     const LogFunction &log() const & noexcept { return log_; }
     void log() const && = delete;
-    /// NULL if memory ran out when the options were made, and after a move.
+    /// NULL if memory ran out when the options were created, and after a move.
     DelotetWriteOptions *get() const noexcept { return handle_.get(); }
 
   private:
@@ -805,7 +805,7 @@ class WriteOptions {
 };
 
 namespace detail {
-/// Runs a call that takes options, with their callbacks in place.
+/// Runs a call that takes options, with their callbacks installed.
 template <class Settings, class Call> Status run(const Settings &options, Error &error, Call &&call)
 {
     if (!options.get())
@@ -817,7 +817,7 @@ template <class Settings, class Call> Status run(const Settings &options, Error 
 }
 } // namespace detail
 
-/// The input. Move-only; empty (get() is NULL) by default. What throws returns *this: Plc plc = Plc(points).add_triangles(corners).
+/// The input. Move-only; empty (get() is NULL) by default. The throwing forms return *this: Plc plc = Plc(points).add_triangles(corners).
 class Plc {
   public:
     Plc() noexcept = default;
@@ -847,7 +847,7 @@ class Plc {
         plc.handle_.reset(handle);
         return status;
     }
-    /// A copy with all that this has.
+    /// A copy with everything in it.
     Status clone(Plc &copy, Error &error) const noexcept
     {
         DelotetPlc *handle = nullptr;
@@ -856,7 +856,7 @@ class Plc {
         copy.handle_.reset(handle);
         return status;
     }
-    /// Adds points behind the others; `first` is the index of the first new one.
+    /// Appends points; `first` receives the index of the first new one.
     Status add_points(Span<const Point> points, Index &first, Error &error) noexcept
     {
         const double *xyz = points.empty() ? nullptr : points.data()->data();
@@ -880,7 +880,7 @@ class Plc {
         return detail::run(
             error, [&](DelotetError **e) { return delotet_plc_set_point_markers(get(), markers.data(), e); });
     }
-    /// Names a facet marker; an empty name takes its name away.
+    /// Names a facet marker; an empty name removes its name.
     Status set_marker_name(Marker marker, const Text &name, Error &error) noexcept
     {
         return detail::run(
@@ -982,12 +982,12 @@ class Plc {
             return delotet_plc_add_region(get(), seed.data(), attribute, max_volume, e);
         });
     }
-    /// Writes the PLC; the extension names the format.
+    /// Writes the PLC; the extension determines the format.
     Status write(const Path &path, Error &error) const noexcept
     {
         return detail::run(error, [&](DelotetError **e) { return delotet_plc_write(get(), path.c_str(), e); });
     }
-    /// Looks for defects.
+    /// Looks for defects; see delotet_plc_check().
     Status check(const Options &options, Error &error) const
     {
         return detail::run(options, error,
@@ -1015,7 +1015,7 @@ class Plc {
         detail::require([&](Error &e) { return clone(copy, e); });
         return copy;
     }
-    /// Adds points behind the others. Returns the index of the first new one.
+    /// Appends points. Returns the index of the first new one.
     Index add_points(Span<const Point> points)
     {
         Index first = invalid_index;
@@ -1120,17 +1120,17 @@ class Plc {
     void holes() const && = delete;
     Records<RegionSeed> regions() const & noexcept { return detail::records(delotet_plc_regions(get())); }
     void regions() const && = delete;
-    /// The triangles that come first among the facets.
+    /// The facets up to the first that was not added as a triangle; see delotet_plc_triangles().
     Span<const Triangle> triangles() const & noexcept
     {
         const DelotetIndexRowsView view = delotet_plc_triangles(get());
         return detail::rows<Triangle>(view.data, view.count);
     }
     void triangles() const && = delete;
-    /// The name of a facet marker, from the groups of a file or set; NULL if it has none.
+    /// The name of a facet marker, from the groups of a file or set by the caller; NULL if it has none.
     const char *marker_name(Marker marker) const & noexcept { return delotet_plc_marker_name(get(), marker); }
     void marker_name(Marker) const && = delete;
-    /// How many markers have names, and the i-th of them, ascending.
+    /// The number of markers with names, and the i-th of these markers in ascending order.
     std::size_t marker_name_count() const noexcept { return delotet_plc_marker_name_count(get()); }
     Marker named_marker(std::size_t i) const noexcept { return delotet_plc_named_marker(get(), i); }
     std::size_t facet_ring_count(Index facet) const noexcept { return delotet_plc_facet_ring_count(get(), facet); }
@@ -1190,7 +1190,7 @@ class Mesh {
     void replaced_tets() const && = delete;
     Span<const Index> point_aliases() const & noexcept { return detail::span(delotet_mesh_point_aliases(get())); }
     void point_aliases() const && = delete;
-    /// Per input point its index in points(), with Options::drop_unmeshed_points only.
+    /// For each input point its index in points(); empty without Options::drop_unmeshed_points.
     Span<const Index> point_map() const & noexcept { return detail::span(delotet_mesh_point_map(get())); }
     void point_map() const && = delete;
     /// #points by `width` doubles.
@@ -1227,7 +1227,7 @@ class Mesh {
     void unmeshed_points() const && = delete;
     Records<Warning> warnings() const & noexcept { return detail::records(delotet_mesh_warnings(get())); }
     void warnings() const && = delete;
-    /// How many warnings of a kind there are, listed or not.
+    /// The number of warnings of a kind, listed or not.
     std::uint64_t warning_count(WarningKind kind) const noexcept
     {
         return delotet_mesh_warning_count(get(), static_cast<std::uint32_t>(kind));
@@ -1432,7 +1432,7 @@ class Mesh {
     std::unique_ptr<DelotetMesh, detail::Free<DelotetMesh, delotet_mesh_free>> handle_;
 };
 
-/// Makes the mesh of a PLC. What a callback of `options` throws comes out of this call.
+/// Makes the mesh of a PLC. Rethrows what a callback of `options` throws.
 inline Status tetrahedralize(const Plc &plc, const Options &options, Mesh &mesh, Error &error)
 {
     DelotetMesh *handle = nullptr;

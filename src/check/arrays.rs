@@ -1,5 +1,5 @@
-//! Array shapes and index ranges. A mesh from a file may hold anything: all later checks rely on what is asked here, and
-//! do not run if this one finds something.
+//! Array shapes and index ranges. A mesh from a file may contain anything: all later checks rely on this one, and do not run if it finds a
+//! defect.
 use super::geometry::parameters;
 use super::report::Report;
 use crate::error::{DefectKind, Element};
@@ -8,7 +8,7 @@ use crate::plc::Plc;
 use crate::predicates::is_parameter;
 use crate::INVALID;
 
-/// Reports every index that refers to nothing, every non-finite coordinate and every array of the wrong length.
+/// Reports every index that refers to no element, every non-finite coordinate and every array of the wrong length.
 pub(super) fn check_arrays(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     check_plc(plc, report);
     check_lengths(plc, mesh, report);
@@ -47,7 +47,7 @@ pub(super) fn check_arrays(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     check_parents(plc, mesh, report);
 }
 
-/// Subfaces, subsegments and Steiner points: their corners, and what they say they lie on.
+/// Checks subfaces, subsegments and Steiner points: their corners, and the elements that they claim to lie on.
 fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     let (points, tets) = (mesh.points.len(), mesh.tets.len());
     let tet_or_none = |t: u32| t == INVALID || (t as usize) < tets;
@@ -80,7 +80,7 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     }
     for (i, (steiner, t)) in mesh.steiner.iter().zip(parameters(mesh)).enumerate() {
         let ends_ok = steiner.ends.iter().all(|&v| (v as usize) < plc.points.len());
-        // A point inside lies where its doubles are: it has no parents and no parameter.
+        // A point inside lies at its doubles: it has no parents and no parameter.
         if steiner.is_inside() && steiner.segment == INVALID && steiner.exact {
             continue;
         }
@@ -90,7 +90,7 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     }
 }
 
-/// The indices of the PLC itself: the check may be asked about an input that was never validated.
+/// Checks the indices of the PLC itself: the input may never have been validated.
 fn check_plc(plc: &Plc, report: &mut Report) {
     let points = plc.points.len();
     for (i, segment) in plc.segments.iter().enumerate() {
@@ -110,13 +110,13 @@ fn check_plc(plc: &Plc, report: &mut Report) {
     }
 }
 
-/// Arrays that go with others must be as long as they.
+/// Parallel arrays must have equal lengths.
 fn check_lengths(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
     let (inputs, points, tets) = (plc.points.len(), mesh.points.len(), mesh.tets.len());
-    // The first input point that the mesh has no room for.
+    // The first input point missing from the mesh.
     if points < inputs {
         report.add(DefectKind::PointMoved, Element::Point(points as u32), None, None);
-        report.note(format_args!("the mesh has {points} points, the input {inputs}"));
+        report.note(format_args!("the mesh has {points} points, but the input has {inputs}"));
     }
     let pairs = [
         ("neighbors", mesh.neighbors.len(), tets),

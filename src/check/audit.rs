@@ -1,9 +1,9 @@
-//! The audit of every run: the promises that rounding or renumbering could break, in linear time.
+//! The audit of every run: checks, in linear time, the guarantees that rounding or renumbering could break.
 //!
-//! Input points bit for bit; every tetrahedron strictly positive, in exact arithmetic on the doubles handed out; neighbours
-//! mutual, sharing three vertices; subfaces on the tetrahedra they name. That the mesh is constrained Delaunay and covers
-//! the facets is the algorithm's own doing; [`check_mesh`](super::check_mesh) proves it independently. What mode preserve
-//! promises is audited in [`promise`](super::promise).
+//! Input points bit for bit; every tetrahedron strictly positive, in exact arithmetic on the output doubles; neighbours mutual, sharing
+//! three vertices; subfaces on the tetrahedra they name. That the mesh is constrained Delaunay and covers the facets follows from the
+//! algorithm; [`check_mesh`](super::check_mesh) proves it independently. The guarantees of mode preserve are audited in
+//! [`promise`](super::promise).
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error, Status};
 use crate::output::TetMesh;
@@ -11,7 +11,7 @@ use crate::plc::Plc;
 use crate::predicates::{orient3d, range_scale, scale, Sign};
 use crate::INVALID;
 
-/// Checks what every result must fulfil.
+/// Checks the properties that every result must have.
 ///
 /// # Errors
 /// [`Status::CheckFailed`] with the defects, of which at most `max_defects` are listed; [`Status::CoordinateRange`],
@@ -37,7 +37,7 @@ fn audit_points(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
 fn audit_orientation(mesh: &TetMesh, report: &mut Report) -> Result<(), Error> {
     let exponent = range_scale(&mesh.points)
         .map_err(|i| Error::new(Status::CoordinateRange, format_args!("point {i} is out of range")))?;
-    // Points in range are read where they are: a copy would lie beside the mesh at its largest.
+    // Points in range are read in place: a copy would coexist with the mesh at its peak size.
     let scaled = |v: u32| match exponent {
         0 => mesh.points[v as usize],
         _ => mesh.points[v as usize].map(|x| scale(x, exponent)),
@@ -46,7 +46,7 @@ fn audit_orientation(mesh: &TetMesh, report: &mut Report) -> Result<(), Error> {
         let [a, b, c, d] = tet;
         let [p, q, r, s] = tet.map(scaled);
         if orient3d(&p, &q, &r, &s) != Sign::Positive {
-            // The caller asked for the exact form and is told which points these are.
+            // The caller asked for the exact form, and the result lists these points.
             if [a, b, c, d].iter().any(|v| mesh.crowded.contains(v)) {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! The boundary of the mesh: faces of one tetrahedron only lie on facets; where the hull was kept, the others are convex.
+//! The boundary of the mesh: faces of only one tetrahedron lie on facets; if the hull was kept, the others form a convex boundary.
 use super::context::Context;
 use super::faces::{face_corners, FACE};
 use super::report::Report;
@@ -26,15 +26,16 @@ pub(super) fn check_boundary(
     }
 }
 
-/// Whether the boundary is nowhere reflex around a boundary face: turning round each of its edges through the inside of the
-/// mesh, the next boundary face is met after at most half a turn.
+/// Whether the boundary is nowhere reflex around a boundary face: turning around each of its edges through the inside of the mesh, the next
+/// boundary face is reached after at most half a turn.
 fn convex_at(context: &Context, adjacency: &[[u32; 4]], t: usize, face: usize) -> bool {
     let tets = &context.mesh.tets;
     let corners = face_corners(tets[t], face);
     (0..3).all(|k| {
         let edge = [corners[k], corners[(k + 1) % 3]];
         let (mut tet, mut from) = (t, face);
-        // Turn: leave each tetrahedron by the other face at the edge. The number of tetrahedra bounds a damaged ring.
+        // Turn by leaving each tetrahedron through its other face at the edge. The number of tetrahedra bounds the loop if the ring is
+        // damaged.
         for _ in 0..tets.len() {
             let other = |i: usize| i != from && !edge.contains(&tets[tet][i]);
             let Some(leave) = (0..4).find(|&i| other(i)) else { return false };

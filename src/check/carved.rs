@@ -1,15 +1,15 @@
-//! What lies outside: pieces of segments and facets on no tetrahedron, since everything around them was carved.
+//! Pieces outside the mesh: pieces of segments and facets on no tetrahedron because everything around them was carved.
 //!
-//! They are listed apart from the others (together, they tile their facets), as they are no faces and edges of the mesh. That a piece is
-//! outside is asked where it begins: a valid PLC's pieces do not cross the facets that bound the mesh, so if a piece starts
-//! outside, all of it is. At a corner that is no vertex of the mesh this is so (the point check sees to that corner).
+//! They are listed separately from the others (together, they tile their facets), since they are not faces and edges of the mesh. Whether a
+//! piece is outside is tested where it begins: pieces of a valid PLC do not cross the facets that bound the mesh, so a piece that starts
+//! outside is entirely outside. This holds at a corner that is no vertex of the mesh (the point check covers that corner).
 use super::context::Context;
 use crate::error::Error;
 use crate::output::Subface;
 use crate::predicates::Sign;
 use crate::INVALID;
 
-/// Whether the open edge `ab`, which is no edge of the mesh, starts outside of all closed tetrahedra at `a`.
+/// Whether the open edge `ab`, which is no edge of the mesh, starts outside all closed tetrahedra at `a`.
 pub(super) fn edge_outside(context: &Context, a: u32, b: u32) -> bool {
     if a == b || !context.stars.used(a) || !context.stars.used(b) {
         return a != b;
@@ -18,7 +18,7 @@ pub(super) fn edge_outside(context: &Context, a: u32, b: u32) -> bool {
     context.stars.of(a).iter().all(|&t| !cone_holds(context, cone_at(tets[t as usize], a), b))
 }
 
-/// Whether the open triangle, which is no face of the mesh, starts outside of all closed tetrahedra at its first corner.
+/// Whether the open triangle, which is no face of the mesh, starts outside all closed tetrahedra at its first corner.
 pub(super) fn face_outside(context: &Context, [a, b, c]: [u32; 3]) -> bool {
     if a == b || b == c || c == a {
         return false;
@@ -30,7 +30,7 @@ pub(super) fn face_outside(context: &Context, [a, b, c]: [u32; 3]) -> bool {
     context.stars.of(a).iter().all(|&t| !cone_meets(context, cone_at(tets[t as usize], a), b, c))
 }
 
-/// The positive tetrahedron, rotated such that `a` comes first.
+/// The positive tetrahedron, permuted evenly so that `a` comes first.
 fn cone_at([v0, v1, v2, v3]: [u32; 4], a: u32) -> [u32; 4] {
     // Even permutations keep the orientation.
     match a {
@@ -62,7 +62,7 @@ fn cone_holds(context: &Context, cone: [u32; 4], x: u32) -> bool {
 /// than half a circle and a triangle.
 fn cone_meets(context: &Context, cone: [u32; 4], b: u32, c: u32) -> bool {
     let (at_b, at_c) = (sides(context, cone, b), sides(context, cone, c));
-    // The arc leaves the cone at once, or never reaches it, if both ends are on the wrong side of one plane (one may be on it).
+    // The arc leaves the cone at once, or never reaches it, if both ends are on the outer side of one plane (one may be on the plane).
     let apart = |s: Sign, t: Sign| s.min(t) == Sign::Negative && s.max(t) != Sign::Positive;
     if (0..3).any(|i| apart(at_b[i], at_c[i])) {
         return false;
@@ -71,12 +71,12 @@ fn cone_meets(context: &Context, cone: [u32; 4], b: u32, c: u32) -> bool {
     if inside(at_b) || inside(at_c) {
         return true;
     }
-    // Both ends are outside, none of the three planes separates: the arc meets the cone unless all of the cone is strictly on one
-    // side of the arc's plane, or it passes on the wrong side. It enters through a face of the cone or not at all.
+    // Both ends are outside, and none of the three planes separates: the arc meets the cone unless the whole cone is strictly on one side
+    // of the arc's plane, or the arc passes on the opposite side. It enters through a face of the cone or not at all.
     let [a, p, q, r] = cone;
     let of_arc = |x: u32| if x == b || x == c { Sign::Zero } else { context.geometry.orient3d([a, b, c, x]) };
     let (sp, sq, sr) = (of_arc(p), of_arc(q), of_arc(r));
-    // Face i is spanned by the two edges other than i; the sign of the arc's ends against it is at_b[i], at_c[i].
+    // Face i is spanned by the two edges other than i; the signs of the arc's ends relative to it are at_b[i] and at_c[i].
     [(0, sq, sr), (1, sr, sp), (2, sp, sq)].into_iter().any(|(i, from, to)| {
         let enters = at_b[i] == Sign::Negative && at_c[i] == Sign::Positive;
         let leaves = at_b[i] == Sign::Positive && at_c[i] == Sign::Negative;
@@ -86,7 +86,7 @@ fn cone_meets(context: &Context, cone: [u32; 4], b: u32, c: u32) -> bool {
     })
 }
 
-/// The edges of carved pieces in both directions, sorted: those listed as or on carved pieces that are outside.
+/// The edges of carved pieces in both directions, sorted: those of listed carved pieces that are outside.
 pub(super) fn carved_edges(context: &Context) -> Result<Vec<[u32; 2]>, Error> {
     let mesh = context.mesh;
     let mut edges: Vec<[u32; 2]> = Vec::new();
@@ -113,7 +113,7 @@ pub(super) fn carved_edges(context: &Context) -> Result<Vec<[u32; 2]>, Error> {
     Ok(edges)
 }
 
-/// Whether a subface that is not meshed says so, and is outside.
+/// Whether a subface is marked as unmeshed and is outside.
 pub(super) fn is_carved(context: &Context, face: &Subface) -> bool {
     face.tets == [INVALID; 2]
         && context.faces.find(face.corners).is_empty()

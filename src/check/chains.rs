@@ -1,16 +1,16 @@
 //! Chains: the mesh edges that an input edge consists of.
 //!
 //! An input edge is subdivided by its Steiner points (known by parents and parameter) and by input vertices that lie exactly on
-//! it. The first are looked up in order; where two consecutive ones are not joined by an edge of the mesh, the mesh is walked: from a vertex
-//! of the edge to the nearest neighbour on it. There is one at most where tetrahedra are positive in the exact positions; a tetrahedron
-//! that took another's place need not be, and may have an edge that passes a point by.
+//! it. The former are looked up in order. If two consecutive ones are not joined by a mesh edge, the chain is walked in the mesh: from a
+//! vertex on the input edge to the nearest neighbour on it. There is at most one if tetrahedra are positive at the exact positions; a
+//! replaced tetrahedron need not be, and may have an edge that skips a point.
 use super::context::Context;
 use crate::error::Error;
 
-/// The Steiner points of every input edge, in order along it.
+/// The Steiner points of every input edge, ordered along it.
 pub(super) struct Chains<'a, 'b> {
     context: &'a Context<'b>,
-    /// Sorted by edge, and along each from its smaller end.
+    /// Sorted by edge, and along each edge from its smaller end.
     steiner: Vec<OnEdge>,
 }
 
@@ -44,7 +44,7 @@ impl<'a, 'b> Chains<'a, 'b> {
         self.steiner[from..].iter().take_while(move |s| s.ends == [a, b]).map(|s| s.vertex)
     }
 
-    /// Replaces `chain` by the vertices from `a` to `b` (representatives) along mesh edges; false if there is no such chain.
+    /// Sets `chain` to the vertices from `a` to `b` (representatives) along mesh edges; returns false if there is no such chain.
     pub(super) fn find(&self, a: u32, b: u32, chain: &mut Vec<u32>) -> Result<bool, Error> {
         chain.clear();
         let (low, high) = (a.min(b), a.max(b));
@@ -71,7 +71,8 @@ impl<'a, 'b> Chains<'a, 'b> {
         Ok(true)
     }
 
-    /// Extends `chain` (of one vertex) to `end` over mesh edges that lie on the line; each step gets nearer to `end`.
+    /// Extends `chain` (of one vertex) to `end` along mesh edges on the line; each step gets nearer to `end`. Returns false if there is no
+    /// such chain.
     fn walk(&self, end: u32, chain: &mut Vec<u32>) -> Result<bool, Error> {
         let context = self.context;
         let mut current = chain[0];

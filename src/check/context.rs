@@ -1,4 +1,4 @@
-//! What all checks share: the mesh, its exact coordinates, its faces and stars, and the representatives of equal points.
+//! Data shared by all checks: the mesh, its exact coordinates, its faces and stars, and the representatives of equal points.
 use super::carved::carved_edges;
 use super::faces::{FaceTable, Stars};
 use super::geometry::Geometry;
@@ -8,7 +8,7 @@ use crate::plc::Plc;
 use crate::INVALID;
 use std::borrow::Cow;
 
-/// Shared, read-only tables. Built only after the arrays have been found sound.
+/// Shared, read-only tables. Built only after the arrays have passed their check.
 pub(super) struct Context<'a> {
     pub(super) plc: &'a Plc,
     pub(super) mesh: &'a TetMesh,
@@ -17,12 +17,12 @@ pub(super) struct Context<'a> {
     pub(super) stars: Stars,
     /// For each input point the first one equal to it.
     pub(super) alias: Vec<u32>,
-    /// Every point that is not an input point says where on which input edge it lies. False for meshes from files that have
-    /// such points: conformity is then judged only where all corners are input points.
+    /// Whether the input edge and parameter of every added point are known. False for meshes from files with added points: conformity is
+    /// then checked only where all corners are input points.
     pub(super) parents_known: bool,
-    /// The subfaces of the mesh, then those that are not meshed.
+    /// The subfaces of the mesh, then the unmeshed ones.
     pub(super) subfaces: Cow<'a, [Subface]>,
-    /// The same of subsegments.
+    /// The same for subsegments.
     pub(super) subsegments: Cow<'a, [Subsegment]>,
     /// Edges of carved pieces, in both directions, sorted.
     carved: Vec<[u32; 2]>,
@@ -49,7 +49,7 @@ impl<'a> Context<'a> {
         Ok(context)
     }
 
-    /// The tetrahedron took the place of one that no doubles made positive: it is one of the doubles, not of the exact positions.
+    /// Whether the tetrahedron replaces one that no doubles made positive: it is then positive in doubles, not at the exact positions.
     pub(super) fn is_replaced(&self, t: u32) -> bool {
         self.mesh.replaced.binary_search(&t).is_ok()
     }
@@ -68,7 +68,7 @@ impl<'a> Context<'a> {
         self.stars.has_edge(&self.mesh.tets, a, b) || self.carved.binary_search(&[a, b]).is_ok()
     }
 
-    /// All vertices joined with `a` by such an edge, some more than once.
+    /// All vertices joined to `a` by such an edge, some repeated.
     pub(super) fn neighbors(&self, a: u32) -> impl Iterator<Item = u32> + '_ {
         let carved = &self.carved[self.carved.partition_point(|e| e[0] < a)..];
         let star = self.stars.of(a).iter().flat_map(|&t| self.mesh.tets[t as usize]);
@@ -82,7 +82,7 @@ impl<'a> Context<'a> {
             && self.subfaces.iter().all(|face| face.facet != INVALID)
     }
 
-    /// Ends of the input edge that a Steiner point lies on; none for a point inside.
+    /// The ends of the input edge that a Steiner point lies on; `None` for a point inside.
     pub(super) fn ends(&self, v: u32) -> Option<[u32; 2]> {
         let steiner = self.mesh.steiner.get((v as usize).checked_sub(self.plc.points.len())?)?;
         (!steiner.is_inside()).then(|| steiner.ends.map(|end| self.alias(end)))
@@ -93,7 +93,7 @@ impl<'a> Context<'a> {
     }
 }
 
-/// Two lists as one.
+/// Two lists joined; fails if memory runs out.
 fn joined<'a, T: Copy>(first: &'a [T], second: &[T]) -> Result<Cow<'a, [T]>, Error> {
     if second.is_empty() {
         return Ok(Cow::Borrowed(first));

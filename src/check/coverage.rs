@@ -1,9 +1,9 @@
 //! Coverage: the subfaces of each group of facets tile exactly the group's union.
 //!
-//! In the group's plane, take every subface counter-clockwise. If each edge is used at most twice, and then in both directions,
-//! and the edges used once are exactly the boundary (modulo 2) of the union of the input polygons, then the number of
-//! subfaces over a point of the plane changes by one at that boundary and nowhere else, and is 0 far away: even outside of the
-//! union, odd inside. Distinct faces of a valid complex do not overlap, so it is 0 and 1.
+//! Take every subface counter-clockwise in the group's plane. If each edge is used at most twice, and then in both directions, and the
+//! edges used once are exactly the boundary (modulo 2) of the union of the input polygons, then the number of subfaces over a point of the
+//! plane changes by one at that boundary and nowhere else, and is 0 far away. So it is even outside the union and odd inside. Distinct
+//! faces of a valid complex do not overlap, so it is 0 and 1.
 use super::chains::Chains;
 use super::context::Context;
 use super::facets::{Facet, Piece};
@@ -12,7 +12,7 @@ use crate::error::{DefectKind, Element, Error};
 use crate::fallible;
 use crate::predicates::Sign;
 
-/// One use of a mesh edge by a subface: ends ascending, whether it runs from the larger to the smaller, which subface.
+/// One use of a mesh edge by a subface: the ends ascending, whether it runs from the larger to the smaller, and the subface.
 type Use = ([u32; 2], bool, u32);
 
 /// A group of facets and the subfaces that name one of them.
@@ -36,7 +36,7 @@ pub(super) fn check_coverage<'a>(
     group: &[u32],
     report: &mut Report,
 ) -> Result<(), Error> {
-    // Counting sorts would do; these are small next to the tetrahedra.
+    // Counting sorts would be faster, but these lists are small compared with the tetrahedra.
     let mut members: Vec<(u32, u32)> = Vec::new();
     members.try_reserve_exact(group.len())?;
     members.extend(group.iter().enumerate().map(|(facet, &g)| (g, facet as u32)));
@@ -72,7 +72,7 @@ pub(super) fn check_coverage<'a>(
 impl Group<'_> {
     fn check(&self, report: &mut Report) -> Result<(), Error> {
         self.check_corners(report)?;
-        // A plane has one projection that keeps all orientations; a folded polygon must have one of the three.
+        // One projection of a plane keeps all orientations; a folded polygon must match in one of the three.
         let axes = match self.members.iter().find_map(|&f| self.facets[f as usize].plane) {
             Some(plane) if self.planar => {
                 let sees = |&axis: &usize| self.context.geometry.orient_in_plane(axis, plane) != Sign::Zero;
@@ -94,7 +94,7 @@ impl Group<'_> {
         Ok(())
     }
 
-    /// Edges where subfaces and polygons disagree, seen along `axis`, each with a facet.
+    /// Edges where subfaces and polygons disagree in projection along `axis`, each with a facet.
     fn mismatches(&self, axis: usize) -> Result<Vec<(u32, [u32; 2])>, Error> {
         let mut wrong = Vec::new();
         let uses = self.uses(axis, &mut wrong)?;
@@ -112,7 +112,7 @@ impl Group<'_> {
             let p = pieces.next_if(|p| p[0].ends == next).unwrap_or(&[]);
             let u = runs.next_if(|u| u[0].0 == next).unwrap_or(&[]);
             let good = if any_enclosed {
-                // Inside and outside are not known edge by edge: the boundary may be anywhere on the polygons.
+                // With seeds, single edges do not tell inside from outside: the boundary may be anywhere on the polygons.
                 (u.len() != 1 || !p.is_empty()) && (any_seeded || p.is_empty() || !u.is_empty())
             } else {
                 p.len() % 2 == u.len() % 2
@@ -148,8 +148,8 @@ impl Group<'_> {
         Ok(uses)
     }
 
-    /// Corners of subfaces lie on the group: exactly in its plane; or, if it has none, at corners of its polygons, on lines
-    /// between two of them, or where the subfaces are not bent or bent along one line only.
+    /// Checks that corners of subfaces lie on the group: exactly in its plane; or, if it has none, at corners of its polygons, on lines
+    /// between two of them, or where the subfaces are flat or bent along only one line.
     fn check_corners(&self, report: &mut Report) -> Result<(), Error> {
         let mut known = fallible::collect(self.pieces.iter().flat_map(|p| p.ends))?;
         for &f in &self.members {
@@ -185,8 +185,8 @@ impl Group<'_> {
 }
 
 impl Group<'_> {
-    /// Whether the subfaces round a vertex, which is no corner of a facet that is not planar, lie in one plane, or in two that
-    /// meet in a line through it: then it lies on the triangles that its neighbours span.
+    /// Whether the subfaces around a vertex, no corner of a non-planar facet, lie in one plane, or in two that meet in a line through it:
+    /// then it lies on the triangles that its neighbours span.
     fn is_even(&self, v: u32) -> Result<bool, Error> {
         let geometry = &self.context.geometry;
         let corners = |&i: &u32| self.context.subfaces[i as usize].corners;
@@ -206,7 +206,7 @@ impl Group<'_> {
     }
 }
 
-/// Edges given inside of facets (polygons of two corners) are chains of mesh edges.
+/// Checks that edges given inside facets (polygons of two corners) are chains of mesh edges.
 pub(super) fn check_inner_edges(
     context: &Context,
     facets: &[Facet],

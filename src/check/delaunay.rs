@@ -1,10 +1,10 @@
 //! Local Delaunay property: across every interior face that is no subface, the vertex beyond is not strictly inside the
 //! circumsphere. Cospherical vertices (which the mesher decides by symbolic perturbation) are no violation.
 //!
-//! Faces of tetrahedra that rounding had to replace are only counted.
+//! Faces of tetrahedra replaced by rounding are only counted.
 //!
-//! By the constrained Delaunay lemma (Shewchuk 2008, "General-dimensional constrained Delaunay and constrained regular
-//! triangulations", section 3) this local property of all faces is the global one.
+//! By the constrained Delaunay lemma (Shewchuk 2008, "General-dimensional constrained Delaunay and constrained regular triangulations",
+//! section 3) this local property of all faces is the global one.
 use super::context::Context;
 use super::report::Report;
 use crate::error::{DefectKind, Element};
@@ -48,12 +48,12 @@ pub(super) fn check_delaunay(
     }
     if replaced > 0 {
         report.note(format_args!(
-            "{replaced} faces of tetrahedra that rounding had to replace are not locally Delaunay"
+            "{replaced} faces of tetrahedra replaced by rounding are not locally Delaunay"
         ));
     }
     if rounded > 0 {
         report.note(format_args!(
-            "{rounded} faces at points of unknown parents are not locally Delaunay on their rounded coordinates"
+            "{rounded} faces at points with unknown parents are not locally Delaunay at their rounded coordinates"
         ));
     }
 }

@@ -4,13 +4,13 @@
 //! anything but the mesh.
 use crate::error::Error;
 
-/// Corners of face `i` (opposite vertex `i`), such that the tetrahedron (face, vertex `i`) is positive when the whole is.
+/// Corners of face `i` (opposite vertex `i`), ordered so that the tetrahedron (face, vertex `i`) is positive if the whole one is.
 pub(super) const FACE: [[usize; 3]; 4] = [[1, 3, 2], [0, 2, 3], [0, 3, 1], [0, 1, 2]];
 
 /// One face of one tetrahedron.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
-    /// Corners but for the smallest, which is the bucket's number: ascending.
+    /// The corners except the smallest, which is the bucket's number, in ascending order.
     rest: [u32; 2],
     /// `4 * tet + face`.
     pub(super) handle: u32,
@@ -22,7 +22,7 @@ pub(super) struct FaceTable {
     entries: Vec<Entry>,
 }
 
-/// Three indices, ascending, and whether it took an odd permutation.
+/// Three indices in ascending order, and whether sorting took an odd permutation.
 pub(super) fn sorted(mut c: [u32; 3]) -> ([u32; 3], bool) {
     let mut odd = false;
     for (i, j) in [(0, 1), (1, 2), (0, 1)] {
@@ -34,7 +34,7 @@ pub(super) fn sorted(mut c: [u32; 3]) -> ([u32; 3], bool) {
     (c, odd)
 }
 
-/// The corners of a face, the tetrahedron's fourth vertex on the positive side.
+/// The corners of a face, with the tetrahedron's fourth vertex on the positive side.
 pub(super) fn face_corners(tet: [u32; 4], face: usize) -> [u32; 3] {
     FACE[face].map(|k| tet[k])
 }
@@ -73,7 +73,7 @@ impl FaceTable {
         Ok(FaceTable { offsets, entries })
     }
 
-    /// Runs of equal faces: the corners, ascending, and who has them.
+    /// Runs of equal faces: the ascending corners and the entries with them.
     pub(super) fn runs(&self) -> impl Iterator<Item = ([u32; 3], &[Entry])> {
         (0..self.offsets.len().saturating_sub(1)).flat_map(move |v| {
             let bucket = &self.entries[self.offsets[v] as usize..self.offsets[v + 1] as usize];
@@ -138,7 +138,7 @@ impl Stars {
         !self.of(v).is_empty()
     }
 
-    /// Whether `ab` is an edge of the mesh: looks through the smaller star.
+    /// Whether `ab` is an edge of the mesh; searches the smaller star.
     pub(super) fn has_edge(&self, tets: &[[u32; 4]], a: u32, b: u32) -> bool {
         let (from, to) = if self.of(a).len() <= self.of(b).len() { (a, b) } else { (b, a) };
         a != b && self.of(from).iter().any(|&t| tets[t as usize].contains(&to))

@@ -1,8 +1,7 @@
-//! The input facets as the check sees them: flips applied, with their planes, edges subdivided as in the mesh, and grouped.
+//! The input facets for the checks: with flips applied, planes, edges subdivided as in the mesh, and groups.
 //!
-//! A mesher may retriangulate facets across their common edges where they are exactly coplanar and have one marker. So
-//! coverage is a question for such a *group*, not for a facet. Facets that are not planar join a group only where the mesh has
-//! not kept their common edge.
+//! A mesher may retriangulate facets across their common edges if they are exactly coplanar and have equal markers. So coverage is checked
+//! for such a *group*, not for single facets. Non-planar facets join a group only if the mesh has not kept their common edge.
 use super::chains::Chains;
 use super::context::Context;
 use super::overlaps;
@@ -16,17 +15,17 @@ use rustc_hash::FxHashMap;
 /// A facet: its polygons of three corners or more, as representatives.
 pub(super) struct Facet {
     pub(super) polygons: Vec<Vec<u32>>,
-    /// All corners, also of polygons of one or two.
+    /// All corners, including those of polygons of one or two.
     pub(super) corners: Vec<u32>,
-    /// Pairs of corners that must be joined in the mesh, but bound nothing.
+    /// Pairs of corners that must be joined in the mesh but bound nothing.
     pub(super) inner_edges: Vec<[u32; 2]>,
-    /// Three corners that are not collinear.
+    /// Three corners that are not collinear, if any.
     pub(super) plane: Option<[u32; 3]>,
-    /// All corners lie exactly in `plane`.
+    /// Whether all corners lie exactly in `plane`.
     pub(super) planar: bool,
-    /// The interior is what polygons enclose (TetGen's rule), not their sum modulo 2.
+    /// Whether the interior is what the polygons enclose (TetGen's rule), instead of their sum modulo 2.
     pub(super) enclosed: bool,
-    /// There are hole seeds.
+    /// Whether there are hole seeds.
     pub(super) seeded: bool,
     pub(super) marker: i32,
 }
@@ -37,7 +36,7 @@ pub(super) struct Piece {
     /// Ends, ascending.
     pub(super) ends: [u32; 2],
     pub(super) facet: u32,
-    /// It is an edge of the mesh.
+    /// Whether it is an edge of the mesh.
     pub(super) found: bool,
 }
 
@@ -93,8 +92,8 @@ fn facet(
     Ok(Facet { polygons, corners: everything, inner_edges, plane, planar, enclosed, seeded, marker })
 }
 
-/// The input triangles after the flips of facet merging: each takes two triangles with a common edge and makes the two others of
-/// the same quadrilateral. The triangle with the first end of the old edge keeps the first facet's number.
+/// The input triangles after the flips of facet merging: each flip replaces two triangles with a common edge by the two others of the same
+/// quadrilateral. The triangle with the first end of the old edge keeps the first facet's number.
 pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Result<Vec<[u32; 3]>, Error> {
     let mut triangles: Vec<[u32; 3]> = Vec::new();
     triangles.try_reserve_exact(context.plc.triangles.len())?;
@@ -103,7 +102,7 @@ pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Resul
         c.sort_unstable();
         c
     };
-    // Looked up only, never iterated: its order decides nothing.
+    // Only looked up, never iterated, so its order decides nothing.
     let mut numbers: FxHashMap<[u32; 3], usize> = FxHashMap::default();
     if !context.mesh.facet_flips.is_empty() {
         numbers.try_reserve(triangles.len())?;
@@ -123,7 +122,7 @@ pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Resul
         }
         for (slot, corners) in [(f, [a, c, d]), (g, [b, c, d])] {
             triangles[slot] = corners;
-            // Two were taken out: there is room, but a table may want to move its elements.
+            // Two entries were removed, so there is room, but the table may need to move its elements.
             numbers.try_reserve(1)?;
             numbers.insert(key(corners), slot);
         }
@@ -131,10 +130,10 @@ pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Resul
     Ok(triangles)
 }
 
-/// All facets' edges in pieces, sorted by ends, then facet.
+/// The pieces of all facets' edges, sorted by ends, then facet.
 ///
-/// An edge that is no chain of mesh edges may have been retriangulated away inside a group; where the neighbour's edges on the same
-/// line end elsewhere, the edges split each other, so that equal pieces meet.
+/// An edge that is no chain of mesh edges may have been removed by retriangulation inside a group. If the neighbour's edges on the same
+/// line end elsewhere, the edges split each other, so that equal pieces match.
 pub(super) fn pieces(context: &Context, facets: &[Facet], chains: &Chains) -> Result<Vec<Piece>, Error> {
     let mut edges: Vec<([u32; 2], u32)> = Vec::new();
     for (i, facet) in facets.iter().enumerate() {
@@ -214,7 +213,7 @@ pub(super) fn groups(context: &Context, facets: &[Facet], pieces: &[Piece]) -> R
     Ok(group)
 }
 
-/// The end of a chain of parents, halving the path on the way.
+/// The root of a tree of parents; halves the path on the way.
 fn root(group: &mut [u32], mut i: u32) -> u32 {
     while group[i as usize] != i {
         let up = group[group[i as usize] as usize];
@@ -224,7 +223,7 @@ fn root(group: &mut [u32], mut i: u32) -> u32 {
     i
 }
 
-/// Whether two facets with a common piece of edge belong to one group; `found`: the piece is an edge of the mesh.
+/// Whether two facets with a common piece of an edge belong to one group; `found` says whether the piece is an edge of the mesh.
 fn may_merge(context: &Context, facets: &[Facet], f: u32, g: u32, found: bool) -> bool {
     let (f, g) = (&facets[f as usize], &facets[g as usize]);
     if f.marker != g.marker {

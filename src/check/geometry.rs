@@ -1,8 +1,7 @@
-//! The coordinates that the checks ask: the exact positions (input points, and Steiner points as `a + t (b − a)`), and the doubles
-//! that were handed out for them.
+//! The coordinates for the checks: the exact positions (input points, and Steiner points as `a + t (b − a)`), and the output doubles.
 //!
-//! Both are scaled by one power of two into the range in which all signs are exact. Points without parents (in meshes from
-//! files) are taken where their doubles are.
+//! Both are scaled by one power of two into the range in which all signs are exact. Points without parents (in meshes from files) are taken
+//! to lie at their doubles.
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::output::TetMesh;
 use crate::plc::Plc;
@@ -17,7 +16,8 @@ pub(super) struct Geometry {
 }
 
 impl Geometry {
-    /// Indices and finiteness have been checked. Steiner points must be given for all points beyond the input's, or for none.
+    /// The coordinates of a mesh whose indices and finiteness have been checked. Steiner points must be given for all points beyond the
+    /// input's, or for none.
     pub(super) fn new(plc: &Plc, mesh: &TetMesh) -> Result<Self, Error> {
         let k = predicates::range_scale(&mesh.points).map_err(|i| out_of_range(mesh, i))?;
         let mut rounded = Vec::new();
@@ -37,7 +37,7 @@ impl Geometry {
         Ok(Geometry { exact, rounded, inputs: plc.points.len() })
     }
 
-    /// Whether the double that was handed out is the exact position.
+    /// Whether the output doubles are the exact position.
     pub(super) fn is_exact(&self, v: u32) -> bool {
         (v as usize) < self.inputs
             || self.exact.is_explicit(v) && *self.exact.xyz(v) == self.rounded[v as usize]
@@ -48,12 +48,12 @@ impl Geometry {
         self.exact.xyz(v)
     }
 
-    /// Orientation of the exact positions.
+    /// The orientation of the exact positions.
     pub(super) fn orient3d(&self, [a, b, c, d]: [u32; 4]) -> Sign {
         self.exact.orient3d(a, b, c, d)
     }
 
-    /// Orientation of the doubles handed out.
+    /// The orientation of the output doubles.
     pub(super) fn orient3d_rounded(&self, tet: [u32; 4]) -> Sign {
         let [a, b, c, d] = tet.map(|v| &self.rounded[v as usize]);
         predicates::orient3d(a, b, c, d)
@@ -64,7 +64,7 @@ impl Geometry {
         self.exact.insphere(a, b, c, d, e)
     }
 
-    /// Orientation of a triangle seen along coordinate `axis`; exact positions.
+    /// The orientation of a triangle projected along `axis`; exact positions.
     pub(super) fn orient_in_plane(&self, axis: usize, [a, b, c]: [u32; 3]) -> Sign {
         self.exact.orient_in_plane(axis, a, b, c)
     }
@@ -94,7 +94,7 @@ impl Geometry {
     }
 }
 
-/// The exact parameters of the Steiner points, whose terms must be in order.
+/// The exact parameters of the Steiner points, whose terms must be sorted.
 pub(super) fn parameters(mesh: &TetMesh) -> impl Iterator<Item = Expansion> + '_ {
     let mut next = 0;
     mesh.steiner.iter().enumerate().map(move |(i, s)| {

@@ -1,23 +1,24 @@
-//! The exact checker: is a mesh what was promised for an input?
+//! The exact checker: does a mesh have the guaranteed properties for its input?
 //!
-//! Independent of how the mesh was built: it reads the input and the output and asks exact signs, nothing of the engine. In order:
+//! It is independent of how the mesh was built: it reads only the input and the output, and evaluates exact signs without the engine. In
+//! order:
 //!
-//! 1. array shapes, index ranges, finite coordinates (if this fails, nothing else is asked);
-//! 2. points: the input's first, bit for bit; none lost;
+//! 1. array shapes, index ranges, finite coordinates (if this fails, nothing else is checked);
+//! 2. points: those of the input first, bit for bit; none lost;
 //! 3. orientation: every tetrahedron strictly positive;
-//! 4. topology: faces shared by two tetrahedra at most, on opposite sides; neighbours; regions;
+//! 4. topology: faces shared by at most two tetrahedra, on opposite sides; neighbours; regions;
 //! 5. conformity: segments are chains of edges, facets are tiled exactly by their subfaces, the boundary lies on facets;
 //! 6. on request: every face that is no subface is locally Delaunay;
-//! 7. on request: the surface, or its outer boundary, is the input's triangle by triangle, without any added point on it.
+//! 7. on request: the surface, or its outer boundary, is the input's, triangle by triangle, without any added point on it.
 //!
-//! What follows from these: the mesh's boundary is the input's. What does not: that no two layers of tetrahedra without a
-//! common vertex cover the same space.
+//! It follows that the boundary of the mesh is that of the input. It does not follow that no two layers of tetrahedra without a common
+//! vertex cover the same space.
 //!
-//! Of a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not asked for.
+//! For a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not checked.
 //!
-//! A mesh read from files does not know the parents of its Steiner points and subfaces. Then only doubles are judged: topology,
-//! orientation, points; segments if there are no Steiner points. Of faces that have such points the Delaunay property is only counted
-//! (their rounding may break it), and whether the facets are covered is not judged.
+//! In a mesh read from files the parents of Steiner points and subfaces may be unknown. Then only doubles are checked: topology,
+//! orientation, points; segments if there are no Steiner points. Faces with such points that are not locally Delaunay are only counted
+//! (rounding may cause that), and whether the facets are covered is not judged.
 mod arrays;
 mod audit;
 mod boundary;
@@ -52,11 +53,11 @@ use context::Context;
 use report::Report;
 use std::borrow::Cow;
 
-/// Checks `mesh` against the input it was made from; `constrained_delaunay` asks for the Delaunay property too.
+/// Checks `mesh` against the input it was made from; `constrained_delaunay` requires the Delaunay property too.
 ///
 /// # Errors
 /// [`Status::CheckFailed`](crate::Status::CheckFailed) with all defects, of which at most `max_defects` are listed;
-/// [`Status::CoordinateRange`](crate::Status::CoordinateRange) if exact arithmetic cannot carry the coordinates;
+/// [`Status::CoordinateRange`](crate::Status::CoordinateRange) if exact arithmetic cannot represent the coordinates;
 /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
 pub fn check_mesh(
     plc: &Plc,
@@ -68,8 +69,8 @@ pub fn check_mesh(
 }
 
 /// Checks `mesh` like [`check_mesh`], without the Delaunay property, and that it keeps the surface as
-/// [`Mode::Preserve`](crate::Mode::Preserve) promises: every input triangle is a face (or, if input points lie on it, a union of
-/// faces between these) and no added point lies on a facet or segment.
+/// [`Mode::Preserve`](crate::Mode::Preserve) promises: every input triangle is a face (or, if input points lie on it, a union of faces with
+/// these as corners), and no added point lies on a facet or segment.
 ///
 /// # Errors
 /// As [`check_mesh`].
@@ -78,8 +79,8 @@ pub fn check_preserved(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<
 }
 
 /// Checks `mesh` like [`check_mesh`], without the Delaunay property, and that it keeps the outer boundary as
-/// [`Preserve::Outer`] promises: where the mesh is on one side of a facet only, input triangles are faces
-/// (or, if input points lie on them, unions of faces between these), without any added point.
+/// [`Preserve::Outer`] promises: where the mesh is on only one side of a facet, input triangles are faces (or, if input points lie on them,
+/// unions of faces with these as corners), without any added point.
 ///
 /// # Errors
 /// As [`check_mesh`].
@@ -87,8 +88,8 @@ pub fn check_preserved_outer(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> R
     check(plc, mesh, Wish { constrained_delaunay: false, preserved: Some(Preserve::Outer) }, max_defects)
 }
 
-/// Checks `mesh` for what the mode in which it was made guarantees ([`TetMesh::guarantee`]): as [`check_mesh`] with the
-/// Delaunay property, [`check_preserved`] or [`check_preserved_outer`] does.
+/// Checks `mesh` for the guarantee of the mode in which it was made ([`TetMesh::guarantee`]), like [`check_mesh`] with the Delaunay
+/// property, [`check_preserved`] or [`check_preserved_outer`].
 ///
 /// # Errors
 /// As [`check_mesh`].
@@ -100,14 +101,14 @@ pub fn check_guarantee(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<
     }
 }
 
-/// What is asked beyond validity.
+/// The properties required beyond validity.
 struct Wish {
     constrained_delaunay: bool,
     preserved: Option<Preserve>,
 }
 
 fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<(), Error> {
-    // The input's own numbers are what the check compares by.
+    // The check compares by the input's own indices.
     let whole = match &mesh.dropped {
         Some(_) => Cow::Owned(mesh.with_dropped(&plc.points)?),
         None => Cow::Borrowed(mesh),
@@ -146,7 +147,7 @@ fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<()
     report.finish()
 }
 
-/// Segments and facets, as far as the mesh says where its points and faces come from.
+/// Checks segments and facets, as far as the mesh says where its points and faces come from.
 fn check_conformity(context: &Context, report: &mut Report) -> Result<(), Error> {
     if !context.parents_known {
         report.note(format_args!(

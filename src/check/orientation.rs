@@ -1,7 +1,7 @@
-//! Orientation: every tetrahedron is strictly positive, on the doubles that were handed out and on the exact positions of
-//! the Steiner points behind them. (Both, since conformity and the Delaunay property are those of the exact mesh, and what the
-//! caller computes with are the doubles. Tetrahedra that rounding had to replace are positive in doubles only; those
-//! with points that have no valid position in doubles, where the caller asked for the exact form, in exact positions only.)
+//! Orientation: every tetrahedron is strictly positive, both with the output doubles and with the exact positions of the Steiner points.
+//! (Both, since conformity and the Delaunay property concern the exact mesh, while the caller computes with the doubles. Tetrahedra
+//! replaced by rounding are positive only in doubles. In the exact form, tetrahedra at points without a valid position in doubles are
+//! positive only at exact positions.)
 use super::context::Context;
 use super::report::Report;
 use crate::error::{DefectKind, Element};
@@ -10,7 +10,7 @@ use crate::predicates::Sign;
 /// Reports flat and inverted tetrahedra.
 pub(super) fn check_orientation(context: &Context, report: &mut Report) {
     for (t, &tet) in context.mesh.tets.iter().enumerate() {
-        // Where no vertex was rounded the two are one question.
+        // If no vertex was rounded, both tests are the same.
         let rounded = !context.is_replaced(t as u32) && tet.iter().any(|&v| !context.geometry.is_exact(v));
         let crowded = tet.iter().any(|v| context.mesh.crowded.contains(v));
         let positive = (crowded || context.geometry.orient3d_rounded(tet) == Sign::Positive)

@@ -1,8 +1,8 @@
-//! Input edges that overlap along a line without being equal (T-junctions inside a plane): each is split at the others' ends.
+//! Splits input edges that overlap along a line without being equal (T-junctions inside a plane) at each other's ends.
 use super::context::Context;
 use crate::error::Error;
 
-/// For each edge its corners and the ends of others strictly inside it, in order along it.
+/// For each edge its ends and the ends of other edges strictly inside it, ordered along it.
 ///
 /// Sweep along x over the bounding boxes; these edges are few in a valid mesh.
 pub(super) fn split_at_each_other(

@@ -1,12 +1,11 @@
-//! Points: the input points come first, bit for bit; equal ones are mapped to the first of them; each is a vertex of the mesh
-//! unless it lies outside of it; each Steiner point is one,
-//! and those called exact are where they say.
+//! Points: the input points come first, bit for bit; equal ones are mapped to the first of them; each is a vertex of the mesh unless it
+//! lies outside; each Steiner point is a vertex, and those marked exact are at their exact positions.
 use super::context::Context;
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::predicates::Sign;
 
-/// Reports input points that were moved, mapped wrongly, or lost.
+/// Reports input points that were moved, wrongly mapped or lost.
 pub(super) fn check_points(context: &Context, report: &mut Report) -> Result<(), Error> {
     let (plc, mesh) = (context.plc, context.mesh);
     for (i, (p, q)) in plc.points.iter().zip(&mesh.points).enumerate() {
@@ -33,10 +32,10 @@ pub(super) fn check_points(context: &Context, report: &mut Report) -> Result<(),
     check_unused(context, report)
 }
 
-/// A point that is no vertex must lie outside of every closed tetrahedron.
+/// Checks that a point that is no vertex lies outside every closed tetrahedron.
 ///
-/// The unused points are sorted by x, so each tetrahedron asks only those in its range. The filter by bounding box takes the nearest
-/// doubles: rounding to the nearest keeps the order of numbers, so a point in the tetrahedron is in the box of its rounded corners.
+/// The unused points are sorted by x, so each tetrahedron is tested only against those in its range. The bounding box filter uses the
+/// nearest doubles: rounding to nearest is monotone, so a point in the tetrahedron is in the box of its rounded corners.
 fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
     let near = |v: u32| context.geometry.nearest(v);
     let mut unused: Vec<u32> = Vec::new();

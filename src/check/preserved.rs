@@ -1,13 +1,13 @@
-//! On request: the surface is the input's triangle by triangle, and no added point lies on it.
+//! On request: the surface is the input's, triangle by triangle, and no added point lies on it.
 //!
-//! With the other checks, which see to it that the subfaces tile the facets, that the complex is valid and that segments are
-//! chains of edges, three questions are left: whether all corners of subfaces and ends of subsegments are input points (then no
-//! added point lies on the surface, as it could only be a vertex of these), whether no added point claims an input edge, and
-//! whether every input triangle is a face. A triangle that has input points on it besides its corners cannot be one: there the
-//! tiling by input points is all that is asked, and the same holds for general facets.
+//! The other checks ensure that the subfaces tile the facets, that the complex is valid and that segments are chains of edges. Three
+//! questions remain: whether all corners of subfaces and ends of subsegments are input points (then no added point lies on the surface,
+//! since it could only be a vertex of these), whether no added point claims an input edge, and whether every input triangle is a face. A
+//! triangle with input points on it besides its corners cannot be a face: there only a tiling by input points is required, and the same
+//! holds for general facets.
 //!
-//! Of the outer boundary the same is asked from the other side: every face there has input points for corners, and is a triangle of the
-//! input. As the faces tile the facets, no triangle of the outer boundary can be missing then.
+//! For the outer boundary the converse is checked: every face there has input points as corners and is a triangle of the input. Since the
+//! faces tile the facets, no triangle of the outer boundary can then be missing.
 use super::carved::is_carved;
 use super::context::Context;
 use super::faces::sorted;
@@ -16,7 +16,7 @@ use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::predicates::Sign;
 
-/// Reports added points on the surface, and triangles of the input that are no faces.
+/// Reports added points on the surface, and input triangles that are not faces.
 pub(super) fn check_preserved(context: &Context, report: &mut Report) -> Result<(), Error> {
     check_added_points(context, report);
     let triangles = flipped_triangles(context, report)?;
@@ -42,7 +42,7 @@ pub(super) fn check_preserved(context: &Context, report: &mut Report) -> Result<
     Ok(())
 }
 
-/// Reports added points on the outer boundary, and faces there that are no triangles of the input.
+/// Reports added points on the outer boundary, and faces there that are not input triangles.
 pub(super) fn check_outer(context: &Context, report: &mut Report) -> Result<(), Error> {
     let triangles = flipped_triangles(context, report)?;
     let mut keys: Vec<[u32; 3]> = Vec::new();
@@ -74,7 +74,7 @@ pub(super) fn check_outer(context: &Context, report: &mut Report) -> Result<(), 
     Ok(())
 }
 
-/// Added points that say they lie on an edge of the input, or that pieces of the surface have as corners.
+/// Reports added points that claim to lie on an input edge, or that are corners of pieces of the surface.
 fn check_added_points(context: &Context, report: &mut Report) {
     let inputs = context.plc.points.len();
     for (i, _) in context.mesh.steiner.iter().enumerate().filter(|(_, s)| !s.is_inside()) {
@@ -100,7 +100,7 @@ fn check_added_points(context: &Context, report: &mut Report) {
     }
 }
 
-/// (facet, subface), sorted.
+/// Pairs (facet, subface), sorted.
 fn subfaces_by_facet(context: &Context) -> Result<Vec<(u32, u32)>, Error> {
     let subfaces = &context.subfaces;
     let mut by_facet = Vec::new();

@@ -1,23 +1,23 @@
-//! The audit of what [`Mode::Preserve`](crate::Mode::Preserve) promises: every triangle of the surface is a face of the mesh, every polygon is
-//! covered between its own edges, every segment is an edge.
+//! The audit of the guarantees of [`Mode::Preserve`](crate::Mode::Preserve): every triangle of the surface is a face of the mesh, every
+//! polygon is covered within its own edges, and every segment is an edge.
 //!
-//! What was promised is written down before anything is taken off the surface; what was carved away is no part of it. That listed
-//! pieces of facets are faces of the tetrahedra they name is audited before. So triangles are looked up among these,
-//! sorted: the cost follows the surface, not the mesh.
+//! What is promised is recorded before anything is removed from the surface, without the carved parts. That listed pieces of facets are
+//! faces of the tetrahedra they name has been audited before. So triangles are looked up in a sorted list of these pieces: the cost depends
+//! on the size of the surface, not of the mesh.
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::output::TetMesh;
 
-/// What must be found in the mesh, in the mesh's points.
+/// What must be found in the mesh, in its point indices.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Promise {
     /// Triangles of the surface, and the facet of each.
     pub triangles: Vec<([u32; 3], u32)>,
     /// Edges that bound polygons, and a facet of each.
     pub polygon_edges: Vec<([u32; 2], u32)>,
-    /// Polygons, ascending, and how many triangles cover each: all triangulations without further corners have equally many.
+    /// Polygons, in ascending order, and how many triangles cover each: all triangulations without additional corners have equally many.
     pub polygons: Vec<(u32, u32)>,
-    /// Segments of the input in one piece, and the number of each.
+    /// Input segments in one piece, and the index of each.
     pub segments: Vec<([u32; 2], u32)>,
 }
 
@@ -26,7 +26,7 @@ fn sorted<const N: usize>(mut corners: [u32; N]) -> [u32; N] {
     corners
 }
 
-/// Looks up all that was promised.
+/// Looks up everything promised.
 ///
 /// # Errors
 /// [`Status::CheckFailed`](crate::Status::CheckFailed) with what is missing, of which at most `max_defects` are listed;

@@ -1,18 +1,18 @@
-//! Collects what the checks find: every defect is counted, at most a given number is kept.
+//! Collects defects: all are counted, at most a given number is kept.
 use crate::error::{Defect, DefectKind, Element, Error, KindCounts, Status};
 use crate::fallible;
 use std::fmt;
 
-/// The defects found so far. Invariant: `defects.len() <= limit`, `count` is never less.
+/// The defects found so far. Invariants: `defects.len() <= limit` and `defects.len() <= count`.
 pub(super) struct Report {
     defects: Vec<Defect>,
     limit: usize,
-    /// How many of each kind.
+    /// The number of each kind.
     kinds: KindCounts,
     count: usize,
-    /// What a mesh without parents could not be asked, for the message.
+    /// What could not be checked for a mesh without parents, for the message.
     notes: String,
-    /// Memory ran out for a note.
+    /// The error, if memory ran out for a note.
     short: Option<Error>,
 }
 
@@ -28,7 +28,7 @@ impl Report {
         }
     }
 
-    /// Adds a defect; beyond the limit (or without memory for it) it is only counted.
+    /// Adds a defect; beyond the limit, or without memory for it, the defect is only counted.
     pub(super) fn add(
         &mut self,
         kind: DefectKind,
@@ -55,7 +55,7 @@ impl Report {
         self.count
     }
 
-    /// `Ok` if nothing was found, else all of it as one error.
+    /// `Ok` if nothing was found, otherwise one error with all defects.
     pub(super) fn finish(self) -> Result<(), Error> {
         if let Some(short) = self.short {
             return Err(short);
@@ -64,7 +64,7 @@ impl Report {
             return Ok(());
         }
         let message =
-            format_args!("the mesh fails its check: {}{}", self.kinds.shown(" × "), self.notes).into();
+            format_args!("the mesh failed its check: {}{}", self.kinds.shown(" × "), self.notes).into();
         Err(Error::with_defects(Status::CheckFailed, message, self.defects, self.count))
     }
 }

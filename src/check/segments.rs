@@ -1,14 +1,14 @@
-//! Segments: each input segment is a chain of mesh edges, and the subsegments handed out are exactly the pieces of segments (and of
-//! facet edges) that they claim to be.
+//! Segments: each input segment is a chain of mesh edges, and the listed subsegments are exactly the pieces of segments (and of facet
+//! edges) that they claim to be.
 use super::chains::Chains;
 use super::context::Context;
 use super::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::INVALID;
 
-/// Reports segments that are no union of edges, and wrong subsegments.
+/// Reports segments that are not unions of edges, and wrong subsegments.
 pub(super) fn check_segments(context: &Context, chains: &Chains, report: &mut Report) -> Result<(), Error> {
-    // (smaller end, larger end, segment) of every piece.
+    // The (smaller end, larger end, segment) of every piece.
     let mut pieces: Vec<[u32; 3]> = Vec::new();
     let mut chain = Vec::new();
     for (i, segment) in context.plc.segments.iter().enumerate() {
@@ -28,14 +28,14 @@ pub(super) fn check_segments(context: &Context, chains: &Chains, report: &mut Re
     check_subsegments(context, &pieces, report)
 }
 
-/// A segment of which an end is no vertex of the mesh lies outside (the point check has seen that the end does), where
-/// everything was carved.
+/// Whether a segment may be missing: one with an end that is no vertex of the mesh lies outside (the point check has verified that the end
+/// does), where everything was carved.
 fn excused(context: &Context, a: u32, b: u32) -> bool {
     !context.parents_known || !context.stars.used(a) || !context.stars.used(b)
 }
 
-/// Each subsegment is an edge of the mesh; if it names a segment, it is a piece of that with its marker; and every piece of a
-/// segment is a subsegment of it or of an equal one.
+/// Checks that each subsegment is an edge of the mesh; that a subsegment naming a segment is a piece of it and has its marker; and that
+/// every piece of a segment is a subsegment of it or of an equal one.
 fn check_subsegments(context: &Context, pieces: &[[u32; 3]], report: &mut Report) -> Result<(), Error> {
     let mut given: Vec<[u32; 2]> = Vec::new();
     given.try_reserve_exact(context.subsegments.len())?;

@@ -1,5 +1,5 @@
-//! Subfaces: each is a face of the mesh, listed once, with the marker of its facet and the right tetrahedra on both sides, in the
-//! right order.
+//! Subfaces: each is a face of the mesh, listed once, with the marker of its facet and the correct tetrahedra on both sides, in the correct
+//! order.
 use super::carved::is_carved;
 use super::context::Context;
 use super::faces::{face_corners, sorted};
@@ -8,7 +8,7 @@ use crate::error::{DefectKind, Element, Error};
 use crate::output::{Region, Subface};
 use crate::INVALID;
 
-/// Checks the subfaces; returns per tetrahedron one bit for each face that lies on a facet.
+/// Checks the subfaces; returns for each tetrahedron one bit per face that lies on a facet.
 pub(super) fn check_subfaces(context: &Context, report: &mut Report) -> Result<Vec<u8>, Error> {
     let mut flags = Vec::new();
     flags.try_reserve_exact(context.mesh.tets.len())?;
@@ -49,16 +49,16 @@ fn sides(context: &Context, face: &Subface) -> [u32; 2] {
     let odd = sorted(face.corners).1;
     for e in context.faces.find(face.corners) {
         let (t, f) = (e.handle / 4, e.handle as usize % 4);
-        // Equal parity: the tetrahedron (corners, its fourth vertex) is positive.
+        // If the parities are equal, the tetrahedron (corners, its fourth vertex) is positive.
         let positive = sorted(face_corners(context.mesh.tets[t as usize], f)).1 == odd;
         tets[usize::from(positive)] = t;
     }
     tets
 }
 
-/// Whether the first tetrahedron is not the one that should be: that of the lower region, or of the lower index in one region.
-/// Regions are numbered as their seeds are, those without after them. Files do not tell regions whose seeds have equal
-/// attributes; that is not judged.
+/// Whether the first tetrahedron is the wrong one: it should be the one in the lower region or, within one region, the one with the lower
+/// index. Regions are numbered in the order of their seeds, those without a seed last. Files do not distinguish regions whose seeds have
+/// equal attributes, so their order is not checked.
 fn is_reversed(context: &Context, face: &Subface) -> bool {
     let [s, t] = face.tets;
     if s == INVALID || t == INVALID {
@@ -82,8 +82,8 @@ fn is_reversed(context: &Context, face: &Subface) -> bool {
     order.is_gt()
 }
 
-/// Without parents, the faces known to lie on a facet are those listed, the input triangles that are faces, and (nothing here
-/// contradicts it) the boundary.
+/// Without parents, the faces known to lie on a facet are the listed ones, the input triangles that are faces, and, since nothing
+/// contradicts it here, the boundary.
 fn flag_known_faces(context: &Context, flags: &mut [u8]) {
     for (_, run) in context.faces.runs() {
         if let [only] = run {

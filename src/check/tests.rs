@@ -6,7 +6,7 @@ use crate::plc::{Facet, Plc, Segment};
 use crate::predicates::{orient3d, Sign};
 use crate::INVALID;
 
-/// The mesh of these tetrahedra with everything filled in by brute force; faces that equal a PLC triangle are its subfaces.
+/// The mesh of these tetrahedra, with all other arrays computed by brute force; faces that equal a PLC triangle are its subfaces.
 fn mesh(plc: &Plc, points: Vec<[f64; 3]>, tets: Vec<[u32; 4]>) -> TetMesh {
     let face = |t: usize, i: usize| {
         let mut corners: Vec<u32> = (0..4).filter(|&k| k != i).map(|k| tets[t][k]).collect();
@@ -51,7 +51,7 @@ fn add_subface(plc: &Plc, mesh: &mut TetMesh, corners: [u32; 3], facet: u32) {
     mesh.subfaces.push(ordered(mesh, Subface { corners, facet, marker, tets }));
 }
 
-/// The tetrahedron of the lower region first, then that of the lower index.
+/// First the tetrahedron in the lower region, otherwise the one with the lower index.
 fn ordered(mesh: &TetMesh, face: Subface) -> Subface {
     let rank = |t: u32| (mesh.tet_region.get(t as usize).copied().unwrap_or(0), t);
     let ([a, b, c], [s, t]) = (face.corners, face.tets);
@@ -137,7 +137,7 @@ fn cube(tets: Vec<[u32; 4]>) -> (Plc, TetMesh) {
     (plc, mesh)
 }
 
-/// Two tetrahedra on a common face, which is an inner facet with a marker of its own.
+/// Two tetrahedra on a common face, which is an inner facet with its own marker.
 fn two() -> (Plc, TetMesh) {
     let points = vec![[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0.2, 0.2, 1.], [0.2, 0.2, -1.]];
     let tets = vec![[0, 1, 2, 3], [0, 2, 1, 4]];
@@ -160,7 +160,7 @@ fn valid_meshes_pass() {
     assert_eq!(check(&Plc::default(), &TetMesh::default()), vec![]);
 }
 
-/// Facets may be retriangulated across edges between exactly coplanar ones: six tetrahedra against the surface of five.
+/// Exactly coplanar facets may be retriangulated across their common edges: six tetrahedra against the surface of five.
 #[test]
 fn coplanar_facets_may_be_retriangulated() {
     let (_, mut mesh) = cube(kuhn());
@@ -204,7 +204,7 @@ fn polygons_are_covered() {
     let mut missing = mesh.clone();
     missing.subfaces.pop();
     assert!(check(&plc, &missing).contains(&DefectKind::FacetMissing));
-    // A hole in the facet that the mesh does not have.
+    // A hole in the facet, missing from the mesh.
     let ring = plc.facets[0].polygons[0][..3].to_vec();
     plc.facets[0].polygons.push(ring);
     assert!(check(&plc, &mesh).contains(&DefectKind::FacetMissing));
@@ -305,7 +305,7 @@ fn broken_topology() {
     regions.regions.push(regions.regions[0]);
     regions.tet_region[2] = 1;
     assert_eq!(check(&plc, &regions), vec![DefectKind::NotConforming]);
-    // Subfaces and subsegments that claim what is not so.
+    // Subfaces and subsegments with false claims.
     let changes: [fn(&mut TetMesh); 6] = [
         |m| m.subfaces[0].marker = 3,
         |m| m.subfaces[0].tets.swap(0, 1),
@@ -384,7 +384,7 @@ fn not_delaunay() {
     mesh.subfaces.pop();
     assert_eq!(check(&plc, &mesh), vec![DefectKind::NotDelaunay]);
     assert_eq!(kinds(check_mesh(&plc, &mesh, false, 100)), vec![]);
-    // Where rounding had to replace a tetrahedron that is no defect.
+    // At a tetrahedron replaced by rounding that is no defect.
     mesh.replaced = vec![1];
     assert_eq!(check(&plc, &mesh), vec![]);
     mesh.replaced = vec![1, 2];
@@ -433,7 +433,7 @@ fn steiner_points_are_judged_where_they_are_exactly() {
         assert_eq!(check(&plc, &mesh), vec![], "scale {scale}");
     }
     let (plc, mesh) = split_edge(1.0, 0.3);
-    // Moved, but valid: the exact position is what conforms. Not if it was called exact.
+    // Moved, but valid, since the exact position conforms; not valid if marked exact.
     let mut moved = mesh.clone();
     moved.points[4][0] += 1e-9;
     assert_eq!(check(&plc, &moved), vec![]);
@@ -497,7 +497,7 @@ fn carved_pieces_are_outside() {
     assert!(found.contains(&DefectKind::NotConforming) && found.contains(&DefectKind::SegmentMissing));
 }
 
-/// Every triangle between corners of the cube that is no face: with all corners used, outside is decided by signs alone.
+/// Every triangle between corners of the cube that is no face: since all corners are used, signs alone decide what is outside.
 #[test]
 fn outside_by_signs() {
     // An L of two of the six tetrahedra: 0137 and 0451 7; triangles over the gap are outside, those through tetrahedra are not.
@@ -629,7 +629,7 @@ fn a_kept_surface_passes() {
     for (plc, mesh) in [cone(), cube(kuhn()), cube(five()), two()] {
         assert_eq!(check_kept(&plc, &mesh), vec![]);
     }
-    // An input point on a side: its triangle cannot be a face, but pieces between input points are as good.
+    // An input point on a side: its triangle cannot be a face, but pieces between input points are accepted.
     let (mut plc, mesh) = split_edge(1.0, 0.5);
     let mut points: Vec<[f64; 3]> = [0u32, 1, 2, 4].map(corner).to_vec();
     points.push([0.0, 0.5, 0.5]);
@@ -647,11 +647,11 @@ fn a_surface_that_is_not_kept() {
     let (plc, _) = cube(five());
     let (_, other) = cube(kuhn());
     assert!(check_kept(&plc, &other).contains(&DefectKind::FacetMissing));
-    // A point on the surface that says it lies inside.
+    // A point on the surface that claims to lie inside.
     let (plc, mut mesh) = split_edge(1.0, 0.5);
     mesh.steiner = vec![SteinerPoint::INSIDE];
     assert!(check_kept(&plc, &mesh).contains(&DefectKind::FacetMissing));
-    // A point inside has no parents, no parameter, and lies where its doubles are.
+    // A point inside has no parents and no parameter, and lies at its doubles.
     let (plc, mesh) = cone();
     for change in [
         |s: &mut SteinerPoint| s.exact = false,
@@ -664,8 +664,8 @@ fn a_surface_that_is_not_kept() {
     }
 }
 
-/// Two Steiner points on a segment, their parameters equal but for the last terms, and tetrahedra that took the places of others, with an
-/// edge that passes one of the points by: the pieces of the segment are found in their exact order.
+/// Two Steiner points on a segment, with parameters that differ only in their last terms, and replaced tetrahedra with an edge that skips
+/// one of the points: the pieces of the segment are found in their exact order.
 #[test]
 fn edges_of_replaced_tetrahedra_may_pass_points_of_a_segment_by() {
     let plc = Plc {

@@ -1,5 +1,5 @@
-//! Topology: the tetrahedra form a complex. Each face belongs to at most two, which lie on opposite sides of it; the
-//! neighbours handed out are those; regions change at subfaces only.
+//! Topology: the tetrahedra form a complex. Each face belongs to at most two, which lie on opposite sides of it; the listed neighbours are
+//! these; regions change only at subfaces.
 use super::context::Context;
 use super::faces::{face_corners, sorted, Entry};
 use super::report::Report;
@@ -7,7 +7,7 @@ use crate::error::{DefectKind, Element, Error};
 use crate::output::TetMesh;
 use crate::INVALID;
 
-/// Checks the faces; returns per tetrahedron and face the neighbour as `4 * tet + face`, or `INVALID`.
+/// Checks the faces; returns for each tetrahedron and face the neighbour as `4 * tet + face`, or `INVALID`.
 pub(super) fn check_topology(context: &Context, report: &mut Report) -> Result<Vec<[u32; 4]>, Error> {
     let tets = &context.mesh.tets;
     for (t, tet) in tets.iter().enumerate() {
@@ -34,13 +34,13 @@ pub(super) fn check_topology(context: &Context, report: &mut Report) -> Result<V
     Ok(adjacency)
 }
 
-/// Whether two tetrahedra induce opposite orientations on a common face: for positive ones this is what opposite sides means.
+/// Whether two tetrahedra induce opposite orientations on a common face; positive ones are then on opposite sides.
 fn opposite_sides(tets: &[[u32; 4]], a: &Entry, b: &Entry) -> bool {
     let odd = |e: &Entry| sorted(face_corners(tets[e.handle as usize / 4], e.handle as usize % 4)).1;
     odd(a) != odd(b)
 }
 
-/// `neighbors` may be empty (a mesh from files); else each entry must be right.
+/// `neighbors` may be empty (a mesh from files); otherwise each entry must be correct.
 fn check_neighbors(mesh: &TetMesh, adjacency: &[[u32; 4]], report: &mut Report) {
     for (t, (given, found)) in mesh.neighbors.iter().zip(adjacency).enumerate() {
         let found = found.map(|n| if n == INVALID { INVALID } else { n / 4 });
@@ -50,10 +50,10 @@ fn check_neighbors(mesh: &TetMesh, adjacency: &[[u32; 4]], report: &mut Report) 
     }
 }
 
-/// Tetrahedra on both sides of a face that no subface covers belong to one region.
+/// Checks that tetrahedra on both sides of a face without a subface belong to one region.
 pub(super) fn check_regions(context: &Context, adjacency: &[[u32; 4]], subfaces: &[u8], report: &mut Report) {
     let regions = &context.mesh.tet_region;
-    // Without subfaces one cannot tell where regions may change.
+    // Without subfaces it is unknown where regions may change.
     let unknown = !context.subfaces_known() && context.mesh.subfaces.is_empty();
     if regions.is_empty() || unknown {
         return;

@@ -18,7 +18,7 @@ pub enum Command {
     Mesh(MeshArgs),
     /// Check a mesh exactly against its input.
     Check(CheckArgs),
-    /// Say what is in a surface file, whether it is valid, and where not.
+    /// Show what is in a surface file, whether it is valid, and where it is not.
     Info(InfoArgs),
     /// Convert between surface formats.
     Convert(ConvertArgs),
@@ -30,7 +30,7 @@ pub enum ModeArg {
     Delaunay,
     /// The constrained Delaunay tetrahedralization of the surface.
     Cdt,
-    /// The surface kept as it is: points are added inside only.
+    /// The surface kept as it is: points are added only inside.
     Preserve,
 }
 
@@ -44,10 +44,10 @@ pub enum PreserveArg {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MshVersionArg {
-    /// Of Gmsh 4.
+    /// The version of Gmsh 4.
     #[value(name = "4.1")]
     V41,
-    /// What many solvers read, and some of them only.
+    /// The version that many solvers read; some read no other.
     #[value(name = "2.2")]
     V22,
 }
@@ -65,13 +65,13 @@ pub struct MeshArgs {
     /// With --mode preserve: what is kept
     #[arg(long, value_enum, default_value = "all")]
     pub preserve: PreserveArg,
-    /// Flip the triangles of almost coplanar facets (above DEG degrees) to be Delaunay on the surface first
+    /// First flip the triangles of nearly coplanar facets (meeting at more than DEG degrees) to be Delaunay on the surface
     #[arg(long, value_name = "DEG", num_args = 0..=1, require_equals = true, default_missing_value = "179.9")]
     pub merge_facets: Option<f64>,
     /// Keep the whole convex hull
     #[arg(long)]
     pub keep_hull: bool,
-    /// Leave out points that no tetrahedron has; the others get new numbers, which STEM.parents maps
+    /// Leave out points that belong to no tetrahedron; the others are renumbered, as STEM.parents records
     #[arg(long)]
     pub drop_points: bool,
     /// A point in a hole (may be repeated)
@@ -80,16 +80,16 @@ pub struct MeshArgs {
     /// A point in a region and the attribute of its tetrahedra (may be repeated)
     #[arg(long, value_name = "X,Y,Z,ATTRIBUTE", allow_hyphen_values = true, value_parser = numbers::<4, 5>)]
     pub region: Vec<Numbers>,
-    /// Worker threads, 0 for as many as there are processors; the mesh does not depend on it
+    /// Worker threads, 0 for one per processor; the mesh is the same for any number
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub threads: usize,
     /// With .vtu: compress the arrays
     #[arg(long)]
     pub compress: bool,
-    /// With .vtu: write the pieces of the facets too, as STEM_subfaces.vtu
+    /// With .vtu: also write the pieces of the facets, to STEM_subfaces.vtu
     #[arg(long)]
     pub subfaces: bool,
-    /// Tetrahedra of ten nodes: corners and middles of edges (not in .mesh)
+    /// Write tetrahedra of ten nodes: corners and edge midpoints (not in .mesh)
     #[arg(long)]
     pub second_order: bool,
     /// With .msh: the version of the format
@@ -104,7 +104,7 @@ pub struct MeshArgs {
     /// Write counts and times as JSON
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
-    /// Write the outcome with every defect (or every flip of --merge-facets) as JSON, also on failure
+    /// Write the outcome with every defect (or every flip of --merge-facets) as JSON, even on failure
     #[arg(long, value_name = "FILE.json")]
     pub report: Option<PathBuf>,
 }
@@ -113,13 +113,13 @@ pub struct MeshArgs {
 pub struct CheckArgs {
     /// The mesh: STEM.ele, with STEM.node and STEM.face beside it
     pub mesh: PathBuf,
-    /// The surface that it was made of
+    /// The surface that it was made from
     #[arg(long)]
     pub input: PathBuf,
-    /// Do not require what a mesh promises by its mode (as STEM.parents says): to be constrained Delaunay, or to keep the surface
+    /// Do not require what the mode of the mesh (recorded in STEM.parents) guarantees: constrained Delaunay, or the surface kept
     #[arg(long)]
     pub no_delaunay: bool,
-    /// Require the surface, or its outer boundary, as it was: every triangle a face, no added point on it (implies --no-delaunay)
+    /// Require the surface, or its outer boundary, unchanged: every triangle a face, no added point on it (implies --no-delaunay)
     #[arg(long, value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "all")]
     pub preserved: Option<PreserveArg>,
     /// Write every defect as JSON
@@ -151,7 +151,7 @@ fn region_name(text: &str) -> Result<RegionName, String> {
         Some((Ok(attribute), name)) if attribute.is_finite() && !name.is_empty() => {
             Ok(RegionName { attribute, name: name.to_string() })
         }
-        _ => Err("a number, '=' and a name expected".to_string()),
+        _ => Err("expected a number, '=' and a name".to_string()),
     }
 }
 
@@ -165,6 +165,6 @@ fn numbers<const MIN: usize, const MAX: usize>(text: &str) -> Result<Numbers, St
         Ok(values) if (MIN..=MAX).contains(&values.len()) && values.iter().all(|x| x.is_finite()) => {
             Ok(Numbers(values))
         }
-        _ => Err(format!("{MIN} finite numbers separated by commas expected")),
+        _ => Err(format!("expected {MIN} finite numbers separated by commas")),
     }
 }

@@ -1,14 +1,14 @@
-//! The facets of a mesh's faces, where a file does not tell them: TetGen's `.face` holds markers only.
+//! Finds the facets of a mesh's faces if a file does not record them: TetGen's `.face` has only markers.
 //!
-//! Where there is a `.parents` file, it names them, and only the sides are to be found. Else they are found for meshes without
-//! Steiner points on the surface alone (the checker does not judge facets of others, for it cannot know where such points lie):
-//! there the corners of a face are corners of its facet.
+//! A `.parents` file names them, so only the sides remain to be found. Without it they are found only for meshes without Steiner points on
+//! the surface, where the corners of a face are corners of its facet. (The checker does not judge the facets of other meshes, since it
+//! cannot know where such points lie.)
 use delotet::predicates::{orient3d, Sign};
 use delotet::{Error, Plc, Status, Subface, TetMesh, INVALID};
 use std::collections::HashMap;
 
-/// Sets facet and sides of every subface of a mesh whose added points are all said to lie inside; else, or where that is not
-/// so, drops the subfaces.
+/// Sets facet and sides of every subface of a mesh whose added points are all said to lie inside; drops the subfaces of any other mesh, or
+/// if that turns out to be wrong.
 ///
 /// # Errors
 /// [`Status::Unsupported`] if a face cannot be attributed to one facet.
@@ -42,8 +42,8 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
         let mut candidates = a.iter().filter(|f| b.contains(f) && c.contains(f)).copied();
         let fits = |f: &u32| plc.facet_marker(*f as usize) == face.marker;
         let (first, second) = (candidates.find(fits), candidates.find(fits));
-        // A face that straddles coplanar facets is a corner of none of them three times: any facet in its plane stands for
-        // them, as the checker takes them as one.
+        // No facet has all three corners of a face that straddles coplanar facets: any facet in its plane represents them, since the
+        // checker treats them as one.
         let first = first.or_else(|| {
             a.iter().chain(b).chain(c).copied().find(|f| fits(f) && is_in_plane(plc, *f, face.corners))
         });
@@ -58,7 +58,7 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
     Ok(())
 }
 
-/// Gives every region the seed that has its attribute, if only one has it.
+/// Assigns to every region the seed with its attribute, if there is only one.
 fn attribute_regions(plc: &Plc, mesh: &mut TetMesh) {
     let mut seeds: Vec<(f64, u32)> = plc.regions.iter().map(|seed| seed.attribute + 0.0).zip(0..).collect();
     seeds.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
@@ -72,7 +72,7 @@ fn attribute_regions(plc: &Plc, mesh: &mut TetMesh) {
     }
 }
 
-/// A face from other programs, which may point either way, as ours do: from the lower of regions that differ by attribute only.
+/// Orients a face from another program, which may point either way, like ours: away from the region with the lower attribute.
 fn ordered(face: Subface, attributes: &[f64]) -> Subface {
     let attribute = |t: u32| attributes.get(t as usize).copied().unwrap_or(0.0);
     let ([a, b, c], [s, t]) = (face.corners, face.tets);
@@ -83,7 +83,7 @@ fn ordered(face: Subface, attributes: &[f64]) -> Subface {
     }
 }
 
-/// All corners of a facet lie exactly in the plane of three points.
+/// Whether all corners of a facet lie exactly in the plane of three points.
 fn is_in_plane(plc: &Plc, facet: u32, corners: [u32; 3]) -> bool {
     let [a, b, c] = corners.map(|v| &plc.points[v as usize]);
     let flat = |v: &u32| plc.points.get(*v as usize).is_some_and(|p| orient3d(a, b, c, p) == Sign::Zero);
@@ -93,14 +93,14 @@ fn is_in_plane(plc: &Plc, facet: u32, corners: [u32; 3]) -> bool {
     }
 }
 
-/// For each point the first one equal to it.
+/// For each point the first point equal to it.
 fn aliases(plc: &Plc) -> Vec<u32> {
     let mut first = HashMap::new();
     let key = |p: &[f64; 3]| p.map(|x| (x + 0.0).to_bits());
     plc.points.iter().enumerate().map(|(i, p)| *first.entry(key(p)).or_insert(i as u32)).collect()
 }
 
-/// For each point the facets that it is a corner of, ascending.
+/// For each point the facets that it is a corner of, in ascending order.
 fn facets_at_points(plc: &Plc, alias: &[u32]) -> Vec<Vec<u32>> {
     let mut facets_at = vec![Vec::new(); plc.points.len()];
     let triangles = plc.triangles.iter().map(|t| vec![&t[..]]);
@@ -127,11 +127,11 @@ fn sorted(corners: [u32; 3]) -> ([u32; 3], bool) {
     (sorted, odd)
 }
 
-/// Per face the tetrahedra on the negative and the positive side of its sorted corners.
+/// For each face the tetrahedra on the negative and the positive side of its sorted corners.
 fn sides_of_faces(mesh: &TetMesh) -> Sides {
     let mut sides = Sides::new();
     for (t, &[a, b, c, d]) in (0u32..).zip(&mesh.tets) {
-        // Each face so that it and the opposite vertex are an even permutation of the tetrahedron.
+        // Each face ordered so that it and the opposite vertex form an even permutation of the tetrahedron.
         for face in [[b, d, c], [a, c, d], [a, d, b], [a, b, c]] {
             let (key, odd) = sorted(face);
             sides.entry(key).or_insert([INVALID; 2])[usize::from(!odd)] = t;

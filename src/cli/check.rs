@@ -5,7 +5,7 @@ use super::{paths, report, Failure};
 use delotet::io;
 use delotet::{Defect, DefectKind, Element, Error, Guarantee, Status, SteinerPoint, TetMesh, Warnings};
 
-/// Reads a mesh and its input and checks the one against the other.
+/// Reads a mesh and its input and checks the mesh against the input.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let outcome = check(args);
     report::write_if_asked(args.report.as_deref(), outcome, |()| {
@@ -26,7 +26,7 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
     let input_point_count = mesh.points.len().min(plc.points.len()) as u32;
     let mut mesh = TetMesh { input_point_count, ..mesh };
     if !mesh.steiner.is_empty() && mesh.steiner.len() + plc.points.len() != mesh.points.len() {
-        // The file is of a mesh of another input: all that can be said is said without it.
+        // The file belongs to a mesh of another input: check without it.
         mesh.steiner.clear();
         mesh.steiner_terms.clear();
     }
@@ -37,7 +37,7 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         Guarantee::ConstrainedDelaunay | Guarantee::Delaunay => None,
     });
     if preserved == Some(PreserveArg::All) {
-        // Where added points lie is not in the files; here none may lie on the surface.
+        // The files do not say where added points lie; here none may lie on the surface.
         let added = |v: &u32| *v as usize >= plc.points.len();
         if let Some(&v) = mesh.subfaces.iter().flat_map(|face| &face.corners).find(|v| added(v)) {
             let point = mesh.points.get(v as usize).copied();
@@ -69,7 +69,7 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         args.mesh.display(),
         mesh.points.len(),
         mesh.tets.len(),
-        if judged { "" } else { "; no .parents file of this input: conformity was not judged" }
+        if judged { "" } else { "; no .parents file for this input: conformity was not judged" }
     ));
     page.print()
 }

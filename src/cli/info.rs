@@ -5,7 +5,7 @@ use super::page::Page;
 use super::{paths, report, summary, Failure};
 use delotet::{Options, Warnings};
 
-/// Reads a file, says what is in it, and validates it.
+/// Reads a file, prints what is in it, and validates it.
 pub fn run(args: &InfoArgs) -> Result<(), Failure> {
     let outcome = info(args);
     report::write_if_asked(args.report.as_deref(), outcome, |w| report::of_success(None, w)).map(|_| ())
@@ -19,7 +19,7 @@ fn info(args: &InfoArgs) -> Result<Warnings, Failure> {
     summary::describe_plc(&mut page, &args.input, &plc);
     let mut console = Console::new(false);
     let max_defects = if args.report.is_some() { 10_000_000 } else { 1000 };
-    // Open surfaces are valid: whether the hull is to be kept is not known here.
+    // Open surfaces count as valid, since it is not known here whether the hull will be kept.
     let options = Options { max_defects, keep_hull: true, ..Options::default() };
     let verdict = delotet::plc::check(&plc, &options, &mut console);
     console.finish();
@@ -27,7 +27,7 @@ fn info(args: &InfoArgs) -> Result<Warnings, Failure> {
         report::print_warnings(warnings);
         page.line("valid", "yes");
     }
-    // What is in an invalid file is worth knowing too; what is wrong with it matters more than a full disk.
+    // The contents of an invalid file are printed too; its defects matter more than a full disk.
     let printed = page.print();
     let warnings = verdict?;
     printed.map(|()| warnings)

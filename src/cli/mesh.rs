@@ -9,7 +9,7 @@ use delotet::{Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, Te
 use serde_json::{json, Map, Value};
 use std::time::Instant;
 
-/// Reads, meshes, writes.
+/// Reads the input, meshes it and writes the mesh.
 pub fn run(args: &MeshArgs) -> Result<(), Failure> {
     let mut console = Console::new(args.quiet);
     let outcome = mesh(args, &mut console);
@@ -65,12 +65,12 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         PreserveArg::All => Preserve::All,
         PreserveArg::Outer if mode == Mode::Preserve => Preserve::Outer,
         PreserveArg::Outer => {
-            let message = "--preserve outer goes with --mode preserve";
+            let message = "--preserve outer requires --mode preserve";
             return Err(Error::new(Status::InvalidArgument, message).into());
         }
     };
     if let Some(angle) = args.merge_facets.filter(|a| !(90.0..=180.0).contains(a)) {
-        let message = format!("--merge-facets={angle}: an angle of 90 to 180 degrees expected");
+        let message = format!("--merge-facets={angle}: expected an angle of 90 to 180 degrees");
         return Err(Error::new(Status::InvalidArgument, message).into());
     }
     Ok(Options {
@@ -80,7 +80,7 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         drop_unmeshed_points: args.drop_points,
         merge_facets: args.merge_facets,
         threads: args.threads,
-        // A report is complete; memory is bounded all the same.
+        // A report lists everything, but memory stays bounded.
         max_defects: if args.report.is_some() { 10_000_000 } else { 1000 },
         ..Options::default()
     })
@@ -100,7 +100,7 @@ fn write_options(args: &MeshArgs) -> WriteOptions {
     }
 }
 
-/// Refuses what would fail only after meshing.
+/// Fails early for file names and options that would fail only after meshing.
 fn check_files(args: &MeshArgs, options: &WriteOptions) -> Result<(), Failure> {
     paths::check_input(&args.input)?;
     let mut outputs = paths::of_mesh(&args.output, options.subfaces);
@@ -111,17 +111,17 @@ fn check_files(args: &MeshArgs, options: &WriteOptions) -> Result<(), Failure> {
     paths::check_distinct(&args.input, &outputs)
 }
 
-/// Says which options have no effect with the others.
+/// Warns of options that have no effect together with the others.
 fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
     let format = Format::of(&args.output).unwrap_or(Format::Vtu);
     let name = args.output.extension().unwrap_or_default().to_string_lossy();
     for option in options.unused(format) {
         let text = match (option, format) {
-            (UnusedOption::Compress, _) => "--compress: only .vtu is compressed",
-            (UnusedOption::Subfaces, Format::Vtk) => "--subfaces: only .vtu has a second file for them",
-            (UnusedOption::Subfaces, _) => "--subfaces: the file holds the subfaces in any case",
-            (UnusedOption::MshVersion, _) => "--msh-version: the file is no .msh",
-            (UnusedOption::RegionNames, _) => "--region-name: only .msh and .inp have names for regions",
+            (UnusedOption::Compress, _) => "--compress: only .vtu can be compressed",
+            (UnusedOption::Subfaces, Format::Vtk) => "--subfaces: only .vtu writes them to a second file",
+            (UnusedOption::Subfaces, _) => "--subfaces: the file always contains the subfaces",
+            (UnusedOption::MshVersion, _) => "--msh-version: the file is not .msh",
+            (UnusedOption::RegionNames, _) => "--region-name: only .msh and .inp store names of regions",
         };
         page::tell(format_args!("warning: no effect with .{name}: {text}"));
     }

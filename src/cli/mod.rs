@@ -1,9 +1,8 @@
-//! The command line: arguments in, library calls, exit codes out. Imports the library's public API only.
+//! The command line: arguments in, library calls, exit codes out. Imports only the library's public API.
 //!
-//! Exit codes: 0 done; 1 invalid input (also an INPUT that cannot be read, and a mesh that fails its check); 2 usage (also
-//! an OUTPUT, report or standard output that cannot be written, and a request that is not supported); 3 limit or cancel; 4 internal (also a mesh that
-//! cannot be rounded to doubles). On failure nothing is written but the report;
-//! where only a report or standard output fails, the mesh is there.
+//! Exit codes: 0 done; 1 invalid input (also an INPUT that cannot be read, and a mesh that fails its check); 2 usage (also an OUTPUT,
+//! report or standard output that cannot be written, and an unsupported request); 3 limit or cancel; 4 internal (also a mesh that cannot be
+//! rounded to doubles). On failure only the report is written; if only a report or standard output fails, the mesh has been written.
 use clap::Parser;
 use delotet::{Error, Status};
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -49,7 +48,7 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Says what failed, and gives the exit code.
+/// Prints what failed, and returns the exit code.
 fn exit(outcome: Result<(), Failure>) -> ExitCode {
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -60,7 +59,7 @@ fn exit(outcome: Result<(), Failure>) -> ExitCode {
     }
 }
 
-/// An error and the exit code it means.
+/// An error and its exit code.
 pub struct Failure {
     error: Error,
     code: u8,

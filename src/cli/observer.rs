@@ -15,11 +15,11 @@ pub struct Console {
 const STEPS: u64 = 1000;
 
 impl Console {
-    /// With `quiet`, and where stderr is no terminal, nothing is shown.
+    /// Shows nothing with `quiet`, or if stderr is not a terminal.
     pub fn new(quiet: bool) -> Self {
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = interrupted.clone();
-        // Without a handler Ctrl-C ends the program at once, which is fine as well.
+        // Without a handler Ctrl-C ends the program at once, which is also fine.
         let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
         let target =
             if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(20) };

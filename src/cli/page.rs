@@ -1,4 +1,4 @@
-//! What goes to standard output: collected, and written at once, so that a full disk is noticed.
+//! Standard output, collected and written at once, so that a full disk is noticed.
 use super::Failure;
 use delotet::{Error, Status};
 use std::fmt::Write as _;
@@ -19,7 +19,7 @@ impl Page {
         let _ = writeln!(self.0, "{text}");
     }
 
-    /// Writes all lines. Nobody reading on is no error: `| head` is common.
+    /// Writes all lines. A reader that stops early is no error: `| head` is common.
     pub fn print(&self) -> Result<(), Failure> {
         let mut out = std::io::stdout().lock();
         finish(out.write_all(self.0.as_bytes()).and_then(|()| out.flush()))
@@ -37,7 +37,7 @@ pub fn finish(outcome: std::io::Result<()>) -> Result<(), Failure> {
     }
 }
 
-/// A line on standard error. If that cannot be written there is nobody to tell.
+/// Writes a line to standard error. A failure to do so is ignored: there is nowhere to report it.
 pub fn tell(line: std::fmt::Arguments<'_>) {
     let _ = writeln!(std::io::stderr().lock(), "{line}");
 }

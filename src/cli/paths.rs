@@ -1,22 +1,24 @@
-//! The files that a command names, looked at before any work is done.
+//! The files that a command names, checked before any work is done.
 use super::Failure;
 use delotet::io::Format;
 use delotet::{Error, Status};
 use std::path::{Path, PathBuf};
 
-/// Refuses an input that cannot be one by its name.
+/// Fails if the name rules it out as an input.
 pub fn check_input(path: &Path) -> Result<(), Failure> {
     if path == Path::new("-") {
-        return Err(usage("-: standard input is not read; name a file, whose extension tells the format"));
+        return Err(usage(
+            "-: standard input is not supported; give a file name, whose extension determines the format",
+        ));
     }
     Ok(())
 }
 
-/// Refuses a file to write whose folder is not there, or that is a folder or standard output.
+/// Fails if the folder of an output does not exist, or if the output is a folder or standard output.
 pub fn check_output(path: &Path) -> Result<(), Failure> {
     if path == Path::new("-") {
         return Err(usage(
-            "-: nothing is written to standard output; name a file, whose extension tells the format",
+            "-: standard output is not supported; give a file name, whose extension determines the format",
         ));
     }
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -28,7 +30,7 @@ pub fn check_output(path: &Path) -> Result<(), Failure> {
     Err(Failure::usage(Error::new(Status::File, format!("{}: {what}", path.display()))))
 }
 
-/// Refuses outputs of which one would replace another or the input.
+/// Fails if an output would replace another output or the input.
 pub fn check_distinct(input: &Path, outputs: &[PathBuf]) -> Result<(), Failure> {
     for (i, output) in outputs.iter().enumerate() {
         if is_same(input, output) {
@@ -44,7 +46,7 @@ pub fn check_distinct(input: &Path, outputs: &[PathBuf]) -> Result<(), Failure> 
     Ok(())
 }
 
-/// The files that a mesh is written to.
+/// All files to which a mesh is written.
 pub fn of_mesh(path: &Path, subfaces: bool) -> Vec<PathBuf> {
     match Format::of(path) {
         Ok(Format::Ele) => {
@@ -56,7 +58,7 @@ pub fn of_mesh(path: &Path, subfaces: bool) -> Vec<PathBuf> {
     }
 }
 
-/// Whether two names are of one file; devices are never in each other's way.
+/// Whether two names denote the same file; devices never do.
 fn is_same(a: &Path, b: &Path) -> bool {
     let device = |p: &Path| p.metadata().is_ok_and(|m| !m.is_file() && !m.is_dir());
     let full =

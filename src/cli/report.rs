@@ -1,4 +1,4 @@
-//! Errors for people (stderr) and for programs (JSON).
+//! Errors for users (stderr) and for programs (JSON).
 use super::page::tell;
 use super::Failure;
 use delotet::{Defect, Element, Error, Status, TetMesh, Warning, WarningKind, Warnings};
@@ -6,7 +6,7 @@ use serde_json::{json, Value};
 use std::io::Write;
 use std::path::Path;
 
-/// How many defects stderr shows.
+/// How many defects are shown on stderr.
 const SHOWN: usize = 10;
 
 /// Prints an error: its message, then some of its defects.
@@ -14,8 +14,11 @@ pub fn print(error: &Error) {
     let mut err = std::io::stderr().lock();
     let _ = writeln!(err, "error: {}", error.message);
     if let (Status::OutOfMemory, Some(limit)) = (error.status, delotet::ffi::memory::limit()) {
-        let _ =
-            writeln!(err, "  this process may have {} MB of address space (ulimit -v)", limit / 1_000_000);
+        let _ = writeln!(
+            err,
+            "  this process is limited to {} MB of address space (ulimit -v)",
+            limit / 1_000_000
+        );
     }
     for defect in error.defects.iter().take(SHOWN) {
         let _ = writeln!(err, "  {defect}");
@@ -26,10 +29,10 @@ pub fn print(error: &Error) {
     }
 }
 
-/// How many warnings of a kind stderr shows beside the one that its line names.
+/// How many warnings of a kind are shown on stderr besides the one that its line names.
 const SHOWN_WARNINGS: usize = 5;
 
-/// Prints warnings: a line per kind, then some of them where there are several.
+/// Prints warnings: a line per kind, followed by some of them if there are several.
 pub fn print_warnings(warnings: &Warnings) {
     let mut err = std::io::stderr().lock();
     for kind in WarningKind::ALL {
@@ -45,7 +48,7 @@ pub fn print_warnings(warnings: &Warnings) {
     }
 }
 
-/// How many warnings of each kind there are.
+/// The number of warnings of each kind.
 pub fn warning_counts(warnings: &Warnings) -> Value {
     let counted = WarningKind::ALL.into_iter().map(|kind| (kind, warnings.count(kind)));
     counted.filter(|x| x.1 > 0).map(|(kind, count)| (kind.name().to_string(), json!(count))).collect()
@@ -116,8 +119,8 @@ pub fn write(path: &Path, value: &Value) -> Result<(), Error> {
     delotet::io::write_text(path, &text)
 }
 
-/// Writes the report of an outcome where one is asked for. A report that cannot be written is the failure of a run that has
-/// no other, and else a line on stderr: the outcome itself matters more.
+/// Writes the report of an outcome if one is requested. If the report cannot be written, a successful run fails; a failed one only prints a
+/// line on stderr, since its own error matters more.
 pub fn write_if_asked<T>(
     path: Option<&Path>,
     outcome: Result<T, Failure>,

@@ -1,10 +1,10 @@
-//! What the program says when all went well.
+//! What the program prints on success.
 use super::page::Page;
 use delotet::{Phase, Plc, TetMesh};
 use std::collections::HashMap;
 use std::path::Path;
 
-/// What became of a mesh.
+/// Prints the counts and properties of a mesh.
 pub fn describe_mesh(page: &mut Page, output: &Path, mesh: &TetMesh, total: f64) {
     let s = &mesh.statistics;
     let duplicates = match s.duplicate_points {
@@ -45,7 +45,7 @@ pub fn describe_mesh(page: &mut Page, output: &Path, mesh: &TetMesh, total: f64)
     }
     page.line("time", times(&s.seconds, total));
     if let Some(peak) = delotet::ffi::memory::peak_resident() {
-        page.line("memory", format_args!("{} MB at most", grouped(peak.div_ceil(1_000_000))));
+        page.line("memory", format_args!("{} MB at peak", grouped(peak.div_ceil(1_000_000))));
     }
     page.line("written", output.display());
 }
@@ -54,8 +54,8 @@ pub fn describe_mesh(page: &mut Page, output: &Path, mesh: &TetMesh, total: f64)
 fn steiner(mesh: &TetMesh) -> String {
     let inside = mesh.steiner.iter().filter(|point| point.is_inside()).count();
     match (mesh.steiner.len() - inside, inside) {
-        (0, 0) => "none: the boundary is the input's as it is".to_string(),
-        (0, n) => format!("{} inside; the boundary is the input's as it is", grouped(n as u64)),
+        (0, 0) => "none: the boundary is exactly the input's".to_string(),
+        (0, n) => format!("{} inside; the boundary is exactly the input's", grouped(n as u64)),
         (n, inside) => {
             let exact = grouped(mesh.statistics.steiner_exact);
             let more = match inside {
@@ -96,7 +96,7 @@ fn times(seconds: &[f64; Phase::COUNT], total: f64) -> String {
     }
 }
 
-/// A number with a thin gap between groups of three digits.
+/// A number with a separator between groups of three digits.
 fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
@@ -109,7 +109,7 @@ fn grouped(number: u64) -> String {
     text
 }
 
-/// What is in a PLC.
+/// Prints what is in a PLC.
 pub fn describe_plc(page: &mut Page, input: &Path, plc: &Plc) {
     page.line("file", input.display());
     page.line("points", grouped(plc.points.len() as u64));

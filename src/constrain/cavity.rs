@@ -1,26 +1,26 @@
 //! The cavity of a region: the tetrahedra that it crosses (Si & Gärtner 2011, section 6).
 //!
-//! A region is a set of coplanar triangles whose boundary edges are edges of the mesh. Two facts keep the search combinatorial: a
-//! tetrahedron's section with the plane then lies wholly inside or outside the region; and what the region crosses is connected through
-//! faces with vertices on both sides of the plane.
+//! A region is a set of coplanar triangles whose boundary edges are edges of the mesh. Two facts keep the search combinatorial: the section
+//! of a tetrahedron with the plane then lies entirely inside or outside the region; and the tetrahedra that the region crosses are
+//! connected through faces with vertices on both sides of the plane.
 use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::mesh::star::{EdgeRing, StarSearch};
 use crate::mesh::{flag, NONE};
 use crate::predicates::{Points, Sign};
 
-/// What the search came to.
+/// The result of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opening {
-    /// The tetrahedra are found, and marked.
+    /// The tetrahedra were found and marked.
     Found,
     /// No tetrahedron crosses the region.
     Nothing,
-    /// A subface or the hull is in the way: this face. Nothing is marked.
+    /// This face, a subface or on the hull, blocks the search. Nothing is marked.
     Blocked([u32; 3]),
 }
 
-/// Searches; keeps its scratch space.
+/// The search, with its scratch space.
 #[derive(Default)]
 pub struct RegionCavity {
     /// The tetrahedra found.
@@ -33,14 +33,14 @@ pub struct RegionCavity {
 }
 
 impl RegionCavity {
-    /// Takes a region: all its triangles turn the same way.
+    /// Sets the region, whose triangles must all be oriented alike.
     pub fn begin(&mut self, points: &Points, region: &[[u32; 3]]) -> Result<(), Error> {
         let missing = points.len().saturating_sub(self.sides.len());
         self.sides.try_reserve(missing)?;
         self.sides.resize(self.sides.len() + missing, (0, Sign::Zero));
         self.stamp += 1;
         self.plane = region[0];
-        // Coplanar by construction: no arithmetic.
+        // Coplanar by construction, so no arithmetic is needed.
         for &v in region.iter().flatten() {
             self.sides[v as usize] = (self.stamp, Sign::Zero);
         }
@@ -113,8 +113,8 @@ impl RegionCavity {
                     continue;
                 }
                 let Some(t) = self.search.find_edge(&mut delaunay.mesh, a, b, start) else { continue };
-                // Seen along a → b the region lies at angle 0; the positive tetrahedron (a, b, x, y) turns from x to y, and passes
-                // angle 0 exactly if x is below the plane and y above.
+                // Looking along a → b, the region lies at angle 0; the positive tetrahedron (a, b, x, y) spans the angles from x to y, and
+                // contains angle 0 exactly if x is below the plane and y above.
                 let mesh = &delaunay.mesh;
                 for (t, _, _, k, l) in EdgeRing::new(mesh, t, a, b) {
                     let v = mesh.verts[t as usize];

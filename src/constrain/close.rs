@@ -1,23 +1,23 @@
-//! Where to split a subsegment beside a vertex that is extremely near to it: parameters of more bits than a double has.
+//! Where to split a subsegment next to a vertex extremely close to it: parameters with more bits than a double has.
 //!
-//! Let a vertex be at distance h from a piece of length L. Split at the same radius round a common vertex, or at the foot of
-//! the perpendicular, the piece and the vertex's own segment stop splitting each other; but only if the position is right up
-//! to a part of (h/L)² of L: a diametric sphere recedes from its segment by that much. Off by more, both go on splitting each
-//! other down to pieces of length h, and there may be 2⁵³ of these. So the position is computed to this precision, which
-//! for segments an ulp apart is twice that of a double. Any position strictly inside gives a valid mesh: only the number
-//! of Steiner points is at stake, and lengths that choose the precision are approximate.
+//! Let a vertex be at distance h from a piece of length L. If the piece is split at the same radius around a common vertex, or at the foot
+//! of the perpendicular, then it and the vertex's own segment stop splitting each other; but only if the position is accurate to (h/L)² L,
+//! which is how far a diametric sphere recedes from its segment. With a larger error, both keep splitting each other down to pieces of
+//! length h, of which there may be 2⁵³. So the position is computed to this precision, which for segments an ulp apart is twice that of a
+//! double. Any position strictly inside gives a valid mesh: only the number of Steiner points is at stake, so the lengths that determine
+//! the precision are approximate.
 use crate::elementary::{exponent, power_of_two};
 use crate::predicates::{Expansion, Points, Sign};
 use crate::vector::{cross, dot, sub};
 
-/// Bits beyond (h/L)²: copies of copies of a radius have to agree.
+/// Bits beyond (h/L)², since copies of copies of a radius have to agree.
 const SPARE_BITS: i32 = 20;
-/// Most corrections of the first approximation, of about 50 bits each.
+/// Limit on the corrections of the first approximation, of about 50 bits each.
 const MOST_STEPS: usize = 20;
 /// The finest grid of parameters.
 const FINEST: i32 = -780;
 
-/// What is known about the piece and the vertex beside it.
+/// The piece and the vertex next to it.
 pub struct Beside {
     /// The ends of the segment.
     pub ends: [u32; 2],
@@ -29,7 +29,7 @@ pub struct Beside {
     pub shared: Option<usize>,
 }
 
-/// Distance of the vertex from the segment's line, as a part of the segment's length.
+/// Distance of the vertex from the segment's line, as a fraction of the segment's length.
 pub fn relative_distance(points: &Points, ends: [u32; 2], p: u32) -> f64 {
     let [a, b, p_near] = [ends[0], ends[1], p].map(|v| points.xyz(v));
     let (d, w) = (sub(b, a), sub(p_near, a));
@@ -37,14 +37,14 @@ pub fn relative_distance(points: &Points, ends: [u32; 2], p: u32) -> f64 {
     dot(&normal, &normal).sqrt() / dot(&d, &d)
 }
 
-/// As [`relative_distance`], from exact coordinates.
+/// Like [`relative_distance`], from exact coordinates.
 fn exact_relative_distance(d: &Vector, w: &Vector) -> f64 {
     let normal = std::array::from_fn::<f64, 3, _>(|k| {
         let (u, v) = ((k + 1) % 3, (k + 2) % 3);
         w[u].product(&d[v]).difference(&w[v].product(&d[u])).compressed().approximate()
     });
     let length = scalar_product(d, d).approximate();
-    // Twice a root, not the root of a square: squares may underflow.
+    // Scaled by the largest component, since squares may underflow.
     let largest = normal.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     if largest == 0.0 {
         return 0.0;
@@ -80,7 +80,7 @@ impl Beside {
         self.is_inside(&t).then_some(t)
     }
 
-    /// The middle of the piece, in not too many bits.
+    /// The midpoint of the piece, with a limited number of bits.
     pub fn middle(&self) -> Option<Expansion> {
         let span = self.t[1].difference(&self.t[0]).approximate();
         let quantum = power_of_two((exponent(span) - 30).max(FINEST));
@@ -93,7 +93,7 @@ impl Beside {
     }
 }
 
-/// The nearest multiple of `quantum`, a power of two, or one beside it.
+/// The nearest multiple of `quantum`, a power of two, or an adjacent one.
 fn rounded(x: &Expansion, quantum: f64) -> Expansion {
     let multiples = x.components().iter().map(|&x| Expansion::from((x / quantum).round() * quantum));
     multiples.fold(Expansion::zero(), |sum, x| sum.sum(&x)).compressed()

@@ -1,12 +1,12 @@
-//! Facet recovery (D1 → D2): Si & Gärtner 2011, section 6, by connected missing regions.
+//! Facet recovery (D1 → D2) by connected missing regions: Si & Gärtner 2011, section 6.
 //!
-//! When all segments are edges, the constrained Delaunay tetrahedralization exists (Shewchuk 1998), and so it does after each
-//! facet. A connected set of missing subfaces is crossed by tetrahedra that form a cavity; the region cuts the cavity in
-//! two halves, each is filled on its own ([`fill`](super::fill)), no point is added. Tetrahedra that do not cross the region
-//! stay: adding a constraint only hides vertices.
+//! When all segments are edges, the constrained Delaunay tetrahedralization exists (Shewchuk 1998), and still does after each facet. The
+//! tetrahedra that cross a connected set of missing subfaces form a cavity; the region cuts the cavity into two halves, each of which is
+//! filled on its own ([`fill`](super::fill)) without adding points. Tetrahedra that do not cross the region stay, since adding a constraint
+//! only hides vertices.
 //!
-//! An edge in the plane that is in the mesh is in the patch's triangulation too, because both break ties the same way. Hence
-//! regions are the sets of missing subfaces joined by missing edges, and their boundaries are edges of the mesh.
+//! A mesh edge in the plane is also in the patch's triangulation, because both break ties the same way. Hence regions are sets of missing
+//! subfaces connected through missing edges, and their boundaries are edges of the mesh.
 use super::cavity::{Opening, RegionCavity};
 use super::fill::{Filler, Half};
 use super::subface::Subfaces;
@@ -31,7 +31,7 @@ pub struct FacetRecovery<'a> {
     cavity: RegionCavity,
     filler: Filler,
     refill: Refill,
-    /// Missing regions filled.
+    /// Number of missing regions filled.
     pub regions: u64,
 }
 
@@ -86,7 +86,7 @@ impl<'a> FacetRecovery<'a> {
         Ok(())
     }
 
-    /// Flags the faces of the mesh that are subfaces. One pass over the mesh: nearly all subfaces are there.
+    /// Flags the faces of the mesh that are subfaces, in one pass over the mesh, since nearly all subfaces are present.
     fn mark_present(&mut self) -> Result<(), Error> {
         let keys = self.subfaces.verts.iter().zip(0..).map(|(&v, s)| {
             let [a, b, c] = face_key(v);
@@ -100,7 +100,7 @@ impl<'a> FacetRecovery<'a> {
                 continue;
             }
             for f in 0..4u32 {
-                // Each face once, from the tetrahedron with the smaller number; from the inside on the hull.
+                // Visit each face once, from the tetrahedron with the smaller index; on the hull, from inside.
                 let other = mesh.across(4 * t + f);
                 let seen = other < 4 * t && !mesh.is_ghost(other >> 2);
                 if seen {
@@ -116,7 +116,7 @@ impl<'a> FacetRecovery<'a> {
         Ok(())
     }
 
-    /// The missing subfaces, those of small regions first: a cavity that is filled early is not dug up again.
+    /// The missing subfaces, those of small regions first: a cavity filled early is not opened again.
     fn missing_by_region_size(&mut self) -> Result<Vec<u32>, Error> {
         let mut sized: Vec<(u32, u32, u32)> = Vec::new();
         let mut region = Vec::new();
@@ -137,7 +137,7 @@ impl<'a> FacetRecovery<'a> {
         Ok(fallible::collect(sized.into_iter().map(|x| x.2))?)
     }
 
-    /// Flags the subface in the mesh if it is a face there.
+    /// Flags the subface in the mesh if it is a face; returns whether it is.
     fn mark_if_present(&mut self, s: u32) -> bool {
         let corners = self.subfaces.verts[s as usize];
         let start = self.delaunay.vertex_tet[corners[0] as usize];
@@ -150,7 +150,7 @@ impl<'a> FacetRecovery<'a> {
         found.is_some()
     }
 
-    /// The missing subfaces connected to `s` through edges that the mesh lacks.
+    /// Collects the missing subfaces connected to `s` through edges missing from the mesh.
     fn collect_region(&mut self, s: u32, region: &mut Vec<u32>) -> Result<(), Error> {
         let FacetRecovery { delaunay, search, subfaces, recovered, in_region, .. } = self;
         subfaces.collect_region(s, recovered, in_region, region, |[a, b]| {
@@ -191,13 +191,13 @@ impl<'a> FacetRecovery<'a> {
         }
     }
 
-    /// The boundaries of the cavity's halves above and below the plane, faces turned to the inside.
+    /// The boundaries of the cavity's halves above and below the plane, with faces oriented towards the inside.
     fn halves(&mut self, region: &[[u32; 3]]) -> Result<[Half; 2], Error> {
         let mut upper = Half::default();
         let mut lower = Half::default();
         for i in 0..self.cavity.tets.len() {
             let t = self.cavity.tets[i];
-            // From the tetrahedra, not from the faces: a vertex may have its whole star in the cavity.
+            // Vertices come from the tetrahedra, not from the faces: the whole star of a vertex may be in the cavity.
             upper.vertices.try_reserve(4)?;
             lower.vertices.try_reserve(4)?;
             for v in self.delaunay.mesh.verts[t as usize] {
@@ -232,7 +232,7 @@ impl<'a> FacetRecovery<'a> {
         upper.faces.try_reserve(region.len())?;
         lower.faces.try_reserve(region.len())?;
         for &[a, b, c] in region {
-            // All subfaces of a patch turn the same way.
+            // All subfaces of a patch are oriented alike.
             upper.faces.push([a, c, b]);
             lower.faces.push([a, b, c]);
         }

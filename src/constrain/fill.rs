@@ -1,8 +1,8 @@
 //! Filling one half of a cavity with its constrained Delaunay tetrahedralization.
 //!
-//! First the Delaunay tetrahedralization of the half's vertices, under the same perturbation: if it has all boundary faces, the
-//! tetrahedra inside are the answer (Si & Gärtner 2011, section 6). Their lemma 8 does not cover a boundary face whose
-//! circumspheres contain a vertex of the half that a facet hides; then constrained gift wrapping decides by visibility.
+//! First the Delaunay tetrahedralization of the half's vertices, under the same perturbation: if it has all boundary faces, the tetrahedra
+//! inside are the result (Si & Gärtner 2011, section 6). Their lemma 8 does not cover a boundary face whose circumspheres contain a vertex
+//! of the half that a facet hides; constrained gift wrapping then decides by visibility.
 use super::face_key;
 use super::gift_wrap::gift_wrap;
 use crate::delaunay::Delaunay;
@@ -14,10 +14,10 @@ use rustc_hash::FxHashMap;
 /// The boundary of a polyhedron to fill.
 #[derive(Clone, Debug, Default)]
 pub struct Half {
-    /// Triangles `(x, y, z)` such that `(p, x, y, z)` is positive for `p` inside. A triangle with the inside on both sides is
-    /// listed twice, once each way.
+    /// Triangles `(x, y, z)` such that `(p, x, y, z)` is positive for `p` inside. A triangle with the inside on both sides is listed twice,
+    /// once per orientation.
     pub faces: Vec<[u32; 3]>,
-    /// All vertices, also those inside that no face has. Repetitions are allowed.
+    /// All vertices, including inner ones on no face. Repetitions are allowed.
     pub vertices: Vec<u32>,
 }
 
@@ -29,7 +29,7 @@ pub struct Filler {
     face_codes: FxHashMap<[u32; 3], u32>,
     inner: Vec<u32>,
     inside: Vec<u32>,
-    /// How many halves needed gift wrapping.
+    /// Number of halves that needed gift wrapping.
     pub wrapped: u64,
 }
 
@@ -54,7 +54,7 @@ impl Filler {
         gift_wrap(points, &half, tets)
     }
 
-    /// Fills by the Delaunay tetrahedralization of the vertices; false (and nothing appended) if it lacks a boundary face.
+    /// Fills by the Delaunay tetrahedralization of the vertices; returns false and appends nothing if a boundary face is missing from it.
     fn fill_by_delaunay(
         &mut self,
         points: &Points,
@@ -102,7 +102,7 @@ impl Filler {
                 }
             }
         }
-        // The far side of a boundary face is inside only if the face is listed both ways.
+        // The far side of a boundary face is inside only if the face is listed in both orientations.
         self.inner.sort_unstable();
         for &code in &self.inner {
             let other = mesh.across(code);
@@ -117,7 +117,7 @@ impl Filler {
         Ok(true)
     }
 
-    /// Fills `inner` with the corner codes of the half's faces as seen from inside, as far as they exist.
+    /// Sets `inner` to the corner codes of the half's faces as seen from inside, as far as they exist.
     fn find_faces(&mut self, half: &Half) -> Result<(), Error> {
         self.face_codes.clear();
         self.inner.clear();

@@ -1,10 +1,10 @@
 //! Constrained gift wrapping (Shewchuk 1998, Diazzi et al. 2023, section 5) of a polyhedron whose constrained Delaunay
 //! tetrahedralization exists.
 //!
-//! The apex of an open face is the first vertex, in the order in which a sphere through the face that grows to the inside
-//! meets them, whose tetrahedron crosses nothing of the boundary. Any earlier vertex of a free tetrahedron would be visible
-//! from the face and inside the circumsphere of the true one, so the first is the true one; ties are broken by the one
-//! perturbation. The result therefore fits whatever else was made under it.
+//! The apex of an open face is the first vertex, in the order in which a sphere through the face growing inwards meets them, whose
+//! tetrahedron does not cross the boundary. Any earlier vertex with a free tetrahedron would be visible from the face and inside the
+//! circumsphere of the correct one, so the first is the correct one; ties are broken by the global perturbation. The result is therefore
+//! consistent with everything else made under it.
 use super::face_key;
 use super::fill::Half;
 use super::overlap::overlaps;
@@ -19,7 +19,7 @@ struct Obstacle {
     high: [f64; 3],
 }
 
-/// Appends the tetrahedra of `half` to `tets`.
+/// Appends the tetrahedra of `half` to `tets`. Fails if an invariant does or memory runs out.
 pub fn gift_wrap(points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Result<(), Error> {
     let vertices = &half.vertices;
     let obstacles = obstacles(points, half)?;
@@ -32,7 +32,7 @@ pub fn gift_wrap(points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Resu
         stack.push(face);
     }
     let mut candidates = Vec::new();
-    // Each tetrahedron takes at least one of finitely many (face, side) pairs; more than this is a failed invariant.
+    // Each tetrahedron uses up at least one of finitely many (face, side) pairs; more than this is a failed invariant.
     let limit = 64 * (vertices.len() + 16) * (vertices.len() + 16);
     let mut made = 0;
     while let Some(face) = stack.pop() {
@@ -45,7 +45,7 @@ pub fn gift_wrap(points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Resu
         tets.push([apex, x, y, z]);
         made += 1;
         if made > limit {
-            return Err(Error::internal("gift wrapping did not end"));
+            return Err(Error::internal("gift wrapping did not terminate"));
         }
         // The other faces: each closes an open side, or opens the far one.
         for inner in [[apex, z, y], [apex, x, z], [apex, y, x]] {
@@ -61,7 +61,7 @@ pub fn gift_wrap(points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Resu
     Ok(())
 }
 
-/// Removes an open side of a face, if it is open.
+/// Removes an open side of a face; returns whether it was open.
 fn close(open: &mut FxHashMap<[u32; 3], Vec<[u32; 3]>>, face: [u32; 3]) -> bool {
     let Some(sides) = open.get_mut(&face_key(face)) else { return false };
     let same = |other: &[u32; 3]| (0..3).any(|k| other[0] == face[k] && other[1] == face[(k + 1) % 3]);
@@ -131,7 +131,7 @@ fn find_apex(
     Err(Error::internal("gift wrapping found no apex for a face"))
 }
 
-/// No boundary triangle meets the interior of the tetrahedron.
+/// Whether no boundary triangle meets the interior of the tetrahedron.
 fn is_free(points: &Points, tet: [u32; 4], obstacles: &[Obstacle]) -> bool {
     let (low, high) = bounds(points, &tet);
     obstacles.iter().all(|o| {

@@ -1,4 +1,4 @@
-//! Does a triangle meet the interior of a tetrahedron? Exactly, with all contacts.
+//! An exact test whether a triangle meets the interior of a tetrahedron, for every kind of contact.
 //!
 //! Two convex sets, one of them solid, have disjoint interiors exactly if one of finitely many planes separates them weakly:
 //! those of the faces, and those spanned by an edge of each (the facets of the Minkowski difference). Contacts in
@@ -7,7 +7,7 @@ use crate::mesh::tables::{EDGE, FACE};
 use crate::predicates::{Expansion, Points, Sign};
 use crate::vector;
 
-/// The open tetrahedron (positive) and the closed triangle have a common point.
+/// Whether the open tetrahedron (positive) and the closed triangle have a common point.
 pub fn overlaps(points: &Points, tet: [u32; 4], triangle: [u32; 3]) -> bool {
     for face in FACE {
         let [x, y, z] = face.map(|k| tet[k as usize]);
@@ -23,7 +23,7 @@ pub fn overlaps(points: &Points, tet: [u32; 4], triangle: [u32; 3]) -> bool {
     !separated_by_edges(points, tet, triangle)
 }
 
-/// A plane along an edge of each separates the two.
+/// Whether a plane along an edge of each separates the two.
 fn separated_by_edges(points: &Points, tet: [u32; 4], triangle: [u32; 3]) -> bool {
     let rounded = Rounded::new(points, tet, triangle);
     let mut exact: Option<([Vector; 4], [Vector; 3])> = None;
@@ -54,7 +54,7 @@ fn separated_by_edges(points: &Points, tet: [u32; 4], triangle: [u32; 3]) -> boo
     false
 }
 
-/// Weakly on different sides.
+/// Whether the two are weakly on different sides.
 fn apart(of_tet: [Sign; 2], of_triangle: [Sign; 2]) -> bool {
     [Sign::Positive, Sign::Negative]
         .into_iter()
@@ -65,10 +65,10 @@ fn apart(of_tet: [Sign; 2], of_triangle: [Sign; 2]) -> bool {
 struct Rounded {
     ids: [u32; 7],
     corners: [[f64; 3]; 7],
-    /// Bound of the error of a determinant of three differences of corners. What is within it goes to exact signs.
+    /// Bound on the error of a determinant of three differences of corners. Values within it are left to exact signs.
     ///
-    /// With differences up to M, off by up to e, each of six monomials is off by at most 3 e (M + e)², and 8 roundings take
-    /// part in the value (as counted in `predicates::filter`): 18 e (M + e)² + 6 · 9 u (M + e)³.
+    /// With differences up to M, off by up to e, each of six monomials is off by at most 3 e (M + e)², and 8 roundings contribute to the
+    /// value (as counted in `predicates::filter`): 18 e (M + e)² + 6 · 9 u (M + e)³.
     bound: f64,
 }
 
@@ -83,14 +83,14 @@ impl Rounded {
                 .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p[k]), high.max(p[k])));
             widest.max(high - low)
         });
-        // Nearest doubles: two corners are off by half a unit each.
+        // With nearest doubles, two corners are off by half a unit each.
         let error = if ids.iter().all(|&v| points.is_explicit(v)) { 0.0 } else { largest * f64::EPSILON };
         let size = widest + error;
         let bound = (18.0 * error + 28.0 * f64::EPSILON * size) * size * size + f64::MIN_POSITIVE;
         Rounded { ids, corners, bound }
     }
 
-    /// Whether the plane along edge `i j` of the tetrahedron and `r s` of the triangle separates them, if that can be told.
+    /// Whether the plane along edge `i j` of the tetrahedron and `r s` of the triangle separates them; `None` if rounding does not tell.
     fn separated(&self, [i, j, k, l]: [usize; 4], [r, s, u]: [usize; 3]) -> Option<bool> {
         let [r, s, u] = [r, s, u].map(|x| x + 4);
         let from = |x: usize, y: usize| vector::sub(&self.corners[y], &self.corners[x]);
@@ -123,7 +123,7 @@ impl Rounded {
         let all = |signs: [Option<Sign>; 2]| Some([signs[0]?, signs[1]?]);
         let (of_tet, of_triangle) = (all(of_tet)?, all(of_triangle)?);
         let flat = of_tet.iter().chain(&of_triangle).all(|&x| x == Sign::Zero);
-        // All zero: the edges may be parallel, then there is no plane.
+        // If all are zero, the edges may be parallel, and then there is no plane.
         (!flat).then(|| apart(of_tet, of_triangle))
     }
 }

@@ -1,8 +1,7 @@
-//! Where to split a missing subsegment: after the rules of Si & Gärtner 2011, section 5, with shared radii.
+//! Where to split a missing subsegment: the rules of Si & Gärtner 2011, section 5, with shared radii.
 //!
 //! Any parameter strictly inside the subsegment gives a valid mesh; only the number of Steiner points is at stake. So
-//! lengths and angles are approximate here, and the parameter is rounded to bits that make the point an exact double
-//! where that is possible (engine notes §4).
+//! lengths and angles are approximate here, and the parameter is rounded to so few bits that the point is an exact double where possible.
 use crate::elementary::{exponent, power_of_two};
 use crate::predicates::Points;
 
@@ -17,15 +16,15 @@ pub struct Subsegment {
     pub t: [f64; 2],
 }
 
-/// Distance of the point nearest to the reference point from the ends of a subsegment at least, as a part of its length.
+/// Least distance of the point nearest to the reference point from the ends of a subsegment, as a fraction of its length.
 ///
-/// Where it is nearer the middle is taken, and that is a new height at which neighbours have to be split as well; a piece that is
-/// too short is split again and again. On the public models 0.05 to 0.14 take about equally many points, 0.2 takes 8 % more.
+/// If it is nearer, the midpoint is used, which is a new height at which neighbours have to be split as well; a piece that is too short is
+/// split again and again. On the public models values from 0.05 to 0.14 need about the same number of points, 0.2 needs 8 % more.
 const NEAR: f64 = 0.1;
-/// The same for the sphere round a common vertex.
+/// The same for the sphere around a common vertex.
 ///
-/// Equal radii must stay equal: a fan or a strip of slivers is crossed by one row of Steiner points then, where each that is put in
-/// the middle instead begins a row of its own. With 0.2 the public models take 12 % more points when facets are merged.
+/// Equal radii must stay equal: then one row of Steiner points crosses a fan or a strip of slivers, whereas each point put at a midpoint
+/// instead begins a row of its own. With 0.2 the public models need 12 % more points when facets are merged.
 const NEAR_SHARED: f64 = 1e-4;
 
 /// Length of the vector from `a` to `b`.
@@ -34,21 +33,21 @@ pub fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
 }
 
-/// What is known of the segment that is split.
+/// The context of the segment to be split.
 pub struct Context {
     /// The input ends.
     pub ends: [u32; 2],
-    /// The ends are acute vertices (two segments meet there at less than 90°); asked for where the piece is very short.
+    /// Whether the ends are acute vertices (two segments meet there at less than 90°); needed only for very short pieces.
     pub acute: [bool; 2],
     /// The end that this segment has in common with the reference point's own segment.
     pub shared: Option<usize>,
 }
 
-/// Pieces shorter than this part of their segment are split on concentric shells, which always ends.
+/// Pieces shorter than this fraction of their segment are split on concentric shells, which always terminates.
 const DEEP: f64 = 1.0 / (1u64 << 20) as f64;
 
 impl Subsegment {
-    /// It is so short that it is split on concentric shells.
+    /// Whether it is so short that it is split on concentric shells.
     pub fn is_deep(&self) -> bool {
         self.t[1] - self.t[0] < DEEP
     }
@@ -56,11 +55,11 @@ impl Subsegment {
 
 /// The parameter at which to split `sub`, seen from reference vertex `reference`.
 ///
-/// In this order: the sphere round a common input vertex of the two segments, so that all segments of a fan are split at equal
-/// radii and stop splitting each other; the point of the segment nearest to the reference point, which leaves that outside
-/// the diametric balls of both halves; the middle. The paper's spheres round the piece's ends leave a quarter to a
-/// half more points on our models. Very short pieces fall back to its idea of protecting spheres: at acute ends the radius is a power
-/// of two (Ruppert 1995, concentric shells), elsewhere the middle.
+/// In order of preference: the sphere around a common input vertex of the two segments, so that all segments of a fan are split at equal
+/// radii and stop splitting each other; the point of the segment nearest to the reference point, which leaves the latter outside the
+/// diametric balls of both halves; the midpoint. The paper's spheres around the piece's ends give a quarter to a half more points on our
+/// models. Very short pieces fall back on its protecting spheres: at acute ends the radius is a power of two (Ruppert 1995, concentric
+/// shells), elsewhere the midpoint is used.
 pub fn choose(points: &Points, sub: &Subsegment, context: &Context, reference: Option<u32>) -> f64 {
     let [t0, t1] = sub.t;
     let (a, b) = (points.xyz(context.ends[0]), points.xyz(context.ends[1]));
@@ -92,14 +91,14 @@ pub fn choose(points: &Points, sub: &Subsegment, context: &Context, reference: O
     }
 }
 
-/// Bits below a piece's size to which parameters are rounded. Fans of segments at angles of 10⁻³ need radii that agree to
-/// 10⁻⁶, or they go on splitting each other.
+/// Bits below a piece's size to which parameters are rounded. Fans of segments at angles of 10⁻³ need radii that agree to 10⁻⁶, or they
+/// keep splitting each other.
 const EXACT_BITS: i32 = 20;
-/// The same where the point is no double anyway.
+/// The same if the point is no double anyway.
 const IMPLICIT_BITS: u32 = 36;
 
-/// Rounds `t` within `(t0, t1)`: to `exact_bits` fractional bits if that grid is fine enough here (the point is then a
-/// double), else to more. None if there is no room left between the ends.
+/// Rounds `t` within `(t0, t1)`: to `exact_bits` fractional bits if that grid is fine enough here (the point is then a double), otherwise
+/// to more. `None` if there is no room between the ends.
 pub fn round_parameter(t: f64, t0: f64, t1: f64, exact_bits: u32) -> Option<f64> {
     let span = t1 - t0;
     let grid = |bits: u32| {

@@ -1,15 +1,14 @@
 //! Diagonals of polygons that are planar only up to rounding.
 //!
-//! Hardly any two triangles of such a polygon are exactly coplanar, so each diagonal would be a segment, and one that the Delaunay
-//! tetrahedralization lacks would take Steiner points, which make others go missing. But the diagonals are our own: any
-//! triangulation of the polygon will do. So segments of the input come first. Then each polygon, with the Steiner points on its
-//! edges for corners, is made Delaunay in its plane (Lawson 1977) and given all edges that the mesh has between its corners (Sloan
-//! 1993). If no edge is missing then, the polygon needs no point inside: its triangles are faces, or missing regions of one
-//! triangle each, which facet recovery fills. A polygon with an edge missing still, since something pierces it, has to keep the diagonals
-//! it had, as segments.
+//! Hardly any two triangles of such a polygon are exactly coplanar, so each diagonal would be a segment, and one missing from the Delaunay
+//! tetrahedralization would need Steiner points, which make others go missing. But the diagonals are free: any triangulation of the polygon
+//! is valid. So segments of the input are recovered first. Then each polygon, with the Steiner points on its edges as corners, is made
+//! Delaunay in its plane (Lawson 1977) and gets all edges that the mesh has between its corners (Sloan 1993). If no edge is then missing,
+//! the polygon needs no point inside: its triangles are faces, or missing regions of one triangle each, which facet recovery fills. A
+//! polygon that still has a missing edge, because something pierces it, keeps its previous diagonals as segments.
 //!
-//! Nothing here can make a mesh invalid. Triangles that are faces of one tetrahedralization do not cross each other; where a
-//! polygon lies so near to something else that its new triangles cross it, facet recovery says so, and the caller keeps the old.
+//! Nothing here can make a mesh invalid. Triangles that are faces of one tetrahedralization do not cross each other; if a polygon lies so
+//! close to another element that its new triangles cross it, facet recovery reports that, and the caller keeps the old ones.
 use super::edge_key;
 use super::segment::Segments;
 use super::subface::{Subfaces, Triangles};
@@ -28,30 +27,30 @@ pub struct Polygons<'a> {
     pub corners: &'a [[u32; 3]],
     /// Input facet of each.
     pub facet: &'a [u32],
-    /// Per segment whether it is a diagonal that may go.
+    /// For each segment whether it is a diagonal that may be removed.
     pub soft: &'a [bool],
 }
 
-/// Triangles in the place of those of some facets.
+/// Triangles that replace those of some facets.
 #[derive(Clone, Debug, Default)]
 pub struct Retriangulated {
-    /// Those facets, ascending.
+    /// The facets, in ascending order.
     pub facets: Vec<u32>,
-    /// Corners, Steiner points among them.
+    /// Corners, including Steiner points.
     pub corners: Vec<[u32; 3]>,
     /// Facet of each.
     pub facet: Vec<u32>,
 }
 
 impl Retriangulated {
-    /// Whether a facet has other triangles than the surface's.
+    /// Whether a facet has triangles other than the surface's.
     pub fn has(&self, facet: u32) -> bool {
         self.facets.binary_search(&facet).is_ok()
     }
 }
 
-/// Triangulates the `wanted` facets (ascending) by edges of the mesh, as far as that is possible; also returns the facets where it is
-/// not. All segments that are not soft must be unions of edges, and `delaunay.vertex_tet` up to date.
+/// Triangulates the `wanted` facets (ascending) with edges of the mesh where possible; also returns the facets where it is not. All
+/// segments that are not soft must be unions of edges, and `delaunay.vertex_tet` up to date.
 ///
 /// # Errors
 /// `OutOfMemory`, `Internal`.
@@ -129,7 +128,8 @@ pub fn retriangulate(
     Ok((done, left))
 }
 
-/// An axis along which all triangles turn the same way: of those the one that shows them largest, as far as doubles tell.
+/// The axis along which all triangles have the same orientation and their projections are largest, as far as doubles tell; `None` if there
+/// is none.
 fn common_axis(points: &Points, triangles: impl Iterator<Item = [u32; 3]> + Clone) -> Option<u8> {
     let mut normal = [0.0; 3];
     for corners in triangles.clone() {
@@ -149,13 +149,13 @@ fn common_axis(points: &Points, triangles: impl Iterator<Item = [u32; 3]> + Clon
     })
 }
 
-/// Polygons at work.
+/// The working state for polygons.
 struct Work<'a> {
     delaunay: &'a mut Delaunay,
     points: &'a Points,
     subfaces: Subfaces,
     search: StarSearch,
-    /// A triangle at each corner of the polygon at hand. Looked up only, never iterated.
+    /// A triangle at each corner of the current polygon. Only looked up, never iterated.
     triangle_of: FxHashMap<u32, u32>,
 }
 
@@ -195,8 +195,8 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Gives a polygon all edges that the mesh has between its corners, except where these cross each other; true if no other
-    /// edges are left.
+    /// Gives a polygon all edges that the mesh has between its corners, except where these cross each other; returns true if no other edges
+    /// remain.
     fn conform(&mut self, own: &[u32]) -> Result<bool, Error> {
         self.triangle_of.clear();
         own.iter().try_for_each(|&t| self.note_corners(t))?;
@@ -217,7 +217,7 @@ impl Work<'_> {
             if missing.is_empty() {
                 return Ok(true);
             }
-            // An edge of the mesh that crosses missing edges only begins at a corner opposite one of these.
+            // A mesh edge that crosses only missing edges begins at a corner opposite one of these.
             let mut apexes: Vec<u32> = Vec::new();
             apexes.try_reserve(missing.len())?;
             let apex = |&code: &u32| self.subfaces.verts[code as usize / 3][code as usize % 3];
@@ -238,7 +238,7 @@ impl Work<'_> {
         Ok(false)
     }
 
-    /// The vertices joined with `v` in the mesh, ascending.
+    /// The vertices joined to `v` in the mesh, in ascending order.
     fn neighbors(&mut self, v: u32, around: &mut Vec<u32>) -> Result<(), Error> {
         around.clear();
         let start = self.delaunay.vertex_tet[v as usize];
@@ -254,7 +254,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Turns the edges that cross `pq` until it is there, if the mesh has none of them; true if it is there then and was not before.
+    /// Flips the edges that cross `pq` until it exists, if the mesh has none of them; returns true if that created it.
     fn insert_edge(&mut self, [p, q]: [u32; 2]) -> Result<bool, Error> {
         let mut crossing: VecDeque<[u32; 2]> = VecDeque::new();
         self.walk([p, q], |_, ends| {
@@ -295,8 +295,8 @@ impl Work<'_> {
         Ok(true)
     }
 
-    /// Calls `visit` with the edges that cross `pq`, as codes and ends, in their order from `p`, until it says that it has seen enough.
-    /// Nothing if `pq` does not lie in the polygon, or passes through a corner.
+    /// Calls `visit` with the edges that cross `pq`, as codes and ends, in their order from `p`, until it asks to stop. Does nothing if
+    /// `pq` does not lie in the polygon or passes through a corner.
     fn walk(
         &self,
         [p, q]: [u32; 2],
@@ -322,10 +322,10 @@ impl Work<'_> {
         }
     }
 
-    /// The edge opposite `p` that `pq` crosses first.
+    /// The edge opposite `p` that `pq` crosses first, if any.
     fn entry(&self, [p, q]: [u32; 2]) -> Option<u32> {
         let &first = self.triangle_of.get(&p)?;
-        // Round `p` one way, then the other if that ends at an edge of the polygon.
+        // Around `p` one way, then the other way if that ends at an edge of the polygon.
         for turn in [1, 2] {
             let mut t = first;
             loop {
@@ -347,7 +347,7 @@ impl Work<'_> {
         None
     }
 
-    /// Takes note that a triangle has its corners.
+    /// Records a triangle at each of its corners.
     fn note_corners(&mut self, t: u32) -> Result<(), Error> {
         self.triangle_of.try_reserve(3).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
         self.triangle_of.extend(self.subfaces.verts[t as usize].map(|v| (v, t)));

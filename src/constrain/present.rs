@@ -1,8 +1,8 @@
-//! Which pieces of segments are edges of the mesh: found and flagged there.
+//! Finds the pieces of segments that are edges of the mesh, and flags them there.
 //!
-//! At the start by one pass over all tetrahedra, which looks up each edge among the pieces at its smaller end: vertices are numbered along
-//! a curve, so what is looked up lies close together. Later, when flips of the surface have changed a few segments, by the star of
-//! a vertex.
+//! At the start this takes one pass over all tetrahedra, which looks up each edge among the pieces at its smaller end: vertices are
+//! numbered along a curve, so lookups stay local. Later, when flips of the surface have changed a few segments, the star of a vertex is
+//! searched.
 use super::edge_key;
 use super::segment::Recovery;
 use crate::delaunay::Delaunay;
@@ -13,10 +13,10 @@ use crate::mesh::tables::{EDGE, EDGE_OF};
 use crate::mesh::{flag, GHOST};
 
 impl Recovery<'_> {
-    /// Flags the edges of the mesh that are pieces, and tells which pieces are.
+    /// Flags the mesh edges that are pieces, and returns for each piece whether it is an edge.
     ///
-    /// One pass over the mesh: most surfaces have more segments than a tenth of the tetrahedra, and where a piece is an edge is
-    /// found in constant time only from there.
+    /// Takes one pass over the mesh: most surfaces have more segments than a tenth of the number of tetrahedra, and only this finds each
+    /// piece in constant time.
     pub(super) fn mark_present(&mut self) -> Result<Vec<bool>, Error> {
         let pieces = self.segments.pieces.iter().zip(0..).map(|(piece, i)| {
             let [a, b] = edge_key(piece.ends[0], piece.ends[1]);
@@ -45,7 +45,7 @@ impl Recovery<'_> {
         Ok(present)
     }
 
-    /// Flags an edge in the mesh, if it is there.
+    /// Flags an edge in the mesh, if it exists; returns whether it does.
     pub(super) fn mark_edge(&mut self, [a, b]: [u32; 2]) -> Result<bool, Error> {
         let Delaunay { mesh, vertex_tet, .. } = &mut *self.delaunay;
         let Some(t) = self.search.find_edge(mesh, a, b, vertex_tet[a as usize]) else { return Ok(false) };

@@ -1,12 +1,12 @@
 //! Segment recovery (D0 → D1): Si & Gärtner 2011, section 5.
 //!
-//! While a subsegment is not an edge, a Steiner point is put on it and inserted by Bowyer–Watson. Flags in the
-//! tetrahedra tell which present subsegments an insertion destroys, so only those are tested again.
+//! As long as a subsegment is not an edge, a Steiner point is added on it and inserted by Bowyer–Watson. Flags in the tetrahedra tell which
+//! existing subsegments an insertion destroys, so only those are tested again.
 //!
-//! Missing pieces are taken longest first: a long piece that is split early often spares short ones beside it. On the hard
-//! models among ours this takes 10 to 40 % fewer points than first come, first served, and shortest first takes most.
+//! Missing pieces are processed longest first: splitting a long piece early often saves short ones next to it. On our hard models this
+//! takes 10 to 40 % fewer points than first come, first served; shortest first takes the most.
 //!
-//! Invariant: every live subsegment is flagged round its edge in the mesh, or waits in the queue.
+//! Invariant: every live subsegment is flagged around its edge in the mesh, or is in the queue.
 use super::close::{relative_distance, Beside};
 use super::placement::{choose, distance, round_parameter, Context, Subsegment};
 use super::{crossing, edge_key};
@@ -20,17 +20,17 @@ use rustc_hash::FxHashMap;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-/// Parameters tried on each side of the chosen one for a point near a double, and their distance in units of the piece.
+/// Number of parameters tried on each side of the chosen one for a point near a double, and their spacing relative to the piece.
 const KIND_TRIES: i32 = 4;
 const KIND_STEP: f64 = 1.0 / (1u64 << 30) as f64;
 /// The same on segments where rounding failed.
 const CAREFUL_TRIES: i32 = 256;
 const CAREFUL_STEP: f64 = 1.0 / (1u64 << 24) as f64;
-/// The same where it failed again, round one of these parts of the piece.
+/// The same where it failed again, around one of these fractions of the piece.
 const FAR_STEP: f64 = 1.0 / (1u64 << 11) as f64;
 const FAR_CENTERS: [f64; 4] = [0.5, 0.8, 0.2, 0.65];
 
-/// Parameters are precise to this part of their piece.
+/// Parameters are precise to this fraction of their piece.
 const USUAL_PRECISION: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// The subsegments of all segments.
@@ -46,24 +46,24 @@ pub struct Segments {
     pub steiner_segment: Vec<u32>,
     /// Parameter of each Steiner point, or the double nearest to it.
     pub steiner_t: Vec<f64>,
-    /// Parameters that are no doubles, by index of the Steiner point.
+    /// Parameters that one double cannot hold, by index of the Steiner point.
     pub fine: FxHashMap<u32, Expansion>,
     /// Id of the first Steiner point.
     pub first_steiner: u32,
     /// Segments that were not edges at the start.
     pub missing: u64,
-    /// How often rounding to doubles failed on each segment: its points are chosen with more care.
+    /// How often rounding to doubles failed on each segment: its points are then chosen with more care.
     pub careful: Vec<u8>,
-    /// Segments that are not to be split (none if empty).
+    /// Which segments must not be split (none if empty).
     pub deferred: Vec<bool>,
-    /// Deferred segments that were missing at some time.
+    /// Deferred segments found missing at some time.
     pub waiting: Vec<u32>,
-    /// Vertices at which two segments meet at less than 90°, once asked for.
+    /// Vertices at which two segments meet at less than 90°, computed on demand.
     acute: Vec<bool>,
-    /// Pieces that may be missing; none if any may.
+    /// Pieces that may be missing; `None` if all may be.
     doubtful: Option<Vec<u32>>,
     exact_bits: Vec<u8>,
-    /// All pairs of ends, sorted, once asked for.
+    /// All pairs of ends, sorted; computed on demand.
     sorted: Vec<[u32; 2]>,
 }
 
@@ -118,7 +118,7 @@ impl Segments {
         Ok(self.sorted.binary_search(&edge_key(a, b)).is_ok())
     }
 
-    /// Parameters of the neighbours of a Steiner point on its segment.
+    /// The parameters of a Steiner point's neighbours on its segment.
     pub fn neighbors_on_segment(&self, v: u32) -> Option<[f64; 2]> {
         let index = v.checked_sub(self.first_steiner)? as usize;
         let (segment, t) = (*self.steiner_segment.get(index)?, self.steiner_t[index]);
@@ -133,7 +133,7 @@ impl Segments {
         Some(room)
     }
 
-    /// Takes note that a Steiner point moved along its segment, between its neighbours.
+    /// Records that a Steiner point moved along its segment, between its neighbours.
     pub fn move_steiner(&mut self, v: u32, t: f64) {
         let index = (v - self.first_steiner) as usize;
         let segment = self.steiner_segment[index];
@@ -147,11 +147,11 @@ impl Segments {
         }
     }
 
-    /// The same Steiner points on other segments: those with points are among the new ones, the others may have gone. All but the
-    /// deferred ones must be recovered.
+    /// Moves the Steiner points to a new set of segments, which must include all segments with points; the others may be missing. All but
+    /// the deferred ones must be recovered.
     ///
     /// # Errors
-    /// `Internal` if a segment with points has gone; `OutOfMemory`.
+    /// `Internal` if a segment with points is missing; `OutOfMemory`.
     pub fn exchange(mut self, points: &Points, ends: Vec<[u32; 2]>) -> Result<Self, Error> {
         let mut new = Segments::new(points, ends)?;
         new.first_steiner = self.first_steiner;
@@ -159,7 +159,7 @@ impl Segments {
         for &segment in &self.steiner_segment {
             let [a, b] = self.ends[segment as usize];
             let heir = new.piece_of.get(&edge_key(a, b)).copied();
-            let heir = heir.ok_or_else(|| Error::internal("a segment with Steiner points has gone"))?;
+            let heir = heir.ok_or_else(|| Error::internal("a segment with Steiner points is missing"))?;
             new.steiner_segment.try_reserve(1)?;
             new.steiner_segment.push(heir);
         }
@@ -179,7 +179,7 @@ impl Segments {
         Ok(new)
     }
 
-    /// Segments that are given up: they have no points, and no pieces any more.
+    /// Gives up segments: they have no points and no longer have pieces.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -218,7 +218,7 @@ impl Segments {
         Ok(())
     }
 
-    /// Puts a Steiner point on a piece: the piece becomes its first half, the second is appended.
+    /// Adds a Steiner point on a piece: the piece becomes its first half, the second half is appended.
     pub fn add_steiner(&mut self, piece: u32, v: u32, t: f64) -> Result<(), Error> {
         let sub = self.pieces[piece as usize];
         let second = self.pieces.len() as u32;
@@ -248,7 +248,7 @@ impl Segments {
     }
 }
 
-/// Vertices at which two segments meet at less than 90°. Of seven directions two always do, so seven are enough.
+/// Vertices at which two segments meet at less than 90°. Among seven directions two always do, so seven are enough.
 fn acute_vertices(points: &Points, ends: &[[u32; 2]]) -> Result<Vec<bool>, Error> {
     let mut incident: Vec<[u32; 2]> = Vec::new();
     incident.try_reserve(2 * ends.len())?;
@@ -271,7 +271,7 @@ fn acute_vertices(points: &Points, ends: &[[u32; 2]]) -> Result<Vec<bool>, Error
     Ok(acute)
 }
 
-/// What one recovery works on.
+/// The state of a recovery.
 pub struct Recovery<'a> {
     /// The triangulation.
     pub delaunay: &'a mut Delaunay,
@@ -279,11 +279,11 @@ pub struct Recovery<'a> {
     pub points: &'a mut Points,
     /// The segments.
     pub segments: &'a mut Segments,
-    /// Most Steiner points allowed.
+    /// Limit on Steiner points.
     pub limit: Option<u64>,
-    /// Recovery ends early where it is certain that it takes as many Steiner points as this.
+    /// Recovery ends early once it is certain to take at least this many Steiner points.
     pub enough: Option<u64>,
-    /// Missing pieces by length (the bits of a non-negative double are in its order), then by number.
+    /// Missing pieces by length (the bits of non-negative doubles sort like their values), then by index.
     queue: BinaryHeap<(u64, Reverse<u32>)>,
     /// Scratch space of [`present`](super::present).
     pub(super) search: StarSearch,
@@ -310,7 +310,7 @@ impl<'a> Recovery<'a> {
         }
     }
 
-    /// Makes every segment a union of edges. `tick` gets the numbers of pieces done and known. False if it ended early.
+    /// Makes every segment a union of edges. `tick` receives the numbers of pieces done and known. Returns false if it ended early.
     pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<bool, Error> {
         if let Some(doubtful) = self.segments.doubtful.take() {
             for piece in doubtful {
@@ -328,7 +328,7 @@ impl<'a> Recovery<'a> {
         self.segments.missing = self.segments.missing.max(missing);
         let mut steps = 0usize;
         loop {
-            // A missing piece stays missing until it is split, so each takes a point of its own at least.
+            // A missing piece stays missing until it is split, so each takes at least one point.
             let certain = self.segments.steiner_t.len() + self.queue.len();
             if self.enough.is_some_and(|enough| certain as u64 >= enough) {
                 return Ok(false);
@@ -338,12 +338,12 @@ impl<'a> Recovery<'a> {
             if steps % 1024 == 0 {
                 tick(steps, steps + self.queue.len())?;
             }
-            // An edge that is missing once stays so: whatever sphere through its ends is chosen, some vertex spoils it.
+            // A missing edge stays missing: every sphere through its ends contains some vertex.
             self.split(piece)?;
         }
     }
 
-    /// Puts a missing piece in its place in the queue.
+    /// Inserts a missing piece into the queue.
     fn enqueue(&mut self, piece: u32) -> Result<(), Error> {
         let Subsegment { segment, ends: [a, b], .. } = self.segments.pieces[piece as usize];
         if self.segments.deferred.get(segment as usize) == Some(&true) {
@@ -357,7 +357,7 @@ impl<'a> Recovery<'a> {
         Ok(())
     }
 
-    /// Splits a missing piece in two by a Steiner point.
+    /// Splits a missing piece in two with a Steiner point.
     fn split(&mut self, piece: u32) -> Result<(), Error> {
         let sub = self.segments.pieces[piece as usize];
         if self.limit.is_some_and(|limit| self.segments.steiner_t.len() as u64 >= limit) {
@@ -391,7 +391,7 @@ impl<'a> Recovery<'a> {
         self.register(piece, sub, p, t)
     }
 
-    /// A parameter in one double, where that has enough bits; else the middle.
+    /// A parameter in one double if that has enough bits, otherwise the midpoint.
     fn usual_parameter(
         &mut self,
         sub: &Subsegment,
@@ -412,8 +412,7 @@ impl<'a> Recovery<'a> {
         })
     }
 
-    /// The parameter that matches a reference point so near to the piece that a double is too coarse (see
-    /// [`close`](super::close)).
+    /// The parameter that matches a reference point so close to the piece that a double is too coarse (see [`close`](super::close)).
     fn close_parameter(
         &mut self,
         sub: &Subsegment,
@@ -441,9 +440,9 @@ impl<'a> Recovery<'a> {
         Beside { ends: context.ends, t, reference, shared }
     }
 
-    /// Of parameters that differ by less than matters, the one whose point is nearest to a double: that spares the rounding
-    /// step most of its work. On segments where rounding failed the search goes further, at last to either end of the
-    /// piece: which position is best for rounding depends on planes that are a fraction of a unit apart.
+    /// Among parameters that differ by a negligible amount, the one whose point is nearest to a double: this saves most of the work of
+    /// rounding. On segments where rounding failed the search goes further, finally to both ends of the piece: the best position for
+    /// rounding depends on planes a fraction of a unit apart.
     fn kindest_parameter(&self, sub: &Subsegment, t: f64) -> f64 {
         let careful = self.segments.careful.get(sub.segment as usize).copied().unwrap_or(0);
         let span = sub.t[1] - sub.t[0];
@@ -472,7 +471,7 @@ impl<'a> Recovery<'a> {
         best.1
     }
 
-    /// Replaces the split piece by its halves and queues what the insertion left missing.
+    /// Replaces the split piece by its halves and queues the pieces that the insertion destroyed.
     fn register(&mut self, piece: u32, sub: Subsegment, p: u32, t: f64) -> Result<(), Error> {
         let segments = &mut *self.segments;
         segments.piece_of.remove(&edge_key(sub.ends[0], sub.ends[1]));
@@ -496,7 +495,7 @@ impl<'a> Recovery<'a> {
         Ok(())
     }
 
-    /// Flags the edge from the vertex just inserted (slot 0 of all new tetrahedra) to `end`, if there is one.
+    /// Flags the edge from the vertex just inserted (slot 0 of all new tetrahedra) to `end`; returns whether there is one.
     fn mark_in_fresh(&mut self, end: u32) -> bool {
         let mesh = &mut self.delaunay.mesh;
         let mut present = false;
@@ -509,7 +508,7 @@ impl<'a> Recovery<'a> {
         present
     }
 
-    /// The segment's ends, their acuteness where that matters, and which end it shares with the segment of the reference point.
+    /// The segment's ends, whether they are acute if that matters, and which end it shares with the segment of the reference point.
     fn context(&mut self, sub: &Subsegment, reference: Option<u32>) -> Result<Context, Error> {
         let ends = self.segments.ends[sub.segment as usize];
         let mut acute = [false; 2];
@@ -527,8 +526,8 @@ impl<'a> Recovery<'a> {
         Ok(Context { ends, acute, shared })
     }
 
-    /// The vertex that sees the piece under the largest angle among those met on a walk from its first end to its second,
-    /// and the tetrahedron nearest to it. The walk is approximate: it only chooses a point.
+    /// The vertex that sees the piece under the largest angle among those met on a walk from its first end to its second, and the
+    /// tetrahedron nearest to it. The walk may be approximate, since it only chooses a point.
     fn find_reference(&self, sub: &Subsegment) -> (Option<u32>, u32) {
         let mesh = &self.delaunay.mesh;
         let (a, b) = (self.points.xyz(sub.ends[0]), self.points.xyz(sub.ends[1]));
@@ -541,7 +540,7 @@ impl<'a> Recovery<'a> {
         for step in 0..1000u32 {
             let v = mesh.verts[t as usize];
             for (slot, &w) in v.iter().enumerate() {
-                // The others have been met already.
+                // The others have already been met.
                 let new = entered == 4 || slot == entered as usize;
                 if new && !sub.ends.contains(&w) {
                     let angle = obtuse_cosine(self.points.xyz(w), a, b);
@@ -577,7 +576,7 @@ impl<'a> Recovery<'a> {
     }
 }
 
-/// Cosine of the angle under which `p` sees the segment `a b` if that is above 90°, else zero.
+/// The cosine of the angle under which `p` sees the segment `a b` if it exceeds 90°, otherwise zero.
 fn obtuse_cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
     let u = [a[0] - p[0], a[1] - p[1], a[2] - p[2]];
     let v = [b[0] - p[0], b[1] - p[1], b[2] - p[2]];
@@ -590,7 +589,7 @@ fn obtuse_cosine(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
     }
 }
 
-/// The determinant of [`crate::predicates::orient3d`] in plain arithmetic.
+/// The determinant of [`crate::predicates::orient3d`] in floating-point arithmetic.
 fn approximate_orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> f64 {
     let u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];

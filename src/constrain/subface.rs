@@ -1,8 +1,8 @@
-//! Subfaces: the constrained Delaunay triangulation of every patch, Steiner points on its segments included.
+//! Subfaces: the constrained Delaunay triangulation of every patch, including the Steiner points on its segments.
 //!
-//! A patch is an exactly coplanar set of triangles, so its subfaces in the final tetrahedralization are known beforehand:
-//! they are the two-dimensional constrained Delaunay triangulation with ties broken as in space (engine notes §4, last
-//! point). Lawson's flips (1977) make it from the triangulation that comes with the PLC.
+//! A patch is an exactly coplanar set of triangles, so its subfaces in the final tetrahedralization are known in advance: they are the
+//! two-dimensional constrained Delaunay triangulation with ties broken as in space. Lawson's flips (1977) make it from the triangulation
+//! that comes with the PLC.
 use super::edge_key;
 use super::placement::distance;
 use super::segment::Segments;
@@ -15,13 +15,13 @@ use crate::predicates::{Points, Sign};
 pub struct Subfaces {
     /// Corners, positively oriented in the projection of the patch.
     pub verts: Vec<[u32; 3]>,
-    /// Edge codes `3·t' + e'` across the edge opposite each corner, NONE across subsegments.
+    /// Edge codes `3·t' + e'` across the edge opposite each corner; NONE across subsegments.
     pub adj: Vec<[u32; 3]>,
     /// The input facet.
     pub facet: Vec<u32>,
     /// The patch.
     pub patch: Vec<u32>,
-    /// Per patch the axis whose projection keeps it a triangulation.
+    /// For each patch an axis along which its projection is a triangulation.
     axis: Vec<u8>,
 }
 
@@ -47,16 +47,15 @@ impl Subfaces {
         subfaces.orient(points, triangles)?;
         let (edge_segment, lone) = subfaces.connect(segments, &[])?;
         if !lone.is_empty() {
-            return Err(Error::internal("an edge without segment has not two triangles"));
+            return Err(Error::internal("an edge without a segment does not have two triangles"));
         }
         subfaces.split_edges(points, segments, &steiner, &edge_segment)?;
         subfaces.make_delaunay(points)?;
         Ok(subfaces)
     }
 
-    /// The same for polygons that are planar only up to rounding: each is a patch that projects well along its axis. Segments that
-    /// are `soft` divide nothing. Edges are not made Delaunay; patches that have edges in common which are no segments are
-    /// returned too.
+    /// The same for polygons that are planar only up to rounding: each is a patch that projects well along its axis. `soft` segments do not
+    /// divide patches. Edges are not made Delaunay. Also returns the patches that share edges which are not segments.
     pub(super) fn of_polygons(
         points: &Points,
         triangles: &Triangles,
@@ -76,12 +75,12 @@ impl Subfaces {
         Ok((subfaces, entangled))
     }
 
-    /// The projection that keeps the triangulation of a patch.
+    /// The projection axis of a patch.
     pub(super) fn axis(&self, patch: u32) -> usize {
         self.axis[patch as usize] as usize
     }
 
-    /// Adds triangles that are patches of their own.
+    /// Adds triangles, each as its own patch.
     pub fn add_single(&mut self, points: &Points, corners: &[[u32; 3]], facets: &[u32]) -> Result<(), Error> {
         self.reserve(corners.len())?;
         self.axis.try_reserve(corners.len())?;
@@ -97,7 +96,7 @@ impl Subfaces {
         Ok(())
     }
 
-    /// Copies the triangles, turned to be positive in a projection chosen per patch.
+    /// Copies the triangles, oriented to be positive in a projection chosen per patch.
     fn orient(&mut self, points: &Points, triangles: &Triangles) -> Result<(), Error> {
         const UNKNOWN: u8 = 3;
         self.axis.try_reserve(triangles.patch_count)?;
@@ -122,8 +121,8 @@ impl Subfaces {
         Ok(())
     }
 
-    /// Links triangles across edges that are no segments, or `soft` ones; returns the segment of each constrained edge, and the
-    /// triangles at other edges that have not two triangles of one patch.
+    /// Links triangles across edges that are not segments, or are `soft` ones; returns the segment of each constrained edge, and the
+    /// triangles at other edges that do not have two triangles of one patch.
     fn connect(&mut self, segments: &Segments, soft: &[bool]) -> Result<(Vec<[u32; 3]>, Vec<u32>), Error> {
         // (edge, 0, segment) sorts before (edge, 1, edge code) of the triangles with that edge.
         let mut entries: Vec<([u32; 2], u32, u32)> = Vec::new();
@@ -168,7 +167,7 @@ impl Subfaces {
         }
     }
 
-    /// Puts the Steiner points of the segments on the triangles' edges.
+    /// Splits the triangles' edges at the Steiner points of the segments.
     fn split_edges(
         &mut self,
         points: &Points,
@@ -201,10 +200,10 @@ impl Subfaces {
         Ok(())
     }
 
-    /// Splits triangle `t` at points on its edges, given in the triangle's sense.
+    /// Splits triangle `t` at points on its edges, given in the triangle's orientation.
     ///
-    /// The two edges that have most are joined by a strip from their common corner, in order of the distance from it: that is
-    /// nearly Delaunay also where a sliver's long sides have many points. The third edge's points get a fan.
+    /// A strip joins the two edges with the most points from their common corner on, in order of the distance from it: this is nearly
+    /// Delaunay even if a sliver's long sides have many points. The points of the third edge get a fan.
     fn split_triangle(&mut self, points: &Points, t: usize, chains: &mut [Vec<u32>; 3]) -> Result<(), Error> {
         let k = (0..3).min_by_key(|&e| chains[e].len()).unwrap_or(0);
         let (next, last) = ((k + 1) % 3, (k + 2) % 3);
@@ -225,7 +224,7 @@ impl Subfaces {
             self.link(3 * t as u32 + 1, across_ca);
         }
         let (mut i, mut j) = (0, 0);
-        // The edge from `left[i]` to `right[j]`, behind which the strip goes on.
+        // The edge from `left[i]` to `right[j]`, behind which the strip continues.
         let mut front = 3 * t as u32;
         while i + 1 < left.len() || j + 1 < right.len() {
             let on_left = j + 1 == right.len()
@@ -271,7 +270,7 @@ impl Subfaces {
         n
     }
 
-    /// Splits triangle `t` at points on its edge `k`, given in the edge's direction: a fan. There must be room.
+    /// Splits triangle `t` into a fan at points on its edge `k`, given in the edge's direction. There must be room.
     fn split_edge(&mut self, t: usize, k: usize, chain: &[u32]) {
         let (start_slot, end_slot) = ((k + 1) % 3, (k + 2) % 3);
         let apex = self.verts[t][k];
@@ -289,7 +288,7 @@ impl Subfaces {
         self.link(previous, following);
     }
 
-    /// Lawson's algorithm over all edges that are no subsegments.
+    /// Lawson's algorithm over all edges that are not subsegments.
     fn make_delaunay(&mut self, points: &Points) -> Result<(), Error> {
         let mut stack: Vec<u32> = Vec::new();
         stack.try_reserve(self.verts.len() * 2)?;
@@ -322,8 +321,7 @@ impl Subfaces {
         Ok(())
     }
 
-    /// The triangles at an edge form a strictly convex quadrilateral: the edge can be turned into the other diagonal, which is
-    /// returned.
+    /// The other diagonal of an edge's quadrilateral, to which the edge can be flipped; `None` unless the quadrilateral is strictly convex.
     pub fn other_diagonal(&self, points: &Points, code: u32) -> Option<[u32; 2]> {
         let (t, i) = ((code / 3) as usize, (code % 3) as usize);
         let other = self.adj[t][i];
@@ -339,7 +337,7 @@ impl Subfaces {
         convex.then_some([a, d])
     }
 
-    /// The subfaces connected to `s` through edges that the mesh lacks, but for those `present`; they are noted in `in_region`, which
+    /// Collects the subfaces connected to `s` through edges missing from the mesh, except those `present`; marks them in `in_region`, which
     /// must be clear.
     pub fn collect_region(
         &self,
@@ -373,7 +371,7 @@ impl Subfaces {
         Ok(())
     }
 
-    /// The edge between two triangles crosses the open segment between two vertices of the patch.
+    /// Whether the edge between two triangles crosses the open segment between two vertices of the patch.
     pub fn crosses(&self, points: &Points, code: u32, [p, q]: [u32; 2]) -> bool {
         let (t, i) = ((code / 3) as usize, (code % 3) as usize);
         let (x, y) = (self.verts[t][(i + 1) % 3], self.verts[t][(i + 2) % 3]);
@@ -388,7 +386,7 @@ impl Subfaces {
         apart(p, q, x, y) && apart(x, y, p, q)
     }
 
-    /// Turns an edge between two triangles into the other diagonal of their quadrilateral, which must be convex.
+    /// Flips an edge between two triangles to the other diagonal of their quadrilateral, which must be convex.
     pub fn turn(&mut self, code: u32) {
         let (t, i) = ((code / 3) as usize, (code % 3) as usize);
         let other = self.adj[t][i];
@@ -406,7 +404,7 @@ impl Subfaces {
         self.link(t1, n1);
     }
 
-    /// The outer edges of the two triangles whose common edge was turned by this code.
+    /// The outer edges of the two triangles whose common edge was flipped by this code.
     pub(super) fn quadrilateral(&self, code: u32) -> [u32; 4] {
         let (t, i) = (code / 3, code % 3);
         let inner = self.adj[t as usize][((i + 1) % 3) as usize];
@@ -415,7 +413,7 @@ impl Subfaces {
     }
 }
 
-/// The axis along which the triangle's projection is largest, as far as doubles tell, and exactly not flat.
+/// The axis along which the triangle's projection is largest, as far as doubles tell, and certainly not flat.
 fn projection_axis(points: &Points, [a, b, c]: [u32; 3]) -> Result<u8, Error> {
     let (p, q, r) = (points.xyz(a), points.xyz(b), points.xyz(c));
     let u = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];

@@ -1,4 +1,4 @@
-//! Filling: gift wrapping and Delaunay filling are two ways to one answer.
+//! Filling: gift wrapping and Delaunay filling give the same result.
 use super::fill::{Filler, Half};
 use super::gift_wrap::gift_wrap;
 use super::placement::round_parameter;
@@ -27,7 +27,7 @@ fn hull(points: &Points) -> (Half, Vec<[u32; 4]>) {
             tets.push(mesh.verts[t as usize]);
         }
     }
-    // Most vertices are not on the boundary: a half may swallow some too.
+    // Most vertices are not on the boundary; a half may swallow some too.
     order.sort_unstable();
     half.vertices = order;
     (half, tets)
@@ -58,7 +58,7 @@ fn both_fillings_agree_on_random_points() {
 
 #[test]
 fn both_fillings_agree_on_a_grid() {
-    // Everything cospherical and coplanar: only the one perturbation makes the answer unique.
+    // Everything is cospherical and coplanar: only the global perturbation makes the result unique.
     let mut xyz = Vec::new();
     for i in 0..4 {
         for j in 0..4 {
@@ -115,7 +115,7 @@ fn parameters_keep_to_the_exact_grid_where_it_is_fine() {
     let t = round_parameter(1.0 / 3.0, 0.0, 1.0, 3).unwrap();
     assert_ne!((t * 8.0).fract(), 0.0);
     assert!((t - 1.0 / 3.0).abs() < 1e-9);
-    // No double between neighbours.
+    // There is no double between neighbours.
     assert_eq!(round_parameter(0.5, 0.5, 0.5f64.next_up(), 0), None);
 }
 
@@ -152,8 +152,8 @@ fn steiner_points_move_to_other_lists_of_segments() {
     assert!(new.exchange(&points, vec![[1, 2], [0, 3]]).is_err());
 }
 
-/// Equal radii round a common vertex are kept very near to the end of a piece, or strips of slivers get row after row of Steiner
-/// points; a foot there is not, or the piece is split again and again.
+/// Equal radii around a common vertex are kept even very near the end of a piece, since otherwise strips of slivers get row after row of
+/// Steiner points; the foot of a perpendicular there is not, since otherwise the piece is split again and again.
 #[test]
 fn radii_are_kept_where_feet_are_not() {
     use super::placement::{choose, Context, Subsegment};

@@ -1,13 +1,13 @@
 //! Cavity insertion with adjacency in O(1) per face.
 //!
 //! The boundary faces of the conflict region are joined to the new vertex, and the new tetrahedra are linked through a table
-//! indexed by *local* vertex numbers: the boundary's vertices are renumbered from 0, and the half-edge `i → j` of each
-//! boundary face is stored at `32·i + j` (the device of Marot, Pellerin & Remacle 2019).
+//! indexed by *local* vertex numbers: the boundary's vertices are renumbered from 0, and the half-edge `i → j` of each boundary face is
+//! stored at `32·i + j` (as in Marot, Pellerin & Remacle 2019).
 //! Cavities with more than 32 vertices pair their half-edges in a hash table.
 //!
-//! New tetrahedra take the slots of those that die, which are in the processor's caches. But not with `CONSTRAINED`: then the
-//! subsegment flags of dead tetrahedra are carried over. A flagged edge either lies on the boundary of the cavity, where new
-//! tetrahedra inherit the flag, or is lost and reported in `lost_edges`.
+//! New tetrahedra reuse the slots of the dead ones, which are in the processor's caches. Not so with `CONSTRAINED`, where the subsegment
+//! flags of dead tetrahedra are carried over: a flagged edge either lies on the boundary of the cavity, where new tetrahedra inherit the
+//! flag, or is lost and reported in `lost_edges`.
 use super::conflicts::{ghost_in_conflict, Conflicts};
 use super::edge_table::EdgeTable;
 use super::Delaunay;
@@ -21,7 +21,7 @@ use crate::predicates::{Points, Sign};
 const LOCAL: u32 = 32;
 /// Entries of the table.
 const ENTRIES: usize = (LOCAL * LOCAL) as usize;
-/// Slots of the edge that the boundary's half-edge with this corner has, in a new tetrahedron; the first entry is never used.
+/// The slots, in a new tetrahedron, of the edge of the boundary half-edge with this corner; the first entry is never used.
 const HALF_EDGE: [[u8; 2]; 4] = [[0, 0], [2, 3], [3, 1], [1, 2]];
 
 /// Scratch space of an insertion.
@@ -34,7 +34,7 @@ pub struct Cavity {
     pub lost_edges: Vec<[u32; 2]>,
     numbers: LocalNumbers,
     half_edges: HalfEdges,
-    /// The half-edges where there are too many vertices for `half_edges`.
+    /// The half-edges if there are too many vertices for `half_edges`.
     wide_edges: EdgeTable,
 }
 
@@ -60,14 +60,14 @@ impl HalfEdges {
     }
 }
 
-/// Numbers from 0 for the vertices of one cavity's boundary.
+/// Numbers, from 0, for the vertices of one cavity's boundary.
 #[derive(Clone, Default)]
 struct LocalNumbers {
-    /// Per vertex (the ghost first): the stamp of the last cavity in which it was numbered, and in the last bits its number.
+    /// For each vertex (the ghost first): the stamp of the last cavity in which it was numbered, with its number in the low bits.
     of_vertex: Vec<u32>,
-    /// Of the current cavity: a multiple of `LOCAL`, never 0.
+    /// The stamp of the current cavity: a multiple of `LOCAL`, never 0.
     stamp: u32,
-    /// How many are numbered; beyond `LOCAL` numbers are not distinct any more.
+    /// How many vertices are numbered; beyond `LOCAL`, numbers are no longer distinct.
     count: u32,
 }
 
@@ -78,26 +78,26 @@ impl LocalNumbers {
         self.count = 0;
         self.stamp = self.stamp.wrapping_add(LOCAL);
         if self.stamp == 0 {
-            // After 2^27 cavities stamps return.
+            // Stamps repeat after 2^27 cavities.
             self.of_vertex.fill(0);
             self.stamp = LOCAL;
         }
     }
 
-    /// The number of a vertex, perhaps of the ghost.
+    /// The number of a vertex or of the ghost; assigns one if it is new.
     #[inline(always)]
     fn of(&mut self, v: u32) -> u32 {
         let entry = &mut self.of_vertex[v.wrapping_add(1) as usize];
         let number = *entry ^ self.stamp;
         let known = number < LOCAL;
-        // No branch: about every fifth vertex is new, at random.
+        // Branch-free: about every fifth vertex is new, unpredictably.
         let number = if known { number } else { self.count % LOCAL };
         self.count += !known as u32;
         *entry = self.stamp | number;
         number
     }
 
-    /// The number of a vertex if it has one; else any.
+    /// The number of a vertex if it has one; otherwise any number.
     #[inline(always)]
     fn last(&self, v: u32) -> u32 {
         self.of_vertex[v.wrapping_add(1) as usize] % LOCAL
@@ -122,7 +122,7 @@ impl Cavity {
             + 8 * self.lost_edges.capacity()
     }
 
-    /// Makes `fresh` the slots of dead tetrahedra, as many as there are new ones.
+    /// Sets `fresh` to slots of dead tetrahedra, as many as there are new ones.
     #[inline(always)]
     pub(super) fn reuse_slots(&mut self) -> Result<(), Error> {
         let dead = self.conflicts.dead();
@@ -133,8 +133,7 @@ impl Cavity {
         Ok(())
     }
 
-    /// Joins `p` to the boundary faces, in the slots `fresh`, and links the new tetrahedra, which get `flags`. The list of faces is
-    /// used up.
+    /// Joins `p` to the boundary faces, in the slots `fresh`, and links the new tetrahedra, which get `flags`. Consumes the list of faces.
     pub(super) fn fill(&mut self, slots: &Slots, flags: u16, p: u32) -> Result<(), Error> {
         let Cavity { conflicts, fresh, numbers, half_edges, .. } = self;
         numbers.clear();
@@ -180,8 +179,8 @@ impl Cavity {
 }
 
 impl Delaunay {
-    /// The (perturbed) circumsphere of `t` contains `p`; for a ghost: its hull face sees `p`, or `p` lies in the plane of the
-    /// hull face and inside the sphere of the finite tetrahedron behind it.
+    /// Whether the (perturbed) circumsphere of `t` contains `p`; for a ghost, whether its hull face sees `p`, or `p` lies in the plane of
+    /// the hull face and inside the circumsphere of the finite tetrahedron behind it.
     #[inline(always)]
     pub fn in_conflict(&self, points: &Points, t: u32, p: u32) -> bool {
         let v = &self.mesh.verts[t as usize];
@@ -223,10 +222,9 @@ impl Delaunay {
         Ok(self.cavity.fresh[0])
     }
 
-    /// Gives the new tetrahedra the subsegment flags of the boundary's edges and lists the flagged edges that are gone.
+    /// Gives the new tetrahedra the subsegment flags of the boundary's edges and lists the flagged edges that were destroyed.
     ///
-    /// The half-edges of the boundary tell which of the dead tetrahedra's edges are on it, and which new tetrahedra have
-    /// them: one for each direction.
+    /// The half-edges of the boundary tell which edges of dead tetrahedra are on it, and which new tetrahedra have them: one per direction.
     fn carry_edge_flags(&mut self, p: u32) {
         self.cavity.lost_edges.clear();
         for i in 0..self.cavity.conflicts.dead().len() {
@@ -259,7 +257,7 @@ impl Delaunay {
         if numbers.count > LOCAL {
             return wide_edges.get(a, b);
         }
-        // What earlier cavities left in the table is told apart by its vertices: no other tetrahedra have `p`.
+        // Stale entries of earlier cavities are recognized by their vertices: no other tetrahedra have `p`.
         let code = half_edges.get(numbers.last(a), numbers.last(b));
         let v = self.mesh.verts.get((code >> 2) as usize)?;
         let [x, y] = HALF_EDGE[(code & 3) as usize];
@@ -281,7 +279,7 @@ mod tests {
         let mut numbers = LocalNumbers { of_vertex: vec![0; 8], ..LocalNumbers::default() };
         numbers.clear();
         assert_eq!([numbers.of(3), numbers.of(GHOST), numbers.of(3), numbers.of(6)], [0, 1, 0, 2]);
-        // The stamp of that cavity comes again after this one.
+        // The stamp of that cavity repeats after this one.
         numbers.stamp = LOCAL.wrapping_neg();
         numbers.clear();
         assert_eq!([numbers.of(6), numbers.of(3), numbers.of(GHOST), numbers.count], [0, 1, 2, 3]);

@@ -3,8 +3,8 @@ use super::Delaunay;
 use crate::mesh::check::check_topology;
 use crate::predicates::{Points, Sign};
 
-/// What is wrong, in words, or nothing: topology, orientation, and local Delaunayhood of every face, ghosts included (which
-/// makes the hull convex).
+/// Checks topology, orientation, and that every face is locally Delaunay, including those of ghosts (which makes the hull convex). The
+/// error describes what is wrong.
 pub fn check_delaunay(delaunay: &Delaunay, points: &Points) -> Result<(), String> {
     let mesh = &delaunay.mesh;
     check_topology(mesh)?;

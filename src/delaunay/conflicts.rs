@@ -1,33 +1,33 @@
 //! The conflict region of a vertex, and its boundary.
 //!
-//! Breadth-first, level by level: all neighbours of the last level that were not met before are listed, then all of them are
-//! tested. Which of them are in conflict is hard to predict, so a tested tetrahedron is always written behind the list of
-//! those in conflict, and only the length of this list depends on the outcome: the processor mispredicts branches at the ends of
-//! loops only. No tetrahedron is tested twice, although most have several faces on the region.
+//! Breadth-first, level by level: all neighbours of the last level not yet visited are listed, then all of them are tested. Which of them
+//! are in conflict is hard to predict, so a tested tetrahedron is always written after the list of those in conflict, and only the length
+//! of this list depends on the outcome: the processor mispredicts branches only at the ends of loops. No tetrahedron is tested twice,
+//! although most share several faces with the region.
 use crate::error::Error;
 use crate::mesh::slots::Slots;
 use crate::mesh::{flag, GHOST};
 use crate::predicates::{Points, Sign};
 use std::hint::black_box;
 
-/// The vertices of each face, turned as in [`FACE`](crate::mesh::tables::FACE), such that slot 3, the ghost's, comes last.
+/// The vertices of each face, oriented as in [`FACE`](crate::mesh::tables::FACE), with slot 3, the ghost's, last.
 const GHOST_LAST: [[usize; 3]; 4] = [[1, 2, 3], [2, 0, 3], [0, 1, 3], [0, 2, 1]];
 
-/// What [`collect`](Conflicts::collect) found last.
+/// The result of the last [`collect`](Conflicts::collect).
 #[derive(Clone, Default)]
 pub(super) struct Conflicts {
-    /// Tetrahedra in conflict: the first `dead_count`.
+    /// The tetrahedra in conflict are the first `dead_count`.
     dead: Vec<u32>,
     dead_count: usize,
     /// The first one and all that were tested, in conflict or not.
     met: Vec<u32>,
-    /// Vertices of the boundary's faces, positive as seen from inside, the ghost last, and the corner code across each: the
-    /// first `face_count`.
+    /// The first `face_count` are the vertices of the boundary faces, positive as seen from inside and the ghost last, and the corner code
+    /// across each.
     faces: Vec<[u32; 4]>,
     face_count: usize,
 }
 
-/// Makes a list at least this long.
+/// Extends a list to at least this length.
 #[inline(always)]
 fn lengthen<T: Copy + Default>(list: &mut Vec<T>, length: usize) -> Result<(), Error> {
     if list.len() < length {
@@ -44,7 +44,7 @@ fn lengthen_slowly<T: Copy + Default>(list: &mut Vec<T>, length: usize) -> Resul
     Ok(())
 }
 
-/// The hull face of a ghost sees `p`, or `p` lies in its plane and inside the sphere of the finite tetrahedron behind it.
+/// Whether the hull face of a ghost sees `p`, or `p` lies in its plane and inside the circumsphere of the finite tetrahedron behind it.
 #[inline(always)]
 pub(super) fn ghost_in_conflict(slots: &Slots, points: &Points, t: u32, p: u32) -> bool {
     let v = slots.verts(t);
@@ -59,8 +59,8 @@ pub(super) fn ghost_in_conflict(slots: &Slots, points: &Points, t: u32, p: u32) 
 }
 
 impl Conflicts {
-    /// Finds the tetrahedra in conflict with `p`, of which `t` is one, and marks them. With `SHARED` all must belong to the range
-    /// `owner`: if another one is in conflict nothing is marked and the answer is false.
+    /// Finds the tetrahedra in conflict with `p`, of which `t` is one, and marks them. With `SHARED` all must belong to the range `owner`:
+    /// if another one is in conflict, nothing is marked and the result is false.
     pub(super) fn collect<const SHARED: bool>(
         &mut self,
         slots: &Slots,
@@ -86,7 +86,7 @@ impl Conflicts {
                     met[met_count] = n;
                     met_count += (flags & flag::MET == 0) as usize;
                     slots.prefetch(n);
-                    // Flags of others must not be written: those may be met again.
+                    // Flags of tetrahedra of others must not be written, so these may be visited again.
                     if own(flags) {
                         slots.set_flags(n, flags | flag::MET);
                     }
@@ -101,7 +101,7 @@ impl Conflicts {
                 } else {
                     ghost_in_conflict(slots, points, n, p)
                 };
-                // A number that the compiler cannot turn back into a branch, which would be mispredicted too often.
+                // Keeps the compiler from turning this into a branch, which would often be mispredicted.
                 let conflict = black_box(u16::from(conflict));
                 let flags = slots.flags(n);
                 if !own(flags) {
@@ -151,13 +151,13 @@ impl Conflicts {
         &self.dead[..self.dead_count]
     }
 
-    /// The faces between them and others: vertices, positive as seen from inside and the ghost last, and the corner code across.
+    /// The faces between them and others: vertices, positive as seen from inside and the ghost last, and the corner code across each.
     #[inline(always)]
     pub(super) fn faces(&mut self) -> &mut [[u32; 4]] {
         &mut self.faces[..self.face_count]
     }
 
-    /// How many these are.
+    /// The number of these faces.
     #[inline(always)]
     pub(super) fn face_count(&self) -> usize {
         self.face_count
@@ -169,7 +169,7 @@ impl Conflicts {
     }
 }
 
-/// Clears the marks of a search among tetrahedra of several ranges.
+/// Clears the marks of a search over tetrahedra of several ranges.
 #[cold]
 #[inline(never)]
 fn give_up(slots: &Slots, owner: u16, met: &[u32]) {

@@ -1,15 +1,15 @@
 //! Half-edges of a cavity's boundary by their ends, for cavities whose vertices do not fit a square table.
 //!
-//! Open addressing with linear probing, at most half full. Looked up by key only, so the order inside does not matter.
+//! Open addressing with linear probing, at most half full. Only looked up by key, so the internal order does not matter.
 
 use crate::error::Error;
 
 /// Corner codes of directed edges.
 #[derive(Clone, Default)]
 pub(super) struct EdgeTable {
-    /// Edge and code; the edge from the ghost to itself marks free places.
+    /// Edge and code; the edge from the ghost to itself marks free entries.
     entries: Vec<(u64, u32)>,
-    /// The hash is the product's leading bits: this many are dropped.
+    /// The hash is the leading bits of the product: the number of bits dropped.
     shift: u32,
 }
 
@@ -30,7 +30,7 @@ impl EdgeTable {
         Ok(())
     }
 
-    /// The place of the edge, or the free one where it belongs.
+    /// The index of the edge, or of the free entry where it belongs.
     fn place(&self, key: u64) -> usize {
         // Fibonacci hashing (Knuth, volume 3, section 6.4): multiples of the golden ratio spread evenly.
         let mut place = ((key ^ key >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
@@ -40,7 +40,7 @@ impl EdgeTable {
         place
     }
 
-    /// Puts the edge from `a` to `b` in the table, which has it not yet.
+    /// Inserts the edge from `a` to `b`, which must not yet be in the table.
     pub(super) fn insert(&mut self, a: u32, b: u32, code: u32) {
         let key = key(a, b);
         let place = self.place(key);

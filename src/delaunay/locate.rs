@@ -8,27 +8,26 @@ use crate::predicates::{Glance, Points, Sign};
 
 /// Where a walk ended.
 pub(super) enum Walk {
-    /// At a tetrahedron in conflict, after so many steps.
+    /// At this tetrahedron in conflict, after this many steps.
     Found(u32, u32),
-    /// At one that the range does not own.
+    /// At a tetrahedron that the range does not own.
     Left,
     /// Nowhere: the mesh is broken.
     Lost,
 }
 
 impl Delaunay {
-    /// A tetrahedron in conflict with `p`: the finite one that contains it (boundary included) or a ghost whose hull face
-    /// sees it.
+    /// A tetrahedron in conflict with `p`: the finite one that contains it (including its boundary) or a ghost whose hull face sees it.
     pub fn locate(&self, points: &Points, p: u32, start: u32) -> Result<u32, Error> {
         match walk::<false, true>(&self.mesh.slots(), 0, points, p, start) {
             Walk::Found(t, _) => Ok(t),
-            _ => Err(Error::internal("point location did not end")),
+            _ => Err(Error::internal("point location did not terminate")),
         }
     }
 }
 
-/// Walks to `p`; with `SHARED` through tetrahedra of the range `owner` only, of which `start` must be one. Ends at the
-/// tetrahedron that contains `p`, or without `INTO` at the first one in conflict.
+/// Walks to `p`; with `SHARED` only through tetrahedra of the range `owner`, including `start`. Ends at the tetrahedron that contains `p`,
+/// or without `INTO` at the first one in conflict.
 #[inline(always)]
 pub(super) fn walk<const SHARED: bool, const INTO: bool>(
     slots: &Slots,
@@ -45,7 +44,7 @@ pub(super) fn walk<const SHARED: bool, const INTO: bool>(
         }
     }
     let at = *points.xyz(p);
-    // The face we came through needs no test.
+    // The face through which the walk entered needs no test.
     let mut entered = 4u32;
     let limit = 4 * slots.count() + 64;
     for step in 0..limit {

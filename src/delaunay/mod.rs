@@ -1,7 +1,7 @@
 //! Delaunay tetrahedralization by incremental insertion (Bowyer 1981, Watson 1981) over ghost tetrahedra.
 //!
-//! Ties are broken by one symbolic perturbation of the lifting by vertex id (engine notes §4): the perturbed Delaunay
-//! tetrahedralization is unique, has no flat tetrahedron, and does not depend on the insertion order.
+//! Ties are broken by one symbolic perturbation of the lifting by vertex id: the perturbed Delaunay tetrahedralization is unique, has no
+//! flat tetrahedron, and does not depend on the insertion order.
 //!
 //! Invariant between insertions: `mesh` is the perturbed Delaunay tetrahedralization of the inserted vertices, closed by
 //! ghosts.
@@ -27,11 +27,11 @@ use ranges::{range_count, Division};
 #[cfg(test)]
 pub(crate) use workers::STARTED as HELPERS_STARTED;
 
-/// Walks of more steps are long: tetrahedra reach far, and it matters at which one of the last vertex a walk starts.
+/// Walks of more steps are long: tetrahedra then extend far, and it matters at which tetrahedron of the last vertex a walk starts.
 const LONG_WALK: u32 = 24;
-/// So many starts are chosen with care after a long walk.
+/// After a long walk this many starts are chosen with care.
 const CAREFUL: u32 = 64;
-/// Most passes over what the first one of a round has deferred.
+/// Limit on passes over the vertices that the first pass of a round deferred.
 const MOST_PASSES: usize = 2;
 
 /// A Delaunay tetrahedralization under construction.
@@ -39,15 +39,15 @@ const MOST_PASSES: usize = 2;
 pub struct Delaunay {
     /// The tetrahedra.
     pub mesh: Tetrahedra,
-    /// One live tetrahedron of each vertex, kept by constrained insertion; see [`Delaunay::index_vertices`].
+    /// One live tetrahedron of each vertex, kept up to date by constrained insertion; see [`Delaunay::index_vertices`].
     pub vertex_tet: Vec<u32>,
     /// Where the next walk starts.
     pub hint: u32,
     /// Scratch space of insertions.
     pub cavity: Cavity,
-    /// How the rounds of the last [`build_rounds`](Self::build_rounds) went that were inserted by ranges.
+    /// Statistics of the rounds that the last [`build_rounds`](Self::build_rounds) inserted by ranges.
     pub rounds: Vec<Round>,
-    /// For experiments: as many ranges in each of these rounds, instead of the number that suits its size.
+    /// For experiments: the number of ranges in each of these rounds, instead of one that suits its size.
     pub ranges: Option<usize>,
 }
 
@@ -73,7 +73,7 @@ impl Delaunay {
         self.mesh.bytes() + self.vertex_tet.capacity() * 4 + self.cavity.bytes()
     }
 
-    /// Starts with the first four vertices of `order` that are not coplanar and moves them to its front.
+    /// Starts with the first four vertices of `order` that are not coplanar and moves them to its front. Fails if all are coplanar.
     pub fn start(&mut self, points: &Points, order: &mut [u32]) -> Result<(), Error> {
         self.mesh.clear();
         let flat = || Error::new(Status::DegenerateInput, "all points lie in one plane");
@@ -93,7 +93,7 @@ impl Delaunay {
         let t = self.mesh.allocate(v);
         let mut ghosts = [0; 4];
         for f in 0..4 {
-            // (apex, x, y, z) is positive, so (x, y, z, p) is for p beyond the face.
+            // (apex, x, y, z) is positive, and so is (x, y, z, p) for p beyond the face.
             let [x, y, z] = self.mesh.face(4 * t + f);
             let g = self.mesh.allocate([x, y, z, GHOST]);
             ghosts[f as usize] = g;
@@ -116,22 +116,22 @@ impl Delaunay {
         self.mesh.link(4 * g + f, 4 * h + k);
     }
 
-    /// Inserts one vertex, which equals none of the present ones.
+    /// Inserts one vertex, distinct from all present ones.
     pub fn insert(&mut self, points: &Points, p: u32) -> Result<(), Error> {
         self.insert_from(points, p, self.hint)?;
         Ok(())
     }
 
-    /// Inserts one vertex by a walk from a tetrahedron; returns its steps.
+    /// Inserts one vertex by a walk from a tetrahedron; returns the number of steps.
     fn insert_from(&mut self, points: &Points, p: u32, start: u32) -> Result<u32, Error> {
         let Walk::Found(t, steps) = walk::<false, false>(&self.mesh.slots(), 0, points, p, start) else {
-            return Err(Error::internal("point location did not end"));
+            return Err(Error::internal("point location did not terminate"));
         };
         self.hint = self.insert_at::<false>(points, p, t)?;
         Ok(steps)
     }
 
-    /// Of the tetrahedra made last the one whose vertices are nearest to `p`.
+    /// Among the tetrahedra made last, the one whose vertices are nearest to `p`.
     fn nearest_made(&self, points: &Points, p: u32) -> u32 {
         let at = points.xyz(p);
         let mut best = (f64::INFINITY, self.hint);
@@ -152,8 +152,8 @@ impl Delaunay {
         best.1
     }
 
-    /// Builds the triangulation of the given vertices, in this order of insertion (the first four may change places with
-    /// later ones). `tick` is called now and then with the number of vertices done.
+    /// Builds the triangulation of the given vertices, in this order of insertion (the first four may be swapped with later ones). `tick`
+    /// is called from time to time with the number of vertices done.
     pub fn build(
         &mut self,
         points: &Points,
@@ -163,8 +163,8 @@ impl Delaunay {
         self.build_rounds(points, order, &[], 1, tick)
     }
 
-    /// As [`build`](Self::build), for vertices in rounds, each sorted along the curve, that end at `rounds`. Large rounds are
-    /// inserted by up to `threads` threads; the result does not depend on how many. After an error the mesh is empty.
+    /// Like [`build`](Self::build), for vertices in rounds that end at `rounds`, each sorted along the curve. Large rounds are inserted by
+    /// up to `threads` threads; the result is the same for any number. After an error the mesh is empty.
     pub fn build_rounds(
         &mut self,
         points: &Points,
@@ -188,8 +188,8 @@ impl Delaunay {
             };
             if !rounds.is_empty() && ranges > 1 && end - begin >= FEWEST_VERTICES {
                 if !shared {
-                    // The number of vertices present predicts that of tetrahedra (a little too few: the hull's part shrinks). Arrays that
-                    // grow instead leave gaps among smaller blocks, and are copied.
+                    // The number of present vertices predicts the number of tetrahedra (slightly too low, since the hull's share shrinks).
+                    // Growing the arrays instead would copy them and leave gaps among smaller blocks.
                     let each = self.mesh.live_count() as f64 / begin as f64;
                     let expected = (each * order.len() as f64 * 1.03) as usize;
                     self.mesh.expect(expected.saturating_sub(self.mesh.slot_count()));
@@ -244,7 +244,7 @@ impl Delaunay {
     ) -> Result<(), Error> {
         let frame = Frame::of(points.coordinates(), order);
         let mut best = 0;
-        // Deferred vertices are counted again: never show less than before.
+        // Deferred vertices are counted again, so never show less than before.
         let mut ahead = |done: usize| {
             best = done.max(best);
             tick(best)
@@ -256,8 +256,8 @@ impl Delaunay {
         let mut report = Round { vertices: round.len(), ranges, deferred: fallible::collect([left.len()])? };
         present = &order[..round.end];
         for turn in 0..MOST_PASSES {
-            // A pass looks at all tetrahedra once, which takes as long as inserting a part of the vertices.
-            // Nor does another division help where no vertex has its surroundings in one range.
+            // A pass visits all tetrahedra once, which takes as long as inserting a fraction of the vertices. Nor does another division
+            // help if no vertex has its surroundings in one range.
             let hopeless = 4 * left.len() > 3 * round.len();
             if hopeless || left.len() < FEWEST_VERTICES.max(present.len() / 32) {
                 break;
@@ -275,7 +275,7 @@ impl Delaunay {
         self.insert_in_order(points, &left, &mut |done| ahead(done_before + done))
     }
 
-    /// Fills `vertex_tet` for `vertex_count` vertices: a finite tetrahedron where there is one, NONE for absent vertices.
+    /// Fills `vertex_tet` for `vertex_count` vertices: a finite tetrahedron if there is one, NONE for absent vertices.
     pub fn index_vertices(&mut self, vertex_count: usize) -> Result<(), Error> {
         self.vertex_tet.clear();
         self.vertex_tet.try_reserve(vertex_count)?;

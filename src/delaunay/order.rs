@@ -3,22 +3,22 @@
 //! Amenta, Choi & Rote 2003 (BRIO): random rounds of growing size keep the expected cost of incremental insertion optimal
 //! for every input; the curve inside a round keeps walks short. Curve indices by Skilling 2004 (transpose form).
 //!
-//! One sort does both: a point's key is its round, then its curve index. The leading digits are sorted from the last to
-//! the first, in linear time; the few points that still agree then, by comparison.
+//! One sort does both: a point's key is its round, then its curve index. The leading digits are sorted from the last to the first, in
+//! linear time; the few points that agree in them are sorted by comparison.
 use crate::error::Error;
 use crate::fallible;
 
 /// Bits per axis of a curve index.
 const BITS: u32 = 20;
-/// Points in the first round, at least.
+/// Minimum number of points in the first round.
 const FIRST_ROUND: usize = 2000;
-/// Each round is this many times the sum of those before, roughly.
+/// Each round is roughly this many times as large as all previous ones together.
 const GROWTH: f64 = 7.5;
 /// Points whose curve indices are computed together.
 const BLOCK: usize = 8;
 /// Bits of a digit.
 const DIGIT: u32 = 11;
-/// Below this many points digits are not worth their tables.
+/// Below this many points, digit tables are not worth their cost.
 const FEW: usize = 2000;
 
 /// Points in an order of insertion.
@@ -26,11 +26,11 @@ const FEW: usize = 2000;
 pub struct Order {
     /// The points' ids.
     pub ids: Vec<u32>,
-    /// Where rounds end in `ids`. Empty: in no known order.
+    /// Where rounds end in `ids`. Empty if the order is unknown.
     pub rounds: Vec<usize>,
 }
 
-/// A permutation of `ids` in which the points should be inserted. Depends on the coordinates and the ids' order only.
+/// A permutation of `ids` in which the points should be inserted. Depends only on the coordinates and the order of the ids.
 pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Result<Order, Error> {
     let Frame { low, scale } = Frame::of(points, ids);
     let (limits, count) = round_limits(ids.len());
@@ -66,8 +66,8 @@ pub(super) fn curve_indices(points: &[[f64; 3]], ids: &[u32], frame: &Frame) -> 
     hilbert_indices(&coordinates, frame.low, frame.scale)
 }
 
-/// Hash values below the first limit leave the last round, those below the second the one before, and so on; and how many limits
-/// there are.
+/// The limits and their number: hash values below the first limit move a point from the last round to the one before, values below the
+/// second one round further, and so on.
 fn round_limits(count: usize) -> ([u64; 15], usize) {
     let mut limits = [0; 15];
     let mut rounds = 0;
@@ -80,14 +80,14 @@ fn round_limits(count: usize) -> ([u64; 15], usize) {
     (limits, rounds)
 }
 
-/// Sorts.
+/// Sorts by key.
 fn sort(keyed: &mut Vec<(u64, u32)>) -> Result<(), Error> {
     let count = keyed.len();
     if count < FEW {
         keyed.sort_unstable();
         return Ok(());
     }
-    // So many leading bits that hardly any two of as many evenly spread points agree in them.
+    // Enough leading bits that hardly any two of this many evenly distributed points agree in them.
     let bits = count.ilog2() + 10;
     let passes = bits.div_ceil(DIGIT);
     let lowest = u64::BITS - passes * DIGIT;
@@ -130,7 +130,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Around the points `ids`.
+    /// The frame around the points `ids`.
     pub(super) fn of(points: &[[f64; 3]], ids: &[u32]) -> Frame {
         let mut low = [f64::INFINITY; 3];
         let mut high = [f64::NEG_INFINITY; 3];
@@ -156,7 +156,7 @@ fn splitmix(x: u64) -> u64 {
 
 /// The indices of points along the Hilbert curve through the bounding cube.
 ///
-/// Skilling's AxesToTranspose without branches, several points at a time, so that it can be done in vector registers.
+/// Skilling's AxesToTranspose without branches, several points at a time, so that it can be vectorized.
 fn hilbert_indices(points: &[[f64; 3]; BLOCK], low: [f64; 3], scale: f64) -> [u64; BLOCK] {
     let mut x = [[0u32; BLOCK]; 3];
     for i in 0..BLOCK {
@@ -168,7 +168,7 @@ fn hilbert_indices(points: &[[f64; 3]; BLOCK], low: [f64; 3], scale: f64) -> [u6
     for bit in (1..BITS).rev() {
         let mask = (1 << bit) - 1;
         for i in 0..BLOCK {
-            // All ones where the bit is set: then invert x below it, else exchange x and the other axis there.
+            // All ones if the bit is set: then invert x below it, otherwise swap x and the other axis there.
             x[i] ^= mask & (x[i] >> bit & 1).wrapping_neg();
             for other in [&mut y, &mut z] {
                 let invert = (other[i] >> bit & 1).wrapping_neg();
@@ -195,7 +195,7 @@ fn hilbert_indices(points: &[[f64; 3]; BLOCK], low: [f64; 3], scale: f64) -> [u6
     indices
 }
 
-/// Puts two zero bits between the bits of a 21-bit number.
+/// Inserts two zero bits between the bits of a 21-bit number.
 fn spread(x: u32) -> u64 {
     let mut x = x as u64 & 0x1f_ffff;
     x = (x | x << 32) & 0x1f_0000_0000_ffff;

@@ -2,28 +2,27 @@
 //! tetrahedra", with another schedule).
 //!
 //! A *pass* divides space into ranges (module `ranges`). A tetrahedron with all vertices in one range belongs to it, the
-//! others are frozen. Each range inserts its vertices in their order and touches its own tetrahedra only; a vertex whose
-//! walk or cavity would need a frozen one is deferred, to the next pass, which divides space differently, and the few that
-//! remain at last are inserted by one thread. New tetrahedra take the slots of those that die, then a block of slots set aside
-//! for the range.
+//! others are frozen. Each range inserts its vertices in order and touches only its own tetrahedra; a vertex whose walk or cavity would
+//! need a frozen one is deferred to the next pass, which divides space differently; the few that remain in the end are inserted by one
+//! thread. New tetrahedra reuse the slots of dead ones, then a block of slots reserved for the range.
 //!
-//! *Same bytes for any number of threads.* What the ranges are depends on the vertices alone, and what a range does on its
-//! own tetrahedra alone: not on the worker, nor on what others do at the same time. So slots come out the same whether one
-//! thread works off all ranges or many do, and nothing has to be renumbered.
+//! *Same bytes for any number of threads.* The ranges depend only on the vertices, and what a range does depends only on its own
+//! tetrahedra: not on the worker, nor on what others do at the same time. So slots come out the same whether one thread processes all
+//! ranges or many do, and nothing has to be renumbered.
 //!
 //! No data race: see [`Slots`].
 //!
 //! # Scaling
 //!
-//! A vertex is deferred if its cavity reaches a tetrahedron across a border. Of a range of m vertices about c·m^(2/3) lie so
-//! near its border, so that of V present vertices in R ranges the part f = c·(R/V)^(1/3) is deferred, and about f² after a
-//! second pass, whose borders meet the first one's in lines. That is work done half in vain, and the f² are sequential.
-//! The number of ranges grows as √V: f falls as V^(-1/6), and the number of threads that can be used grows (module
-//! `ranges`): 2 from 6·10^4 vertices on, 4 at 10^6, 12 at 10^7, 40 at 10^8, 126 at 10^9.
+//! A vertex is deferred if its cavity reaches a tetrahedron across a border. In a range of m vertices about c·m^(2/3) lie that close to its
+//! border, so of V present vertices in R ranges the fraction f = c·(R/V)^(1/3) is deferred, and about f² after a second pass, whose borders
+//! meet the first one's in lines. Half of that work is wasted, and the fraction f² is sequential. The number of ranges grows as √V: f falls
+//! as V^(-1/6), and the number of usable threads grows (module `ranges`): 2 from 6·10^4 vertices on, 4 at 10^6, 12 at 10^7, 40 at 10^8, 126
+//! at 10^9.
 //!
-//! `capi-tests/bench/delaunay.rs` counts the conflicts for any number of ranges. Uniform random points, part of the last
-//! round's vertices that each pass deferred, and the bound of the speed-up of insertion by as many threads as ranges (equal
-//! work per vertex, half of it for a deferred one; rounds below 8192 vertices and what the last pass leaves are sequential):
+//! `capi-tests/bench/delaunay.rs` counts the conflicts for any number of ranges. For uniform random points, the table has the fraction of
+//! the last round's vertices that each pass deferred, and a bound on the speed-up of insertion with as many threads as ranges (equal work
+//! per vertex, half of it for a deferred one; rounds below 8192 vertices and what the last pass leaves are sequential):
 //!
 //! | points | ranges | pass 1 | pass 2 | pass 3 | speed-up at most |
 //! |--:|--:|--:|--:|--:|--:|
@@ -34,8 +33,8 @@
 //! | 10^6 | 64 | 41 % | 38 % | 35 % | 3.8 |
 //! | 10^7 | 8 | 6.9 % | 0.8 % | – | 6.9 |
 //!
-//! So 8 threads want 10^7 points and 16 a few 10^7; 64 ranges, by the law above fitted to the rows of 8, defer 7 % in the first
-//! pass at 8·10^7 points. Ordering and division are sequential; each pass looks once at all tetrahedra, in parallel.
+//! So 8 threads need 10^7 points and 16 a few 10^7; 64 ranges, by the law above fitted to the rows of 8, defer 7 % in the first pass at
+//! 8·10^7 points. Ordering and division are sequential; each pass visits all tetrahedra once, in parallel.
 #![allow(unsafe_code)]
 use super::cavity::Cavity;
 use super::locate::{walk, Walk};
@@ -53,46 +52,46 @@ use std::sync::{Mutex, PoisonError};
 
 /// A pass with fewer vertices is not worth its preparation.
 pub(super) const FEWEST_VERTICES: usize = 4096;
-/// After so many vertices a range gives up if it has deferred most of them: where tetrahedra reach across ranges, as through a
-/// cylinder's inside, walks that end at a border only take time.
+/// After this many vertices a range gives up if it has deferred most of them: if tetrahedra extend across ranges, as through the inside of
+/// a cylinder, walks that end at a border only waste time.
 const TRIAL: usize = 1024;
-/// After so many deferred vertices in a row a walk starts elsewhere.
+/// After this many deferred vertices in a row a walk starts elsewhere.
 const PATIENCE: usize = 16;
-/// Vertices between two looks at the clock and the caller.
+/// Number of vertices between two calls of the observer.
 const TICK: usize = 2048;
 
-/// What one range does in a pass.
+/// The work of one range in a pass.
 struct Task {
-    /// Its number in the flags.
+    /// The range's number in the flags.
     owner: u16,
     vertices: Vec<u32>,
-    /// Own tetrahedra along the curve, to start walks at.
+    /// Own tetrahedra along the curve, as starts of walks.
     starts: Vec<u32>,
     free: Vec<u32>,
-    /// Slots not used yet.
+    /// Unused slots.
     block: std::ops::Range<u32>,
 }
 
-/// What it leaves.
+/// The result of a task.
 struct Outcome {
     deferred: Vec<u32>,
     free: Vec<u32>,
 }
 
-/// What all workers see.
+/// State shared by all workers.
 struct Shop<'a> {
     slots: Slots<'a>,
     points: &'a Points,
     tasks: Mutex<std::iter::Enumerate<std::vec::IntoIter<Task>>>,
     outcomes: Mutex<Vec<(usize, Outcome)>>,
-    /// Set by a failure or a cancel: everybody stops.
+    /// Set by a failure or a cancel: all workers stop.
     stop: AtomicBool,
     /// Vertices done, inserted or deferred.
     done: AtomicUsize,
 }
 
 impl Shop<'_> {
-    /// Works off tasks until there are none.
+    /// Processes tasks until there are none.
     fn work(
         &self,
         cavity: &mut Cavity,
@@ -109,7 +108,7 @@ impl Shop<'_> {
         }
     }
 
-    /// The same on the caller's thread and `threads − 1` helpers. Only the caller's thread calls `tick`.
+    /// The same on the calling thread and `threads − 1` helpers. Only the calling thread calls `tick`.
     fn work_together(
         &self,
         cavity: &mut Cavity,
@@ -126,7 +125,7 @@ impl Shop<'_> {
         )
     }
 
-    /// Inserts what can be inserted of one range.
+    /// Inserts the vertices of one range that can be inserted.
     fn run(
         &self,
         mut task: Task,
@@ -168,7 +167,7 @@ impl Shop<'_> {
             }
         }
         self.done.fetch_add(vertices.len() % TICK, Ordering::Relaxed);
-        // What is left of the block becomes part of the mesh as well.
+        // The rest of the block becomes part of the mesh as well.
         task.free.try_reserve(task.block.len())?;
         for t in task.block.rev() {
             self.slots.set_verts(t, [NONE; 4]);
@@ -181,7 +180,7 @@ impl Shop<'_> {
         Ok(Outcome { deferred, free: task.free })
     }
 
-    /// Of the tetrahedra to start at, the nearest to `p` that still lives.
+    /// The live start tetrahedron nearest to `p`, if any.
     fn nearest(&self, task: &Task, p: u32) -> Option<u32> {
         let at = self.points.xyz(p);
         let mut best = (f64::INFINITY, None);
@@ -195,14 +194,14 @@ impl Shop<'_> {
         best.1
     }
 
-    /// Inserts `p` and returns one of its tetrahedra, or nothing where it must be deferred.
+    /// Inserts `p` and returns one of its tetrahedra; `None` if it must be deferred.
     #[inline(always)]
     fn insert(&self, task: &mut Task, cavity: &mut Cavity, p: u32, hint: u32) -> Result<Option<u32>, Error> {
         let slots = &self.slots;
         let t = match walk::<true, false>(slots, task.owner, self.points, p, hint) {
             Walk::Found(t, _) => t,
             Walk::Left => return Ok(None),
-            Walk::Lost => return Err(Error::internal("point location did not end")),
+            Walk::Lost => return Err(Error::internal("point location did not terminate")),
         };
         if !cavity.conflicts.collect::<true>(slots, task.owner, self.points, p, t)? {
             return Ok(None);
@@ -240,7 +239,7 @@ pub(super) struct Pass<'a> {
     pub(super) points: &'a Points,
     /// All vertices in the mesh.
     pub(super) present: &'a [u32],
-    /// Slots set aside, of the number expected if no vertex is deferred. (Where they do not suffice vertices are deferred.)
+    /// Slots reserved, as a fraction of the number expected if no vertex is deferred. (If they do not suffice, vertices are deferred.)
     pub(super) reserve: f64,
     pub(super) threads: usize,
 }
@@ -259,7 +258,7 @@ impl Delaunay {
         let each = self.mesh.live_count() as f64 / pass.present.len().max(1) as f64 * pass.reserve;
         let mut tasks = Vec::new();
         tasks.try_reserve(division.parts.len())?;
-        // Free slots are shared out first; what they do not cover gets a block.
+        // Free slots are distributed first; blocks cover the rest.
         let mut free = std::mem::take(&mut self.mesh.free);
         let first = self.mesh.slot_count() as u32;
         let mut end = first;
@@ -287,8 +286,8 @@ impl Delaunay {
         shop.work_together(&mut self.cavity, threads, tick)?;
         let mut outcomes = shop.outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
         outcomes.sort_unstable_by_key(|&(index, _)| index);
-        // SAFETY: no range has failed, so each has written all slots of its block: those it used by `Cavity::fill`, the rest
-        // at its end. `share` has made room for them.
+        // SAFETY: no range has failed, so each has written all slots of its block: those it used in `Cavity::fill`, the rest at its end.
+        // `share` has ensured the capacity.
         unsafe { self.mesh.adopt(more) };
         let mut deferred = Vec::new();
         for (_, outcome) in outcomes {

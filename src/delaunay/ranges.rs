@@ -1,8 +1,8 @@
-//! Divisions of space into ranges, and which tetrahedra belong to one.
+//! Divisions of space into ranges, and the tetrahedra that belong to each.
 //!
-//! Any map from vertices to ranges is correct; these make few tetrahedra cross from one range to another. The first pass of
-//! a round takes consecutive pieces of the Hilbert curve, later ones slabs across an oblique direction, which meet the
-//! first pass's borders (they hold nearly all vertices that are left) in lines only.
+//! Any map from vertices to ranges is correct; these make few tetrahedra cross from one range to another. The first pass of a round uses
+//! consecutive pieces of the Hilbert curve, later ones slabs across an oblique direction, which meet the first pass's borders (where nearly
+//! all remaining vertices are) only in lines.
 //!
 //! Neither depends on the number of threads.
 use super::order::{curve_indices, Frame};
@@ -11,13 +11,13 @@ use crate::fallible;
 use crate::mesh::flag;
 use crate::predicates::Points;
 
-/// Fewest tetrahedra of a section that is worth a thread.
+/// The fewest tetrahedra of a section that is worth a thread.
 pub(super) const FEWEST: usize = 1 << 16;
-/// With so many present vertices a round has two ranges.
+/// With this many present vertices a round has two ranges.
 const FEWEST_PRESENT: usize = 1 << 13;
 /// Directions of slabs.
 const DIRECTIONS: [[f64; 3]; 3] = [[0.61, 0.83, 1.07], [1.09, -0.67, 0.79], [-0.73, 1.03, 0.59]];
-/// Vertices from which borders between slabs are chosen.
+/// Number of vertices from which borders between slabs are chosen.
 const SAMPLE: usize = 4096;
 
 /// Ranges and their vertices.
@@ -28,8 +28,8 @@ pub(super) struct Division {
     pub(super) parts: Vec<Vec<u32>>,
 }
 
-/// How many ranges a round has while `present` vertices are in the mesh: it grows as the square root, so that for each of
-/// them the part of the vertices near its borders shrinks.
+/// The number of ranges of a round while `present` vertices are in the mesh. It grows as the square root, so that the fraction of a range's
+/// vertices near its borders shrinks.
 pub(super) fn range_count(present: usize) -> usize {
     if present < FEWEST_PRESENT {
         return 1;
@@ -85,7 +85,7 @@ impl Division {
         Ok(division)
     }
 
-    /// Slabs with about as many vertices of `round` each.
+    /// Slabs with about equally many vertices of `round`.
     pub(super) fn slabs(
         points: &Points,
         present: &[u32],
@@ -120,7 +120,7 @@ impl Division {
         Ok(division)
     }
 
-    /// Writes owners into the flags of tetrahedra: a range's number where it has all vertices, 0 where they differ.
+    /// Writes owners into the flags of tetrahedra: the number of the range that has all vertices, or 0 if they differ.
     pub(super) fn assign(&self, verts: &[[u32; 4]], flags: &mut [u16]) {
         for (v, flags) in verts.iter().zip(flags) {
             if *flags & flag::DEAD != 0 {

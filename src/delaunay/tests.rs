@@ -25,7 +25,7 @@ fn build(xyz: Vec<[f64; 3]>) -> (Delaunay, Points) {
     (delaunay, points)
 }
 
-/// Each free slot is listed once, and no other.
+/// Each free slot is listed once, and no others are.
 fn slots_are_accounted_for(delaunay: &Delaunay) {
     let mesh = &delaunay.mesh;
     let mut free = mesh.free.clone();
@@ -199,7 +199,7 @@ fn any_number_of_threads_makes_the_same_bytes() {
     }
 }
 
-/// Tetrahedra reach through the inside of a cylinder from every range to others: the first pass gives up, and no other is made.
+/// Tetrahedra extend through the inside of a cylinder from every range to others: the first pass gives up, and there is no other.
 #[test]
 fn ranges_are_given_up_where_tetrahedra_cross_them() {
     let mut random = Lcg(5);

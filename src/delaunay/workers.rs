@@ -1,8 +1,7 @@
-//! Threads that help the caller's.
+//! Threads that help the calling one.
 //!
-//! What they do does not depend on how many there are, so that a thread that cannot be started is no error: fewer do the same work.
-//! A panic in one is an error of the run; nothing is printed about it during a call from C. No thread outlives the call: a host may unload
-//! the library after it.
+//! Their work does not depend on their number, so a thread that cannot be started is no error: fewer do the same work. A panic in one is an
+//! error of the run; nothing is printed about it during a call from C. No thread outlives the call: a host may unload the library after it.
 use crate::error::Error;
 use crate::panics;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,15 +10,15 @@ use std::time::Duration;
 
 #[cfg(test)]
 thread_local! {
-    /// How many helpers this thread has started so far.
+    /// The number of helpers that this thread has started so far.
     pub(crate) static STARTED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
 }
 
-/// What the helpers tell the caller's thread.
+/// What the helpers report to the calling thread.
 #[derive(Default)]
 struct Office {
     failure: Mutex<Option<Error>>,
-    /// Threads at work beside the caller's.
+    /// Number of threads working besides the calling one.
     helpers: AtomicUsize,
 }
 
@@ -29,8 +28,8 @@ impl Office {
     }
 }
 
-/// Runs `own` on this thread, and at the same time `help` on up to `threads − 1` others; then waits for these, calling `wait` now and
-/// then, until they have ended. `stop` is called at the first failure of any of them: it asks the others to end soon.
+/// Runs `own` on this thread, and at the same time `help` on up to `threads − 1` others; then waits until these have ended, calling `wait`
+/// from time to time. `stop` is called at the first failure of any of them, to ask the others to end soon.
 pub(super) fn together(
     threads: usize,
     help: &(dyn Fn() -> Result<(), Error> + Sync),
@@ -71,13 +70,13 @@ pub(super) fn together(
             #[cfg(test)]
             STARTED.set(STARTED.get() + 1);
         }
-        // The helpers borrow what this thread owns: it must not leave by a panic before they have ended, and `scope` waits for them.
+        // The helpers borrow data of this thread, so it must not unwind before they have ended; `scope` waits for them.
         outcome(own());
         while office.helpers.load(Ordering::Acquire) > 0 {
             outcome(wait());
             std::thread::park_timeout(Duration::from_millis(20));
         }
-        // `scope` alone waits for what they do, not for their end. A panic is in `office` already.
+        // `scope` waits only for their work, not for the end of the threads. A panic is already recorded in `office`.
         started.into_iter().for_each(|handle| drop(handle.join()));
     });
     match office.failure.into_inner().unwrap_or_else(PoisonError::into_inner) {

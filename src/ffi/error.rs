@@ -1,4 +1,4 @@
-//! Owned errors with all defects.
+//! Owned error objects that list all defects.
 use super::guard::{boxed, free, read};
 use super::status::{DelotetDefectKind, DelotetElement, DelotetStatus};
 use super::view::records;
@@ -6,26 +6,26 @@ use crate::error::{Defect, Error};
 use libc::c_char;
 use std::collections::TryReserveError;
 
-/// A failure: its status, a message for people, and all elements at fault. Made by the failing call, owned by the caller.
+/// A failure: its status, a readable message, and all elements at fault. Created by the failing call, owned by the caller.
 pub struct DelotetError {
     status: DelotetStatus,
-    /// Ends with a zero byte. Empty: memory ran out for it.
+    /// Ends with a zero byte. Empty if there was no memory for the text.
     message: Vec<u8>,
     defects: Vec<DelotetDefect>,
     defect_count: usize,
 }
 
-/// One defect: kind, the one or two elements involved, and a point where it is seen.
+/// One defect: kind, the one or two elements involved, and a point that locates it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DelotetDefect {
-    /// The kind: a DelotetDefectKind, in 32 bits with any compiler.
+    /// The kind: a DelotetDefectKind, stored as 32 bits with every compiler.
     pub kind: u32,
-    /// What `first` counts: a DelotetElement.
+    /// What kind of element `first` is: a DelotetElement.
     pub first_element: u32,
     /// Index of the element at fault.
     pub first: u32,
-    /// What `second` counts: a DelotetElement, DELOTET_ELEMENT_NONE if only one element is involved.
+    /// What kind of element `second` is: a DelotetElement, DELOTET_ELEMENT_NONE if only one element is involved.
     pub second_element: u32,
     /// Index of the other element of a pair, or DELOTET_INVALID_INDEX.
     pub second: u32,
@@ -41,9 +41,9 @@ pub struct DelotetDefect {
 pub struct DelotetDefectsView {
     /// The first of `count` defects; DELOTET_AT(DelotetDefect, view, i) is the i-th.
     pub first: *const DelotetDefect,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetDefectsView, DelotetDefect, DelotetDefect);
@@ -64,7 +64,7 @@ impl From<&Defect> for DelotetDefect {
     }
 }
 
-/// What a caller gets if there is no memory left for an error object. Never freed.
+/// Returned to the caller when there is no memory for an error object. Never freed.
 static OUT_OF_MEMORY: DelotetError = DelotetError {
     status: DelotetStatus::OutOfMemory,
     message: Vec::new(),
@@ -73,7 +73,7 @@ static OUT_OF_MEMORY: DelotetError = DelotetError {
 };
 
 impl DelotetError {
-    /// An owned handle for the caller, of an error with this status. If memory does not suffice for it, then that is the error.
+    /// An owned error handle for the caller; `status` is the error's. If there is no memory for it, the error is OUT_OF_MEMORY instead.
     pub(super) fn new(error: Error, status: &mut DelotetStatus) -> *mut DelotetError {
         let made = DelotetError::try_new(error).ok().and_then(|error| boxed(error).ok());
         match made {
@@ -87,7 +87,7 @@ impl DelotetError {
 
     fn try_new(error: Error) -> Result<DelotetError, TryReserveError> {
         let mut defects = Vec::new();
-        // Short of memory the defects are dropped rather than the message.
+        // When memory is short, the defects are dropped rather than the message.
         if defects.try_reserve_exact(error.defects.len()).is_ok() {
             defects.extend(error.defects.iter().map(DelotetDefect::from));
         }
@@ -100,7 +100,7 @@ impl DelotetError {
     }
 }
 
-/// A text as C takes it: zero-terminated, without zero bytes inside.
+/// A C string: zero-terminated, without embedded zero bytes.
 pub(super) fn c_text(text: &str) -> Result<Vec<u8>, TryReserveError> {
     let mut bytes = Vec::new();
     bytes.try_reserve_exact(text.len() + 1)?;
@@ -109,14 +109,14 @@ pub(super) fn c_text(text: &str) -> Result<Vec<u8>, TryReserveError> {
     Ok(bytes)
 }
 
-/// The status of `error`, the same that the failing call returned; DELOTET_STATUS_OK for NULL.
+/// The status of `error`, the same as the failing call returned; DELOTET_STATUS_OK for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_error_status(error: *const DelotetError) -> DelotetStatus {
     // SAFETY: the caller passes NULL or an error that is alive.
     unsafe { read(error, DelotetStatus::Ok, |error| error.status) }
 }
 
-/// One line in English, UTF-8. Borrowed from `error`: valid until it is freed. "" for NULL; never NULL.
+/// The message: one line of English, UTF-8. Borrowed from `error`: valid until it is freed. "" for NULL; never NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_error_message(error: *const DelotetError) -> *const c_char {
     // SAFETY: the caller passes NULL or an error that is alive.
@@ -128,22 +128,22 @@ pub unsafe extern "C" fn delotet_error_message(error: *const DelotetError) -> *c
     }
 }
 
-/// All defects that the report lists (at most what delotet_options_set_max_defects allows). Borrowed from `error`: valid until
-/// it is freed. Empty for NULL.
+/// The defects that the error lists, at most as many as delotet_options_set_max_defects() allows. Borrowed from `error`: valid until it is
+/// freed. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_error_defects(error: *const DelotetError) -> DelotetDefectsView {
     // SAFETY: the caller passes NULL or an error that is alive.
     unsafe { read(error, DelotetDefectsView::new(&[]), |error| DelotetDefectsView::new(&error.defects)) }
 }
 
-/// How many defects were found in all; the report may list fewer. 0 for NULL.
+/// The number of defects found; the error may list fewer. 0 for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_error_defect_count(error: *const DelotetError) -> usize {
     // SAFETY: the caller passes NULL or an error that is alive.
     unsafe { read(error, 0, |error| error.defect_count) }
 }
 
-/// Frees an error and all that was borrowed from it. NULL is ignored.
+/// Frees an error and everything borrowed from it. NULL is ignored.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_error_free(error: *mut DelotetError) {
     if std::ptr::eq(error, &OUT_OF_MEMORY) {

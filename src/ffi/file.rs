@@ -1,4 +1,4 @@
-//! Meshes from and to files.
+//! Reading and writing files.
 use super::error::DelotetError;
 use super::guard::{get, guard, null, Out};
 use super::mesh::DelotetMesh;
@@ -14,7 +14,7 @@ use std::path::Path;
 /// The path behind a C string: any bytes on Unix, UTF-8 elsewhere.
 ///
 /// # Safety
-/// `path` is null or a zero-terminated string that lives during `'a`.
+/// `path` is null or a zero-terminated string valid for `'a`.
 pub(super) unsafe fn path_of<'a>(path: *const c_char) -> Result<&'a Path, Error> {
     if path.is_null() {
         return Err(null("path"));
@@ -32,10 +32,10 @@ pub(super) unsafe fn path_of<'a>(path: *const c_char) -> Result<&'a Path, Error>
     }
 }
 
-/// Reads a PLC from a file; the extension names the format (src/doc/formats.md lists them).
-/// `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
-/// on failure.
-/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
+/// Reads a PLC from a file; the extension determines the format (src/doc/formats.md lists them).
+/// `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: the PLC, owned by the caller; free it with delotet_plc_free().
+/// NULL on failure.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, FORMAT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_read(
@@ -53,9 +53,9 @@ pub unsafe extern "C" fn delotet_plc_read(
     }
 }
 
-/// Writes a PLC to a file; the extension names the format (src/doc/formats.md lists the surface formats).
-/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
-/// NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+/// Writes a PLC to a file; the extension determines the format (src/doc/formats.md lists the surface formats).
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
+/// file formats), NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_write(
@@ -67,9 +67,9 @@ pub unsafe extern "C" fn delotet_plc_write(
     unsafe { guard(out_error, || files::write_surface(path_of(path)?, &get(plc, "plc")?.plc)) }
 }
 
-/// Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
-/// formats carry its markers and attributes.
-/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
+/// Writes a mesh to a file; the extension determines the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made
+/// from: some formats store its markers and attributes.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_write(

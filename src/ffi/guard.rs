@@ -1,12 +1,12 @@
-//! What stands between C and Rust: no panic leaves, no null pointer enters.
+//! The boundary between C and Rust: no panic crosses it, no null pointer gets in.
 use super::error::DelotetError;
 use super::status::DelotetStatus;
 use crate::error::{Error, Message, Status};
 use crate::panics::catch_silently;
 use std::alloc::Layout;
 
-/// Runs the body of a fallible exported function. `*out_error` is null on success and an owned error on failure; a null
-/// `out_error` means that the caller wants the status only.
+/// Runs the body of a fallible exported function. `*out_error` is null on success and an owned error on failure; a null `out_error` means
+/// that the caller only wants the status.
 ///
 /// # Safety
 /// `out_error` is null or valid for one write.
@@ -27,7 +27,7 @@ pub(super) unsafe fn guard(
     status
 }
 
-/// Reads something of a handle: `otherwise` if the handle is null.
+/// The result of `body` for a handle, `otherwise` if the handle is null.
 ///
 /// # Safety
 /// `handle` is null or valid for reads as long as the result is used.
@@ -42,7 +42,7 @@ pub(super) unsafe fn read<'a, T: 'a, R>(handle: *const T, otherwise: R, body: im
     }
 }
 
-/// An owned value on the heap, or the value back if memory ran out: `Box::new` would end the process.
+/// Moves a value to the heap, or returns it if memory ran out: `Box::new` would abort the process.
 pub(super) fn boxed<T>(value: T) -> Result<Box<T>, T> {
     let layout = Layout::new::<T>();
     if layout.size() == 0 {
@@ -60,7 +60,7 @@ pub(super) fn boxed<T>(value: T) -> Result<Box<T>, T> {
     })
 }
 
-/// Makes an owned handle; null if memory runs out.
+/// Creates an owned handle; null if memory runs out.
 pub(super) fn make<T>(body: impl FnOnce() -> T) -> *mut T {
     match catch_silently(|| boxed(body())) {
         Ok(Ok(handle)) => Box::into_raw(handle),
@@ -97,7 +97,7 @@ pub(super) unsafe fn get_mut<'a, T>(handle: *mut T, name: &str) -> Result<&'a mu
     unsafe { handle.as_mut() }.ok_or_else(|| null(name))
 }
 
-/// An out-parameter for an owned handle: set to null at once, to a handle by [`Out::put`].
+/// An out-parameter for an owned handle: null from the start, set to the handle by [`Out::put`].
 pub(super) struct Out<T>(*mut *mut T);
 
 impl<T> Out<T> {

@@ -1,6 +1,6 @@
-//! What the process takes of the machine's memory, by the system's account.
+//! Memory use of the process, as the system reports it.
 
-/// The largest resident memory of this process so far in bytes, with all that the host holds; none where the system does not tell.
+/// The peak resident memory of this process so far in bytes, including the host program's; `None` if the system does not report it.
 pub fn peak_resident() -> Option<u64> {
     #[cfg(unix)]
     {
@@ -19,7 +19,7 @@ pub fn peak_resident() -> Option<u64> {
     None
 }
 
-/// How many bytes of address space the process may have (`ulimit -v`); none if there is no limit, or none that the system tells.
+/// The limit on the address space of the process in bytes (`ulimit -v`); `None` if there is no limit or the system does not report one.
 pub fn limit() -> Option<u64> {
     #[cfg(unix)]
     {

@@ -1,4 +1,4 @@
-//! The result: views of the arrays as the engine made them. What has to be derived first is in `query`.
+//! The result: views of the arrays that the engine made. Derived arrays are in `query`.
 use super::error::DelotetError;
 use super::guard::{free, get, guard, invalid, null, read};
 use super::plc::DelotetPlc;
@@ -34,7 +34,7 @@ pub(super) struct Derived {
     pub(super) locator: OnceLock<Locator>,
 }
 
-/// Handles may be handed from thread to thread, and constant ones shared.
+/// Handles may be passed between threads, and const ones shared.
 const _: () = {
     const fn shareable<T: Send + Sync>() {}
     shareable::<DelotetMesh>();
@@ -69,15 +69,15 @@ pub unsafe extern "C" fn delotet_mesh_points(mesh: *const DelotetMesh) -> Delote
     unsafe { read(mesh, DelotetPointsView::new(&[]), |mesh| DelotetPointsView::new(&mesh.mesh.points)) }
 }
 
-/// How many of the points are input points. 0 for NULL.
+/// The number of points that are input points. 0 for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_input_point_count(mesh: *const DelotetMesh) -> usize {
     // SAFETY: the caller passes NULL or a mesh that is alive.
     unsafe { read(mesh, 0, |mesh| mesh.mesh.input_point_count as usize) }
 }
 
-/// For each input point the first input point equal to it (itself, if there is none): tetrahedra use only that one. Borrowed
-/// from `mesh`. Empty for NULL.
+/// For each input point the first input point with the same coordinates (itself if there is no earlier one): tetrahedra use only that one.
+/// Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_point_aliases(mesh: *const DelotetMesh) -> DelotetIndicesView {
     // SAFETY: the caller passes NULL or a mesh that is alive.
@@ -86,9 +86,9 @@ pub unsafe extern "C" fn delotet_mesh_point_aliases(mesh: *const DelotetMesh) ->
     }
 }
 
-/// Where input points are in a mesh made with delotet_options_set_drop_unmeshed_points(): per input point its index in
-/// delotet_mesh_points(), of a point that equals an earlier one that one's; DELOTET_INVALID_INDEX if it was left out. Borrowed from `mesh`.
-/// Empty for NULL and without that option: points then keep their numbers.
+/// Where the input points are in a mesh made with delotet_options_set_drop_unmeshed_points(): for each input point its index in
+/// delotet_mesh_points(), or the index of the earlier point that it equals; DELOTET_INVALID_INDEX if it was left out. Borrowed from `mesh`.
+/// Empty for NULL and without that option: points then keep their indices.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_point_map(mesh: *const DelotetMesh) -> DelotetIndicesView {
     let none = DelotetIndicesView::new(&[]);
@@ -107,18 +107,18 @@ pub unsafe extern "C" fn delotet_mesh_crowded_points(mesh: *const DelotetMesh) -
     unsafe { read(mesh, DelotetIndicesView::new(&[]), |mesh| DelotetIndicesView::new(&mesh.mesh.crowded)) }
 }
 
-/// Tetrahedra that took the place of ones that no doubles made positive, ascending: almost flat facets force them. They are positive, but
-/// not necessarily Delaunay. Where sheets leave doubles no room for points on the surface, the mesh has none there, and these are all
-/// tetrahedra at faces that are not locally Delaunay. Borrowed from `mesh`. Empty for NULL.
+/// Tetrahedra that replace ones for which no double coordinates gave a positive volume, in ascending order: nearly flat facets force them.
+/// They are positive, but not necessarily Delaunay. Where sheets are too close for Steiner points on the surface in doubles, the mesh has
+/// no such points, and these are all tetrahedra at faces that are not locally Delaunay. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_replaced_tets(mesh: *const DelotetMesh) -> DelotetIndicesView {
     // SAFETY: the caller passes NULL or a mesh that is alive.
     unsafe { read(mesh, DelotetIndicesView::new(&[]), |mesh| DelotetIndicesView::new(&mesh.mesh.replaced)) }
 }
 
-/// Attributes of all points: #points by `width`: the input's, and at Steiner points linear between the ends of the input edge, inside
-/// in a tetrahedron of points around.
-/// Borrowed from `mesh`. Empty for NULL and if the input had none.
+/// Attributes of all points: #points by `width` doubles. Input points have the input's; Steiner points on an input edge are interpolated
+/// linearly between its ends, those inside linearly in a tetrahedron of surrounding points.
+/// Borrowed from `mesh`. Empty for NULL and if the input has none.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_point_attributes(mesh: *const DelotetMesh) -> DelotetDoublesView {
     let view = |data: &PointData| DelotetDoublesView::new(&data.attributes, data.attribute_count);
@@ -126,15 +126,15 @@ pub unsafe extern "C" fn delotet_mesh_point_attributes(mesh: *const DelotetMesh)
     unsafe { read(mesh, DelotetDoublesView::new(&[], 0), |mesh| view(&mesh.data)) }
 }
 
-/// Markers of all points: the input's, at Steiner points their segment's, 0 on an edge of facets only and inside. Borrowed from `mesh`.
-/// Empty for NULL and if the input had none.
+/// Markers of all points. Input points have the input's; Steiner points have that of their segment, or 0 if they lie on no segment.
+/// Borrowed from `mesh`. Empty for NULL and if the input has none.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_point_markers(mesh: *const DelotetMesh) -> DelotetMarkersView {
     // SAFETY: the caller passes NULL or a mesh that is alive.
     unsafe { read(mesh, DelotetMarkersView::new(&[]), |mesh| DelotetMarkersView::new(&mesh.data.markers)) }
 }
 
-/// The tetrahedra: four corners each, positive: det(b - a, c - a, d - a) > 0, as in VTK, Gmsh and TetGen's output. Borrowed from
+/// The tetrahedra: four corners each, positively oriented, det(b - a, c - a, d - a) > 0, as in VTK, Gmsh and TetGen's output. Borrowed from
 /// `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_tets(mesh: *const DelotetMesh) -> DelotetTetsView {
@@ -142,15 +142,15 @@ pub unsafe extern "C" fn delotet_mesh_tets(mesh: *const DelotetMesh) -> DelotetT
     unsafe { read(mesh, DelotetTetsView::new(&[]), |mesh| DelotetTetsView::new(&mesh.mesh.tets)) }
 }
 
-/// Neighbours: per tetrahedron and corner i the tetrahedron beyond the face opposite that corner, or DELOTET_INVALID_INDEX.
-/// Borrowed from `mesh`. Empty for NULL.
+/// The neighbours: for each tetrahedron and corner i the tetrahedron across the face opposite that corner, or DELOTET_INVALID_INDEX if
+/// there is none. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_neighbors(mesh: *const DelotetMesh) -> DelotetTetsView {
     // SAFETY: the caller passes NULL or a mesh that is alive.
     unsafe { read(mesh, DelotetTetsView::new(&[]), |mesh| DelotetTetsView::new(&mesh.mesh.neighbors)) }
 }
 
-/// Per tetrahedron the index of its region in delotet_mesh_regions. Borrowed from `mesh`. Empty for NULL.
+/// For each tetrahedron the index of its region in delotet_mesh_regions(). Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_tet_regions(mesh: *const DelotetMesh) -> DelotetIndicesView {
     // SAFETY: the caller passes NULL or a mesh that is alive.
@@ -164,15 +164,15 @@ pub unsafe extern "C" fn delotet_mesh_regions(mesh: *const DelotetMesh) -> Delot
     unsafe { read(mesh, DelotetRegionsView::new(&[]), |mesh| DelotetRegionsView::new(&mesh.regions)) }
 }
 
-/// The faces on facets, with facet, marker and both tetrahedra; pieces of facets that bound no tetrahedron are in
-/// delotet_mesh_unmeshed_subfaces. Borrowed from `mesh`. Empty for NULL.
+/// The faces on facets, with facet, marker and both tetrahedra. Pieces of facets that bound no tetrahedron are in
+/// delotet_mesh_unmeshed_subfaces(). Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_subfaces(mesh: *const DelotetMesh) -> DelotetSubfacesView {
     // SAFETY: the caller passes NULL or a mesh that is alive.
     unsafe { read(mesh, DelotetSubfacesView::new(&[]), |mesh| DelotetSubfacesView::new(&mesh.mesh.subfaces)) }
 }
 
-/// The edges on segments and on edges of facets, with segment and marker. Borrowed from `mesh`. Empty for NULL.
+/// The mesh edges on segments and on facet edges, with segment and marker. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_subsegments(mesh: *const DelotetMesh) -> DelotetSubsegmentsView {
     let none = DelotetSubsegmentsView::new(&[]);
@@ -180,8 +180,8 @@ pub unsafe extern "C" fn delotet_mesh_subsegments(mesh: *const DelotetMesh) -> D
     unsafe { read(mesh, none, |mesh| DelotetSubsegmentsView::new(&mesh.mesh.subsegments)) }
 }
 
-/// Pieces of facets that bound no tetrahedron, since all around them was carved: a shell that leaks, a facet outside of the domain, a
-/// wall in a hole. They are no faces of the mesh: both tetrahedra are DELOTET_INVALID_INDEX. Borrowed from `mesh`. Empty for NULL.
+/// Pieces of facets that bound no tetrahedron because everything around them was carved: a shell that leaks, a facet outside the domain, a
+/// wall in a hole. They are not faces of the mesh: both tetrahedra are DELOTET_INVALID_INDEX. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_unmeshed_subfaces(mesh: *const DelotetMesh) -> DelotetSubfacesView {
     let none = DelotetSubfacesView::new(&[]);
@@ -189,7 +189,7 @@ pub unsafe extern "C" fn delotet_mesh_unmeshed_subfaces(mesh: *const DelotetMesh
     unsafe { read(mesh, none, |mesh| DelotetSubfacesView::new(&mesh.mesh.unmeshed_subfaces)) }
 }
 
-/// Pieces of segments and of edges of facets that are edges of no tetrahedron. Borrowed from `mesh`. Empty for NULL.
+/// Pieces of segments and of facet edges that are edges of no tetrahedron. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_unmeshed_subsegments(
     mesh: *const DelotetMesh,
@@ -199,8 +199,8 @@ pub unsafe extern "C" fn delotet_mesh_unmeshed_subsegments(
     unsafe { read(mesh, none, |mesh| DelotetSubsegmentsView::new(&mesh.mesh.unmeshed_subsegments)) }
 }
 
-/// Points that no tetrahedron has, ascending: those that equal an earlier point (delotet_mesh_point_aliases), and those around which
-/// all was carved. Borrowed from `mesh`. Empty for NULL.
+/// Points that belong to no tetrahedron, in ascending order: those that equal an earlier point (delotet_mesh_point_aliases()), and those
+/// around which everything was carved. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_unmeshed_points(mesh: *const DelotetMesh) -> DelotetIndicesView {
     let none = DelotetIndicesView::new(&[]);
@@ -208,16 +208,16 @@ pub unsafe extern "C" fn delotet_mesh_unmeshed_points(mesh: *const DelotetMesh) 
     unsafe { read(mesh, none, |mesh| DelotetIndicesView::new(&mesh.mesh.unmeshed_points)) }
 }
 
-/// The Steiner points in the order of the points, with the input edge and the segment they lie on, if any. Borrowed from `mesh`. Empty
-/// for NULL.
+/// The Steiner points, in the order of delotet_mesh_points(), with the input edge and the segment that each lies on, if any. Borrowed from
+/// `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_steiner_points(mesh: *const DelotetMesh) -> DelotetSteinerView {
     // SAFETY: the caller passes NULL or a mesh that is alive.
     unsafe { read(mesh, DelotetSteinerView::new(&[]), |mesh| DelotetSteinerView::new(&mesh.mesh.steiner)) }
 }
 
-/// Terms of parameters that need more than a double (segments an ulp or so apart), in the order of the Steiner points, the
-/// largest term of a point first. Borrowed from `mesh`. Empty for NULL.
+/// Further terms of parameters that one double cannot hold (segments about an ulp apart), in the order of the Steiner points, each point's
+/// largest term first. Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_steiner_terms(mesh: *const DelotetMesh) -> DelotetSteinerTermsView {
     let none = DelotetSteinerTermsView::new(&[]);
@@ -233,17 +233,17 @@ pub unsafe extern "C" fn delotet_mesh_facet_flips(mesh: *const DelotetMesh) -> D
     unsafe { read(mesh, none, |mesh| DelotetFacetFlipsView::new(&mesh.mesh.facet_flips)) }
 }
 
-/// Counts and costs of the run that made a mesh. Later versions append fields: `struct_size` tells both sides how many there are.
+/// Counts and costs of the run that made a mesh. Later versions append fields; `struct_size` tells both sides which ones exist.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetStats {
-    /// Set by the caller to sizeof(DelotetStats); set by the library to the number of bytes that it wrote.
+    /// The caller sets it to sizeof(DelotetStats); the library sets it to the number of bytes written.
     pub struct_size: usize,
-    /// Steiner points on segments and edges of facets.
+    /// Steiner points on segments and facet edges.
     pub steiner: u64,
-    /// Those whose double coordinates are exact.
+    /// Steiner points whose double coordinates are exact.
     pub steiner_exact: u64,
-    /// Those whose nearest double was not valid and that were moved to another position.
+    /// Steiner points moved to another position because the nearest doubles were not valid.
     pub steiner_moved: u64,
     /// Input points that equal an earlier one.
     pub duplicate_points: u64,
@@ -251,32 +251,33 @@ pub struct DelotetStats {
     pub missing_segments: u64,
     /// Missing regions that facet recovery filled.
     pub missing_regions: u64,
-    /// Largest number of bytes that the kernel's arrays held.
+    /// Peak size of the engine's arrays in bytes.
     pub peak_bytes: u64,
     /// Seconds per phase, indexed by DelotetPhase; unused entries are 0.
     pub seconds: [f64; 16],
-    /// DELOTET_MODE_PRESERVE, else 0: edges of the surface missing from the Delaunay tetrahedralization of the points.
+    /// Edges of the surface missing from the Delaunay tetrahedralization of the points. Like all `preserve_` fields, 0 except in
+    /// DELOTET_MODE_PRESERVE.
     pub preserve_missing_edges: u64,
-    /// Triangles of the surface missing from it.
+    /// Triangles of the surface missing from that tetrahedralization.
     pub preserve_missing_faces: u64,
     /// Edges and faces recovered by reconnecting tetrahedra alone.
     pub preserve_by_reconnection: u64,
     /// Edges and faces recovered with the help of points inside.
     pub preserve_by_interior_points: u64,
-    /// Edges and faces recovered by points on them, which were taken away again.
+    /// Edges and faces recovered by points on them that were removed again.
     pub preserve_by_splits: u64,
-    /// Points on the surface taken away without a replacement.
+    /// Points on the surface removed without a replacement.
     pub preserve_deleted: u64,
-    /// Points on the surface taken away with points inside in their place.
+    /// Points on the surface replaced by points inside.
     pub preserve_relocated: u64,
-    /// Points added inside that are left.
+    /// Points added inside that remain in the mesh.
     pub preserve_interior: u64,
     /// Points left on internal facets and segments (DELOTET_PRESERVE_OUTER).
     pub preserve_on_internal_facets: u64,
-    /// Tetrahedra that took the place of ones that no doubles made positive (delotet_mesh_replaced_tets).
+    /// Tetrahedra that replace ones for which no double coordinates gave a positive volume (delotet_mesh_replaced_tets()).
     pub replaced: u64,
-    /// Largest resident memory of the process up to the end of the run in bytes, with all that the host holds; 0 where the system
-    /// does not tell.
+    /// Peak resident memory of the process up to the end of the run in bytes, including the host program's; 0 if the system does not report
+    /// it.
     pub peak_resident_bytes: u64,
 }
 const _: () = assert!(Phase::COUNT <= 16);
@@ -310,7 +311,7 @@ impl DelotetStats {
         }
     }
 
-    /// Writes as many bytes as the caller's struct has.
+    /// Writes as many bytes as the caller's struct holds.
     ///
     /// # Safety
     /// `stats` is null or has a readable `struct_size` and as many writable bytes as that says.
@@ -331,7 +332,7 @@ impl DelotetStats {
 }
 
 /// Counts and costs of the run. Set `stats->struct_size = sizeof *stats` before the call.
-/// Errors: INVALID_ARGUMENT (NULL, or a struct_size too small for itself).
+/// Errors: INVALID_ARGUMENT (NULL, or a `struct_size` smaller than that field itself).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_stats(
@@ -344,10 +345,10 @@ pub unsafe extern "C" fn delotet_mesh_stats(
     unsafe { guard(out_error, || DelotetStats::new(get(mesh, "mesh")?).write(stats)) }
 }
 
-/// What the checks compare.
+/// The PLC and the mesh that the checks compare.
 ///
 /// # Safety
-/// The handles are NULL or alive, and nothing changes them meanwhile.
+/// The handles are NULL or alive, and nothing changes them during `'a`.
 unsafe fn compared<'a>(
     plc: *const DelotetPlc,
     mesh: *const DelotetMesh,
@@ -356,7 +357,7 @@ unsafe fn compared<'a>(
     unsafe { Ok((&get(plc, "plc")?.plc, &get(mesh, "mesh")?.mesh)) }
 }
 
-/// Checks a mesh against its PLC, exactly: all tetrahedra positive and conforming, points unmoved, segments and facets covered;
+/// Checks a mesh against its PLC exactly: all tetrahedra are positive and conforming, points are unmoved, segments and facets are covered;
 /// with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
 /// Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
 #[no_mangle]
@@ -378,8 +379,8 @@ pub unsafe extern "C" fn delotet_mesh_check(
     }
 }
 
-/// Checks a mesh like delotet_mesh_check(), without the Delaunay property, and that it keeps the surface as DELOTET_MODE_PRESERVE
-/// promises: every input triangle is a face (or, if input points lie on it, a union of faces between these) and no added point
+/// Checks a mesh like delotet_mesh_check() without the Delaunay property, and also that it keeps the surface as DELOTET_MODE_PRESERVE
+/// promises: every input triangle is a face (or, if input points lie on it, a union of faces with these as corners), and no added point
 /// lies on a facet or segment. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -397,8 +398,8 @@ pub unsafe extern "C" fn delotet_mesh_check_preserved(
     }
 }
 
-/// Checks a mesh like delotet_mesh_check_preserved(), but of the outer boundary only, as DELOTET_PRESERVE_OUTER promises: other facets
-/// and segments must be covered, and may have added points. The error lists at most `max_defects`.
+/// Checks a mesh like delotet_mesh_check_preserved(), but only its outer boundary, as DELOTET_PRESERVE_OUTER promises: other facets and
+/// segments must be covered and may carry added points. The error lists at most `max_defects`.
 /// Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -417,7 +418,7 @@ pub unsafe extern "C" fn delotet_mesh_check_preserved_outer(
     }
 }
 
-/// Frees a mesh and all that was borrowed from it. NULL is ignored.
+/// Frees a mesh and everything borrowed from it. NULL is ignored.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_free(mesh: *mut DelotetMesh) {
     // SAFETY: the caller passes NULL or a mesh that it owns.

@@ -1,12 +1,12 @@
-//! The C ABI: an adapter over the Rust API, and the only unsafe code of the library.
+//! The C ABI: an adapter over the Rust API, and the only unsafe code in the library.
 //!
-//! Conventions, kept by every file here:
+//! Conventions of every file here:
 //!
 //! * Exported functions are named `delotet_<noun>_<verb>`; their comments are written for C readers, since cbindgen copies
 //!   them into `include/delotet/delotet.h`.
 //! * Every body goes through [`guard`]: a panic becomes `DELOTET_STATUS_INTERNAL`, a null handle or array
 //!   `DELOTET_STATUS_INVALID_ARGUMENT`. Bodies stay at 15 lines or fewer; real work is in safe modules.
-//! * Values that C passes in are integers, never Rust enums: an unknown value must be an error and not undefined behaviour.
+//! * Values that C passes in are integers, never Rust enums: an unknown value must be an error, not undefined behaviour.
 //! * Output arrays are views into the handle: pointer and count, valid until the handle is freed.
 //!
 //! Layers: imports `tetrahedralize`, `plc`, `options`, `output`, `check`, `io`, `mesh_query`, `error`, `progress`, `warning`.

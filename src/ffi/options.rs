@@ -1,4 +1,4 @@
-//! Settings by setters that check at once, and the callbacks.
+//! The options, with setters that validate at once, and the callbacks.
 use super::error::{c_text, DelotetError};
 use super::guard::{free, get_mut, guard, invalid, make};
 use super::status::{DelotetPhase, DelotetStatus};
@@ -8,38 +8,38 @@ use crate::progress::{Observer, Phase};
 use libc::{c_char, c_void};
 use std::ops::ControlFlow;
 
-/// What is made of the input: one of the DELOTET_MODE_ constants.
+/// What is made from the input: one of the DELOTET_MODE_ constants.
 pub type DelotetMode = u32;
 /// The Delaunay tetrahedralization of the points; segments and facets are ignored.
 pub const DELOTET_MODE_DELAUNAY: DelotetMode = 0;
 /// The constrained Delaunay tetrahedralization: segments and facets are unions of edges and faces, with Steiner points on
 /// segments only. The default.
 pub const DELOTET_MODE_CONSTRAINED: DelotetMode = 1;
-/// A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation) is a
-/// face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+/// A tetrahedralization that keeps the surface as it is: every facet triangle (for general facets, every triangle of their triangulation)
+/// is a face, every segment is an edge, and no point is added on them. Points are added only inside, as few as possible.
 pub const DELOTET_MODE_PRESERVE: DelotetMode = 2;
 
 /// What DELOTET_MODE_PRESERVE keeps: one of the DELOTET_PRESERVE_ constants.
 pub type DelotetPreserve = u32;
 /// Every facet and segment. The default.
 pub const DELOTET_PRESERVE_ALL: DelotetPreserve = 0;
-/// The outer boundary: facets with the mesh on one side, and segments on these. Others (interfaces of regions, dangling facets) are
-/// unions of faces and edges, with Steiner points on their segments where they would cost points inside.
+/// The outer boundary: facets with the mesh on one side, and the segments on them. Other facets and segments (interfaces between regions,
+/// dangling facets) are unions of faces and edges, with Steiner points on segments where keeping them would take points inside.
 pub const DELOTET_PRESERVE_OUTER: DelotetPreserve = 1;
 
-/// Receives progress: `fraction` of `phase` is done, from 0 to 1. Phases come in their order, each once and up to 1 (those that are not
-/// needed never), and fractions never fall: what is done again in another attempt shows as no progress. delotet_phase_overall() makes
-/// one number of both. Return 0 to go on, anything else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the
-/// thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
+/// Receives progress: `fraction` of `phase` is done, from 0 to 1. Phases come in order, each once and up to 1 (unneeded ones never), and
+/// fractions never decrease: repeated attempts report no progress. delotet_phase_overall() combines both into one number. Return 0 to
+/// continue, anything else to cancel: the call then fails with DELOTET_STATUS_CANCELLED. Called on the thread that made the call. Must not
+/// throw, must not longjmp, and must not use the handles of the call.
 pub type DelotetProgressFn =
     Option<unsafe extern "C" fn(user_data: *mut c_void, phase: DelotetPhase, fraction: f64) -> i32>;
 
-/// Receives a line of text about the run: "warning: ..." and one line per kind of warning at its end; `message` is UTF-8 and valid during the call of the callback only. Called on the
-/// thread that made the call. Must not throw, must not longjmp, must not use the handles of the call.
+/// Receives a line of text about the run; warnings begin with "warning: " and come at its end, one line per kind. `message` is UTF-8 and
+/// valid only during the callback. Called on the thread that made the call. Must not throw, must not longjmp, and must not use the handles
+/// of the call.
 pub type DelotetLogFn = Option<unsafe extern "C" fn(user_data: *mut c_void, message: *const c_char)>;
 
-/// Settings of a run. One object may serve any number of runs, also at the same time (the callbacks are then called from all
-/// their threads).
+/// Settings of a run. One object may serve any number of runs, even concurrent ones (the callbacks are then called from all their threads).
 pub struct DelotetOptions {
     pub(super) options: Options,
     pub(super) callbacks: Callbacks,
@@ -82,7 +82,7 @@ impl Observer for Callbacks {
 
     fn log(&mut self, message: &str) {
         let Some(callback) = self.log else { return };
-        // A line of the log that there is no memory for is left out.
+        // Without memory for a log line, the line is dropped.
         let Ok(text) = c_text(message) else { return };
         // SAFETY: the caller set this function together with this pointer; the text lives until it returns.
         unsafe { callback(self.log_data, text.as_ptr().cast()) }
@@ -101,7 +101,7 @@ pub(super) unsafe fn settings(options: *const DelotetOptions) -> (Options, Callb
     }
 }
 
-/// New options with the defaults that the setters document. The caller owns them: free with delotet_options_free. NULL only if
+/// New options with the defaults that the setters document. The caller owns them; free them with delotet_options_free(). NULL only if
 /// memory ran out.
 #[no_mangle]
 #[must_use]
@@ -122,7 +122,7 @@ unsafe fn change(
     unsafe { guard(out_error, || body(get_mut(options, "options")?)) }
 }
 
-/// What is made: a DELOTET_MODE_ constant. Default: DELOTET_MODE_CONSTRAINED. Errors: INVALID_ARGUMENT (other values).
+/// Sets what is made: a DELOTET_MODE_ constant. Default: DELOTET_MODE_CONSTRAINED. Errors: INVALID_ARGUMENT (other values).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_mode(
@@ -144,7 +144,7 @@ pub unsafe extern "C" fn delotet_options_set_mode(
     }
 }
 
-/// What DELOTET_MODE_PRESERVE keeps: a DELOTET_PRESERVE_ constant; other modes do not ask. Default: DELOTET_PRESERVE_ALL.
+/// Sets what DELOTET_MODE_PRESERVE keeps: a DELOTET_PRESERVE_ constant; other modes ignore it. Default: DELOTET_PRESERVE_ALL.
 /// Errors: INVALID_ARGUMENT (other values).
 #[no_mangle]
 #[must_use]
@@ -188,8 +188,8 @@ pub unsafe extern "C" fn delotet_options_set_keep_hull(
     }
 }
 
-/// Take facets with equal markers that meet above `angle` degrees (90 to 180) as one smooth patch, and flip its triangles to be
-/// Delaunay on the surface first; delotet_mesh_facet_flips reports the flips. 0: off, the default. Errors: INVALID_ARGUMENT.
+/// Treat facets with equal markers that meet at more than `angle` degrees (90 to 180) as one smooth patch, and flip its triangles to be
+/// Delaunay on the surface before meshing; delotet_mesh_facet_flips() lists the flips. 0, the default: off. Errors: INVALID_ARGUMENT.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_merge_facets(
@@ -214,7 +214,7 @@ pub unsafe extern "C" fn delotet_options_set_merge_facets(
     }
 }
 
-/// Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may end in
+/// Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may cause
 /// DELOTET_STATUS_INTERNAL. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
@@ -232,7 +232,8 @@ pub unsafe extern "C" fn delotet_options_set_validate(
     }
 }
 
-/// How many defects an error lists at most, and how many warnings of a kind a mesh. Default: 1000. Errors: INVALID_ARGUMENT (NULL).
+/// Sets how many defects an error lists at most, and how many warnings of each kind a mesh lists. Default: 1000. Errors: INVALID_ARGUMENT
+/// (NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_max_defects(
@@ -249,7 +250,8 @@ pub unsafe extern "C" fn delotet_options_set_max_defects(
     }
 }
 
-/// Worker threads; 0: as many as there are processors for this process. The mesh does not depend on it, bit for bit. Default: 1.
+/// Sets the number of worker threads; 0: one per processor available to the process. The mesh is the same, bit for bit, for any number.
+/// Default: 1.
 /// Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
@@ -267,8 +269,7 @@ pub unsafe extern "C" fn delotet_options_set_threads(
     }
 }
 
-/// Give up with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX: the default, 100,000 and 100 more
-/// per segment.
+/// Fail with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX, the default: 100,000 plus 100 per segment.
 /// Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
@@ -286,9 +287,9 @@ pub unsafe extern "C" fn delotet_options_set_steiner_limit(
     }
 }
 
-/// Return the mesh also if some Steiner points have no valid position in doubles, instead of DELOTET_STATUS_ROUNDING:
-/// delotet_mesh_crowded_points() lists them, tetrahedra at them may be flat or inverted in doubles, and the exact mesh is
-/// given by delotet_mesh_steiner_points(). Default: false. Errors: INVALID_ARGUMENT (NULL).
+/// Return the mesh even if some Steiner points have no valid position in doubles, instead of failing with DELOTET_STATUS_ROUNDING.
+/// delotet_mesh_crowded_points() lists these points; tetrahedra at them may be flat or inverted in doubles; delotet_mesh_steiner_points()
+/// gives the exact mesh. Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_exact_form(
@@ -305,9 +306,9 @@ pub unsafe extern "C" fn delotet_options_set_exact_form(
     }
 }
 
-/// Leave out the points that no tetrahedron has: those that equal an earlier one, and those around which all was carved. Input points
-/// then have other numbers in the mesh, which delotet_mesh_point_map() tells. What is not meshed is not listed, as its points are gone;
-/// it is still warned of. Default: false. Errors: INVALID_ARGUMENT (NULL).
+/// Leave out points that belong to no tetrahedron: those that equal an earlier one, and those around which everything was carved. Input
+/// points then have other indices in the mesh, which delotet_mesh_point_map() gives. Unmeshed subfaces and subsegments are not listed,
+/// since their points are dropped; warnings about them remain. Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_drop_unmeshed_points(
@@ -341,7 +342,7 @@ pub unsafe extern "C" fn delotet_options_set_points_sorted(
     }
 }
 
-/// Progress goes to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default.
+/// Sets the callback that receives progress; `user_data` is passed to it unchanged. NULL, the default: none.
 /// Errors: INVALID_ARGUMENT (options is NULL).
 #[no_mangle]
 #[must_use]
@@ -361,8 +362,8 @@ pub unsafe extern "C" fn delotet_options_set_progress(
     }
 }
 
-/// Log lines go to `callback` together with `user_data`, which is only handed through. NULL: nowhere, the default; the library
-/// itself never prints. Errors: INVALID_ARGUMENT (options is NULL).
+/// Sets the callback that receives log lines; `user_data` is passed to it unchanged. NULL, the default: none. The library itself never
+/// prints. Errors: INVALID_ARGUMENT (options is NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_log(
@@ -393,7 +394,7 @@ unsafe fn setting<R>(options: *const DelotetOptions, body: impl FnOnce(&Options)
     }
 }
 
-/// The mode, as delotet_options_set_mode() sets it. For NULL, here and in all getters of options: the default.
+/// The mode, as set by delotet_options_set_mode(). All getters return the default for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_mode(options: *const DelotetOptions) -> DelotetMode {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
@@ -406,7 +407,7 @@ pub unsafe extern "C" fn delotet_options_mode(options: *const DelotetOptions) ->
     }
 }
 
-/// What DELOTET_MODE_PRESERVE keeps, as delotet_options_set_preserve() sets it.
+/// What DELOTET_MODE_PRESERVE keeps, as set by delotet_options_set_preserve().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_preserve(options: *const DelotetOptions) -> DelotetPreserve {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
@@ -418,70 +419,70 @@ pub unsafe extern "C" fn delotet_options_preserve(options: *const DelotetOptions
     }
 }
 
-/// Whether the convex hull is kept, as delotet_options_set_keep_hull() sets it.
+/// Whether the convex hull is kept, as set by delotet_options_set_keep_hull().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_keep_hull(options: *const DelotetOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.keep_hull) }
 }
 
-/// The angle of facet merging in degrees, 0 if it is off, as delotet_options_set_merge_facets() sets it.
+/// The angle of facet merging in degrees, 0 if it is off, as set by delotet_options_set_merge_facets().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_merge_facets(options: *const DelotetOptions) -> f64 {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.merge_facets.unwrap_or(0.0)) }
 }
 
-/// Whether the input is validated, as delotet_options_set_validate() sets it.
+/// Whether the input is validated, as set by delotet_options_set_validate().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_validate(options: *const DelotetOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.validate) }
 }
 
-/// How many defects an error lists at most, as delotet_options_set_max_defects() sets it.
+/// How many defects an error lists at most, as set by delotet_options_set_max_defects().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_max_defects(options: *const DelotetOptions) -> usize {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.max_defects) }
 }
 
-/// The number of worker threads, as delotet_options_set_threads() sets it.
+/// The number of worker threads, as set by delotet_options_set_threads().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_threads(options: *const DelotetOptions) -> usize {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.threads) }
 }
 
-/// The limit on Steiner points, UINT64_MAX for the default one, as delotet_options_set_steiner_limit() sets it.
+/// The limit on Steiner points, UINT64_MAX for the default limit, as set by delotet_options_set_steiner_limit().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_steiner_limit(options: *const DelotetOptions) -> u64 {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.steiner_limit.unwrap_or(u64::MAX)) }
 }
 
-/// Whether a mesh is returned that has no valid doubles, as delotet_options_set_exact_form() sets it.
+/// Whether a mesh without valid double coordinates is returned, as set by delotet_options_set_exact_form().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_exact_form(options: *const DelotetOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.exact_form) }
 }
 
-/// Whether points are left out that no tetrahedron has, as delotet_options_set_drop_unmeshed_points() sets it.
+/// Whether points that belong to no tetrahedron are left out, as set by delotet_options_set_drop_unmeshed_points().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_drop_unmeshed_points(options: *const DelotetOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.drop_unmeshed_points) }
 }
 
-/// Whether sorting is skipped, as delotet_options_set_points_sorted() sets it.
+/// Whether sorting is skipped, as set by delotet_options_set_points_sorted().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_points_sorted(options: *const DelotetOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.points_sorted) }
 }
 
-/// The progress callback, NULL if there is none, as delotet_options_set_progress() sets it.
+/// The progress callback, NULL if there is none, as set by delotet_options_set_progress().
 /// `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_progress(
@@ -496,7 +497,7 @@ pub unsafe extern "C" fn delotet_options_progress(
     }
 }
 
-/// The log callback, NULL if there is none, as delotet_options_set_log() sets it.
+/// The log callback, NULL if there is none, as set by delotet_options_set_log().
 /// `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_log(
@@ -511,7 +512,7 @@ pub unsafe extern "C" fn delotet_options_log(
     }
 }
 
-/// Writes a pointer where one is wanted.
+/// Writes `value` through `pointer`, unless that is null.
 ///
 /// # Safety
 /// `pointer` is null or valid for one write.
@@ -522,7 +523,7 @@ unsafe fn put(pointer: *mut *mut c_void, value: *mut c_void) {
     }
 }
 
-/// Frees options. NULL is ignored. Not while a run uses them.
+/// Frees options. NULL is ignored. No run may be using them.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_options_free(options: *mut DelotetOptions) {
     // SAFETY: the caller passes NULL or options that it owns.

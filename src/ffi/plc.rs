@@ -1,4 +1,4 @@
-//! The input: a PLC that grows by calls. Arrays are copied.
+//! The input: a PLC built by calls. Arrays are copied.
 use super::error::DelotetError;
 use super::guard::{free, get, get_mut, guard, invalid, set, Out};
 use super::options::{settings, DelotetOptions};
@@ -21,23 +21,24 @@ pub struct DelotetPlc {
     pub(super) names: Vec<CString>,
 }
 
-/// The corner list that belongs to a list of ends, which must ascend.
+/// The corner list for a list of polygon ends. Fails if the ends do not ascend.
 ///
 /// # Safety
 /// `corners` is valid for as many elements as the last of `ends` says.
 unsafe fn corner_list<'a>(corners: *const u32, ends: &[usize]) -> Result<&'a [u32], Error> {
     if ends.first().is_some_and(|&end| end == 0) || ends.windows(2).any(|pair| pair[0] >= pair[1]) {
-        return Err(invalid("the ends of the polygons do not ascend: every polygon needs a corner"));
+        return Err(invalid("the ends of the polygons must ascend: every polygon needs a corner"));
     }
     // SAFETY: the caller promises the length.
     unsafe { array(corners, ends.last().copied().unwrap_or(0), "corners") }
 }
 
-/// A new PLC with these points and nothing else.
+/// Creates a PLC with these points and nothing else.
 /// `xyz`: #points by 3 doubles, x y z per point; copied; may be NULL if `point_count` is 0. Finiteness is checked later, by
-/// delotet_plc_check and delotet_tetrahedralize.
-/// `out_plc`: the PLC, owned by the caller: free with delotet_plc_free; NULL on failure.
-/// `out_error`: may be NULL; NULL on success, else an error to be freed with delotet_error_free. So for all functions here.
+/// delotet_plc_check() and delotet_tetrahedralize().
+/// `out_plc`: the PLC, owned by the caller; free it with delotet_plc_free(). NULL on failure.
+/// `out_error`: may be NULL; receives NULL on success, otherwise an error to be freed with delotet_error_free(). The same holds for all
+/// functions here.
 /// Errors: INVALID_ARGUMENT, TOO_LARGE (2^32 - 1 points or more), OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -59,8 +60,8 @@ pub unsafe extern "C" fn delotet_plc_new(
     }
 }
 
-/// A copy of a PLC with all that it has.
-/// `out_plc`: the copy, owned by the caller: free with delotet_plc_free; NULL on failure. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+/// Copies a PLC with everything in it.
+/// `out_plc`: the copy, owned by the caller; free it with delotet_plc_free(). NULL on failure. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_clone(
@@ -77,7 +78,7 @@ pub unsafe extern "C" fn delotet_plc_clone(
     }
 }
 
-/// Adds points after those that the PLC has. Their attributes and markers are 0, where the points have any.
+/// Appends points. Their attributes and markers are 0, if the points have any.
 /// `xyz`: #points by 3 doubles; copied. `out_first`: NULL, or receives the index of the first new point (the others follow).
 /// Errors: INVALID_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
 #[no_mangle]
@@ -103,7 +104,7 @@ pub unsafe extern "C" fn delotet_plc_add_points(
     }
 }
 
-/// Sets the attributes of all points (replacing earlier ones): fields that are carried to the mesh, linear at Steiner points.
+/// Sets the attributes of all points, replacing earlier ones. They are passed on to the mesh, and interpolated linearly at Steiner points.
 /// `attributes`: #points by `attribute_count` doubles; copied. `attribute_count` 0 removes them.
 /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
@@ -126,7 +127,7 @@ pub unsafe extern "C" fn delotet_plc_set_point_attributes(
     }
 }
 
-/// Sets the markers of all points (replacing earlier ones).
+/// Sets the markers of all points, replacing earlier ones.
 /// `markers`: #points integers; copied; NULL removes them. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -145,7 +146,7 @@ pub unsafe extern "C" fn delotet_plc_set_point_markers(
     }
 }
 
-/// Sets the markers of all segments (replacing earlier ones).
+/// Sets the markers of all segments, replacing earlier ones.
 /// `markers`: #segments integers; copied; NULL sets all to 0. Errors: INVALID_ARGUMENT.
 #[no_mangle]
 #[must_use]
@@ -167,7 +168,7 @@ pub unsafe extern "C" fn delotet_plc_set_segment_markers(
     }
 }
 
-/// Sets the markers of all facets (replacing earlier ones).
+/// Sets the markers of all facets, replacing earlier ones.
 /// `markers`: #facets integers; copied; NULL sets all to 0. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -198,8 +199,8 @@ pub unsafe extern "C" fn delotet_plc_set_facet_marker(
     unsafe { guard(out_error, || get_mut(plc, "plc")?.set_facet_marker(facet, marker)) }
 }
 
-/// Names a facet marker: files call groups by such names. `name`: UTF-8, zero-terminated; its first line is copied; NULL or "" takes
-/// the name away. Errors: INVALID_ARGUMENT (also if `name` is not UTF-8), OUT_OF_MEMORY.
+/// Names a facet marker; files use such names for groups. `name`: UTF-8, zero-terminated; its first line is copied; NULL or "" removes the
+/// name. Errors: INVALID_ARGUMENT (also if `name` is not UTF-8), OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_set_marker_name(
@@ -218,7 +219,7 @@ pub unsafe extern "C" fn delotet_plc_set_marker_name(
     }
 }
 
-/// Adds a segment from point `a` to point `b`. Edges of facets need not be given, unless they carry a marker.
+/// Adds a segment from point `a` to point `b`. Facet edges need not be added, unless they carry a marker.
 /// Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
 #[no_mangle]
 #[must_use]
@@ -255,9 +256,9 @@ pub unsafe extern "C" fn delotet_plc_add_segments(
 }
 
 /// Adds `count` triangular facets.
-/// `corners`: #triangles by 3 point indices; copied. `markers`: #triangles integers, or NULL (all 0). The order of the corners
-/// is free. Coplanar neighbours with equal markers are meshed as one: the edge between them need not be an edge of the mesh, unless
-/// it is a segment, too.
+/// `corners`: #triangles by 3 point indices; copied. `markers`: #triangles integers, or NULL (all 0). Corners may be in either order.
+/// Coplanar neighbours with equal markers are meshed as one facet: the edge between them need not be an edge of the mesh, unless it is also
+/// a segment.
 /// Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
 #[no_mangle]
 #[must_use]
@@ -302,10 +303,10 @@ pub unsafe extern "C" fn delotet_plc_add_polygons(
     }
 }
 
-/// Adds one planar facet with holes: the first ring is its outer boundary, all others (three corners or more) are holes in it.
-/// Rings of one or two corners are points and edges inside the facet that the mesh has to respect.
+/// Adds one planar facet with holes: the first ring is its outer boundary, all others (three corners or more) are holes in it. Rings of one
+/// or two corners are points and edges in the facet that the mesh must contain.
 /// `corners`: the corner indices of all rings, one after the other; `ring_ends`: #rings ascending positions, as for
-/// delotet_plc_add_polygons. Copied.
+/// delotet_plc_add_polygons(). Copied.
 /// Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
 #[no_mangle]
 #[must_use]
@@ -327,10 +328,10 @@ pub unsafe extern "C" fn delotet_plc_add_facet(
     }
 }
 
-/// Adds one planar facet by TetGen's rule: what cannot be reached from outside without crossing an edge of a polygon belongs to
-/// the facet, except what can be reached from a hole seed. Inner polygons and polygons of two corners constrain only.
-/// `corners`, `polygon_ends`: as for delotet_plc_add_facet. `hole_seeds`: #holes by 3 doubles, one point in each hole; copied;
-/// may be NULL if `hole_count` is 0.
+/// Adds one planar facet by TetGen's rule: the facet is what cannot be reached from outside without crossing a polygon's edge, except what
+/// can be reached from a hole seed. Inner polygons and polygons of two corners only constrain the mesh.
+/// `corners`, `polygon_ends`: as for delotet_plc_add_facet(). `hole_seeds`: #holes by 3 doubles, one point in each hole; copied; may be
+/// NULL if `hole_count` is 0.
 /// Errors: INVALID_ARGUMENT, INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY; then nothing was added.
 #[no_mangle]
 #[must_use]
@@ -356,8 +357,8 @@ pub unsafe extern "C" fn delotet_plc_add_facet_with_hole_seeds(
     }
 }
 
-/// Adds a hole: what can be reached from the point `seed` (x y z) without crossing a facet is not meshed.
-/// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY. That the seed lies inside is checked later.
+/// Adds a hole: everything reachable from the point `seed` (x y z) without crossing a facet is left unmeshed.
+/// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY. Whether the seed lies inside is checked later.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_add_hole(
@@ -377,9 +378,9 @@ pub unsafe extern "C" fn delotet_plc_add_hole(
     }
 }
 
-/// Adds a region: the tetrahedra that can be reached from the point `seed` (x y z) without crossing a facet get `attribute`.
-/// `max_volume`: largest volume of a tetrahedron there, carried to delotet_mesh_regions; not positive: none.
-/// Errors: INVALID_ARGUMENT (also a NaN), OUT_OF_MEMORY. That the seed lies inside is checked later.
+/// Adds a region: the tetrahedra reachable from the point `seed` (x y z) without crossing a facet get `attribute`. `max_volume`: bound on
+/// the volume of a tetrahedron there, passed on to delotet_mesh_regions(); none if it is not positive.
+/// Errors: INVALID_ARGUMENT (NULL or NaN), OUT_OF_MEMORY. Whether the seed lies inside is checked later.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_add_region(
@@ -402,10 +403,10 @@ pub unsafe extern "C" fn delotet_plc_add_region(
     }
 }
 
-/// Looks for defects: non-finite points, elements without extent, self-intersections, unusable polygons. All of them are listed
-/// in the error, up to the maximum of `options`, which may be NULL (the defaults); progress is reported and may cancel. A surface that
-/// encloses nothing fails too, with its open edges, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; where other parts
-/// enclose something, the log gets a warning.
+/// Looks for defects: non-finite points, elements without extent, self-intersections, unusable polygons. The error lists all of them, up to
+/// the maximum of `options`, which may be NULL (the defaults). The callbacks of `options` receive progress and may cancel. A surface that
+/// encloses nothing fails too, with its open edges listed, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; if only part of
+/// the surface encloses nothing, the log gets a warning.
 /// Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -424,7 +425,7 @@ pub unsafe extern "C" fn delotet_plc_check(
     }
 }
 
-/// Frees a PLC and all that was borrowed from it. NULL is ignored. Meshes made from it live on.
+/// Frees a PLC and everything borrowed from it. NULL is ignored. Meshes made from it stay valid.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_free(plc: *mut DelotetPlc) {
     // SAFETY: the caller passes NULL or a PLC that it owns.

@@ -1,4 +1,4 @@
-//! How a PLC grows and changes: what the functions of `plc` do, in safe code. What fails changes nothing.
+//! Building and changing a PLC: the safe code behind the functions of `plc`. A call that fails changes nothing.
 use super::guard::invalid;
 use super::plc::DelotetPlc;
 use super::view::DelotetRegionSeed;
@@ -69,7 +69,7 @@ impl DelotetPlc {
         }
     }
 
-    /// Attributes and markers of new points are 0, where points have any.
+    /// Appends points; their attributes and markers are 0, if the points have any.
     pub(super) fn add_points(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
         self.check_room(points.len(), self.plc.points.len())?;
         let count = self.plc.points.len() + points.len();
@@ -140,7 +140,7 @@ impl DelotetPlc {
         Ok(())
     }
 
-    /// Triangles stay in their compact list while no general facet precedes them: facets keep the order of addition.
+    /// Triangles stay in their compact list as long as no general facet precedes them: facets keep the order of addition.
     pub(super) fn add_triangles(&mut self, corners: &[u32], markers: Option<&[i32]>) -> Result<(), Error> {
         let (first, count) = (self.plc.facet_count(), corners.len() / 3);
         self.check_room(count, first)?;
@@ -200,7 +200,7 @@ impl DelotetPlc {
     }
 }
 
-/// Cuts the corner list of a facet into its polygons.
+/// Splits the corner list of a facet into its polygons.
 fn split(corners: &[u32], ends: &[usize]) -> Result<Vec<Vec<u32>>, Error> {
     let mut polygons = Vec::new();
     polygons.try_reserve_exact(ends.len())?;
@@ -220,7 +220,7 @@ pub(super) fn times(count: usize, width: usize) -> Result<usize, Error> {
     count.checked_mul(width).ok_or_else(|| invalid("the count does not fit into memory"))
 }
 
-/// A text for C; zero bytes in it become blanks.
+/// A C string; zero bytes in the text become blanks.
 fn c_text(text: &str) -> Result<CString, Error> {
     let mut bytes = Vec::new();
     bytes.try_reserve_exact(text.len() + 1)?;

@@ -1,4 +1,4 @@
-//! The input read back: views of what a PLC holds.
+//! Reading the input back: views of the contents of a PLC.
 use super::guard::read;
 use super::plc::DelotetPlc;
 use super::view::*;
@@ -7,12 +7,12 @@ use libc::c_char;
 
 /// How the rings of a facet bound it: one of the DELOTET_FACET_RULE_ constants.
 pub type DelotetFacetRule = u32;
-/// The first ring is the outer boundary, the others are holes in it (delotet_plc_add_facet; all facets of one ring).
+/// The first ring is the outer boundary, the others are holes in it (delotet_plc_add_facet(), and all facets of one ring).
 pub const DELOTET_FACET_RULE_RINGS: DelotetFacetRule = 0;
-/// TetGen's rule: holes are where hole seeds are (delotet_plc_add_facet_with_hole_seeds).
+/// TetGen's rule: hole seeds mark the holes (delotet_plc_add_facet_with_hole_seeds()).
 pub const DELOTET_FACET_RULE_SEEDS: DelotetFacetRule = 1;
 
-/// A facet by its number among all: a triangle, or a general one.
+/// A facet found by its index: a triangle or a general facet.
 enum Found<'a> {
     Triangle(&'a [u32; 3]),
     General(&'a Facet),
@@ -49,21 +49,21 @@ pub unsafe extern "C" fn delotet_plc_point_attributes(plc: *const DelotetPlc) ->
     unsafe { read(plc, view(&[], 0), |plc| view(&plc.plc.point_attributes, plc.plc.point_attribute_count)) }
 }
 
-/// The markers of the points: one each, or none at all. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
+/// The markers of the points: one per point, or none at all. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_point_markers(plc: *const DelotetPlc) -> DelotetMarkersView {
     // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
     unsafe { read(plc, DelotetMarkersView::new(&[]), |plc| DelotetMarkersView::new(&plc.plc.point_markers)) }
 }
 
-/// How many segments. 0 for NULL.
+/// The number of segments. 0 for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_segment_count(plc: *const DelotetPlc) -> usize {
     // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
     unsafe { read(plc, 0, |plc| plc.plc.segments.len()) }
 }
 
-/// How many facets: triangles and others. 0 for NULL.
+/// The number of facets, triangles and others. 0 for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_facet_count(plc: *const DelotetPlc) -> usize {
     // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
@@ -102,9 +102,9 @@ pub unsafe extern "C" fn delotet_plc_regions(plc: *const DelotetPlc) -> DelotetR
     unsafe { read(plc, DelotetRegionSeedsView::new(&[]), |plc| DelotetRegionSeedsView::new(&plc.seeds)) }
 }
 
-/// The triangles that come first among the facets: #triangles by 3 indices, facets 0 to #triangles - 1. All facets, if only triangles
-/// were added, or up to the first other facet; those behind have delotet_plc_facet_ring, which works for all. Borrowed from `plc`:
-/// valid until it is changed or freed. Empty for NULL.
+/// The triangles that come first among the facets: #triangles by 3 indices, facets 0 to #triangles - 1. They end at the first facet that
+/// was not added as a triangle; delotet_plc_facet_ring() works for every facet. Borrowed from `plc`: valid until it is changed or freed.
+/// Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_triangles(plc: *const DelotetPlc) -> DelotetIndexRowsView {
     let none = DelotetIndexRowsView::new::<3>(&[]);
@@ -112,7 +112,7 @@ pub unsafe extern "C" fn delotet_plc_triangles(plc: *const DelotetPlc) -> Delote
     unsafe { read(plc, none, |plc| DelotetIndexRowsView::new(&plc.plc.triangles)) }
 }
 
-/// How many rings (polygons) a facet has: 1 for triangles. 0 for NULL and for facets that do not exist.
+/// The number of rings (polygons) of a facet: 1 for triangles. 0 for NULL and for facets that do not exist.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_facet_ring_count(plc: *const DelotetPlc, facet: u32) -> usize {
     let count = |plc: &Plc| match facet_of(plc, facet) {
@@ -124,8 +124,8 @@ pub unsafe extern "C" fn delotet_plc_facet_ring_count(plc: *const DelotetPlc, fa
     unsafe { read(plc, 0, |plc| count(&plc.plc)) }
 }
 
-/// The corners of a ring of a facet, in the order in which they were given. Borrowed from `plc`: valid until it is changed or freed.
-/// Empty for NULL and for rings that do not exist.
+/// The corners of a ring of a facet, in the order given. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL and for
+/// rings that do not exist.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_facet_ring(
     plc: *const DelotetPlc,
@@ -163,16 +163,16 @@ pub unsafe extern "C" fn delotet_plc_facet_hole_seeds(
     unsafe { read(plc, DelotetPointsView::new(&[]), seeds) }
 }
 
-/// How many facet markers have names: those of the groups, solids, materials or colours of a file, and those set by
-/// delotet_plc_set_marker_name. 0 for NULL.
+/// The number of facet markers with names: from the groups, solids, materials or colours of a file, or set by
+/// delotet_plc_set_marker_name(). 0 for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_marker_name_count(plc: *const DelotetPlc) -> usize {
     // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
     unsafe { read(plc, 0, |plc| plc.names.len()) }
 }
 
-/// The name of a facet marker, UTF-8, zero-terminated; NULL if it has none, and for NULL. Borrowed from `plc`: valid until it is
-/// changed or freed.
+/// The name of a facet marker, UTF-8, zero-terminated; NULL if it has none or `plc` is NULL. Borrowed from `plc`: valid until it is changed
+/// or freed.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_marker_name(plc: *const DelotetPlc, marker: i32) -> *const c_char {
     let name = |plc: &DelotetPlc| match plc.plc.names.binary_search_by_key(&marker, |name| name.marker) {
@@ -183,8 +183,8 @@ pub unsafe extern "C" fn delotet_plc_marker_name(plc: *const DelotetPlc, marker:
     unsafe { read(plc, std::ptr::null(), name) }
 }
 
-/// The markers that have names, ascending: number `index` of them. 0 for NULL and for indices of delotet_plc_marker_name_count and
-/// above.
+/// The marker with index `index` among those with names, in ascending order. 0 for NULL and if `index` is not below
+/// delotet_plc_marker_name_count().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_named_marker(plc: *const DelotetPlc, index: usize) -> i32 {
     let marker = |plc: &DelotetPlc| plc.plc.names.get(index).map_or(0, |name| name.marker);

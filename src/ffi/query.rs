@@ -1,5 +1,5 @@
-//! What is derived from a mesh: faces, edges, second-order nodes, point location. Made on first use and kept with the mesh;
-//! two threads that ask at the same time may both compute, and one result is kept.
+//! Data derived from a mesh: faces, edges, second-order nodes, point location. Computed on first use and kept with the mesh; two threads
+//! that ask at the same time may both compute it, and one result is kept.
 use super::error::DelotetError;
 use super::guard::{get, guard, invalid, set};
 use super::mesh::DelotetMesh;
@@ -19,7 +19,7 @@ pub const DELOTET_NODE_ORDER_GMSH: DelotetNodeOrder = 1;
 /// TetGen (-o2): nodes on the edges 23 03 01 12 13 02.
 pub const DELOTET_NODE_ORDER_TETGEN: DelotetNodeOrder = 2;
 
-/// The value of a slot, made by `make` if it is still empty.
+/// The value of a slot, computed by `make` if it is still empty. Fails if `make` does.
 fn kept<T>(slot: &OnceLock<T>, make: impl FnOnce() -> Result<T, Error>) -> Result<&T, Error> {
     if let Some(value) = slot.get() {
         return Ok(value);
@@ -56,7 +56,7 @@ impl DelotetMesh {
     }
 }
 
-/// The region attribute of each tetrahedron: #tetrahedra by 1. Made on first use; borrowed from `mesh`, valid until it is freed.
+/// The region attribute of each tetrahedron: #tetrahedra by 1. Computed on first use; borrowed from `mesh`, valid until it is freed.
 /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -75,8 +75,8 @@ pub unsafe extern "C" fn delotet_mesh_tet_attributes(
     }
 }
 
-/// For each point a tetrahedron that has it as a corner (the first), or DELOTET_INVALID_INDEX if none has. Made on first use;
-/// borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+/// For each point the first tetrahedron that has it as a corner, or DELOTET_INVALID_INDEX if there is none. Computed on first use; borrowed
+/// from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_point_tets(
@@ -94,7 +94,7 @@ pub unsafe extern "C" fn delotet_mesh_point_tets(
     }
 }
 
-/// All faces, each once; delotet_mesh_subfaces has the constrained ones only. Made on first use; borrowed from `mesh`.
+/// All faces, each once; delotet_mesh_subfaces() has only the constrained ones. Computed on first use; borrowed from `mesh`.
 /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -112,7 +112,7 @@ pub unsafe extern "C" fn delotet_mesh_faces(
     }
 }
 
-/// Per tetrahedron its four faces (indices into delotet_mesh_faces), face i opposite corner i. Made on first use; borrowed from
+/// For each tetrahedron its four faces (indices into delotet_mesh_faces()), face i opposite corner i. Computed on first use; borrowed from
 /// `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -130,8 +130,8 @@ pub unsafe extern "C" fn delotet_mesh_tet_faces(
     }
 }
 
-/// All edges, each once, ascending by their ends; delotet_mesh_subsegments has the constrained ones only. Made on first use;
-/// borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
+/// All edges, each once, sorted by their ends; delotet_mesh_subsegments() has only the constrained ones. Computed on first use; borrowed
+/// from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_edges(
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn delotet_mesh_edges(
     }
 }
 
-/// Per tetrahedron its edges 01 02 03 12 13 23 (indices into delotet_mesh_edges): #tetrahedra by 6. Made on first use; borrowed
+/// For each tetrahedron its edges 01 02 03 12 13 23 (indices into delotet_mesh_edges()): #tetrahedra by 6. Computed on first use; borrowed
 /// from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
 #[no_mangle]
 #[must_use]
@@ -166,8 +166,8 @@ pub unsafe extern "C" fn delotet_mesh_tet_edges(
     }
 }
 
-/// Per subface (a, b, c) its edges ab bc ca (indices into delotet_mesh_edges): #subfaces by 3. With second-order nodes the node
-/// on edge i is #points + i. Made on first use; borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
+/// For each subface (a, b, c) its edges ab bc ca (indices into delotet_mesh_edges()): #subfaces by 3. In a second-order mesh the node on
+/// edge i has the index #points + i. Computed on first use; borrowed from `mesh`. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_subface_edges(
@@ -184,8 +184,8 @@ pub unsafe extern "C" fn delotet_mesh_subface_edges(
     }
 }
 
-/// Second-order tetrahedra: a node in the middle of every edge (rounded to doubles), shared by all tetrahedra around it.
-/// `node_order`: a DELOTET_NODE_ORDER_ constant. Made on first use; borrowed from `mesh`.
+/// Second-order tetrahedra: a node at the midpoint of every edge (rounded to doubles), shared by all tetrahedra around it. `node_order`: a
+/// DELOTET_NODE_ORDER_ constant. Computed on first use; borrowed from `mesh`.
 /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, TOO_LARGE.
 #[no_mangle]
 #[must_use]
@@ -204,12 +204,12 @@ pub unsafe extern "C" fn delotet_mesh_second_order(
     }
 }
 
-/// Finds the tetrahedra that hold points, exactly; a point on a common face, edge or corner belongs to the tetrahedron with the
-/// smallest index.
-/// `xyz`: #points by 3 doubles. `out_tets`: #points indices, written: DELOTET_INVALID_INDEX outside the mesh and for points that
-/// are not finite. `out_barycentric`: NULL, or #points by 4 doubles, written: the barycentric coordinates in that tetrahedron,
-/// none negative, with sum 1 up to rounding; NaN outside. A linear field at the point is the sum of coordinate times corner
-/// value. The search tree is made on first use and kept: about 40 bytes per tetrahedron.
+/// Finds the tetrahedra that contain points, exactly. A point on a shared face, edge or corner belongs to the tetrahedron with the smallest
+/// index.
+/// `xyz`: #points by 3 doubles. `out_tets`: room for #points indices; receives DELOTET_INVALID_INDEX for points outside the mesh and points
+/// that are not finite. `out_barycentric`: NULL, or room for #points by 4 doubles; receives the barycentric coordinates in that
+/// tetrahedron, none negative, with sum 1 up to rounding; NaN outside. A linear field at the point is the sum of each coordinate times the
+/// value at its corner. The search tree is built on first use and kept: about 40 bytes per tetrahedron.
 /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY; then nothing was written.
 #[no_mangle]
 #[must_use]

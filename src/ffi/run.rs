@@ -1,4 +1,4 @@
-//! The call that makes a mesh.
+//! The function that makes a mesh.
 use super::error::DelotetError;
 use super::guard::{get, guard, Out};
 use super::mesh::DelotetMesh;
@@ -8,10 +8,10 @@ use super::status::DelotetStatus;
 use crate::mesh_query::PointData;
 
 /// Makes the mesh of a PLC.
-/// `options`: NULL for the defaults. `out_mesh`: the mesh, owned by the caller: free with delotet_mesh_free; NULL on failure. It
-/// does not refer to `plc` or `options`. `out_error`: may be NULL; NULL on success, else an error to be freed with
-/// delotet_error_free: it lists the elements at fault.
-/// The same input and options give the same mesh, bit for bit. The stack of the calling thread may be small (256 KiB do).
+/// `options`: NULL for the defaults. `out_mesh`: the mesh, owned by the caller; free it with delotet_mesh_free(). NULL on failure. It does
+/// not refer to `plc` or `options`. `out_error`: may be NULL; receives NULL on success, otherwise an error that lists the elements at
+/// fault, to be freed with delotet_error_free().
+/// The same input and options give the same mesh, bit for bit. The calling thread needs little stack: 256 KiB suffice.
 /// Errors: INVALID_ARGUMENT, the statuses from 10 to 41, INTERNAL.
 #[no_mangle]
 #[must_use]

@@ -1,8 +1,9 @@
-//! Arrays from C. (NULL, 0) is the empty array; `from_raw_parts(null, 0)` would be undefined behaviour.
+//! Arrays from C. (NULL, 0) is the empty array, for which `from_raw_parts` would be undefined behaviour.
 use super::guard::{invalid, null};
 use crate::error::Error;
 
-/// `count` elements at `pointer`. Errors: null with a count, misaligned, or larger than the address space.
+/// The `count` elements at `pointer`. Fails if the pointer is null (and `count` is not 0) or misaligned, or the array exceeds the address
+/// space.
 ///
 /// # Safety
 /// `pointer` is valid for reads of `count` elements during `'a`, unless `count` is 0.
@@ -18,7 +19,7 @@ pub(super) unsafe fn array<'a, T>(pointer: *const T, count: usize, name: &str) -
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
 }
 
-/// As [`array`], for an array that is written.
+/// Like [`array`], for an array to be written.
 ///
 /// # Safety
 /// As for [`array`], for writes too, and nothing else uses the array during `'a`.
@@ -38,7 +39,7 @@ pub(super) unsafe fn array_mut<'a, T>(
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
-/// As [`array`], where null means "not given".
+/// Like [`array`], where null means "not given".
 ///
 /// # Safety
 /// As for [`array`].

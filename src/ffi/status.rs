@@ -5,25 +5,25 @@ use crate::progress::Phase;
 use crate::warning::WarningKind;
 use libc::c_char;
 
-/// Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 stopped or not possible within the
-/// caller's limits; 40-49 resources; 50-59 files; 60-69 checks; 90 a bug of the library.
-// Retired, for nothing ever produced them: 13 (equal points where they are not allowed), 32 (Steiner points where they are forbidden).
+/// Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 cancelled, or impossible within the caller's
+/// limits; 40-49 resources; 50-59 files; 60-69 checks; 90 a bug in the library.
+// Retired, since nothing ever returned them: 13 (equal points where they are not allowed), 32 (Steiner points where they are forbidden).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DelotetStatus {
     /// Success.
     Ok = 0,
-    /// An argument is NULL where that is not allowed, or outside its documented range.
+    /// An argument is NULL where that is not allowed, or is outside its documented range.
     InvalidArgument = 1,
-    /// Well-formed, but not offered: an unknown file format, a combination of options.
+    /// Well-formed, but not supported: an unknown file format, a combination of options.
     Unsupported = 2,
     /// A coordinate is NaN or infinite.
     NonFinitePoint = 10,
-    /// The coordinates span more binary orders of magnitude than exact arithmetic in doubles can carry.
+    /// The coordinates span more binary orders of magnitude than exact arithmetic in doubles can handle.
     CoordinateRange = 11,
     /// An element refers to a point that does not exist.
     IndexOutOfRange = 12,
-    /// A facet or segment has no extent, or a polygon is not usable as one.
+    /// A facet or segment has no extent, or a ring is not a usable polygon.
     DegenerateFacet = 14,
     /// A polygon is too far from planar to be triangulated without crossing itself.
     NonPlanarFacet = 15,
@@ -31,9 +31,9 @@ pub enum DelotetStatus {
     SelfIntersection = 16,
     /// All points lie in one plane: there is no tetrahedron.
     DegenerateInput = 17,
-    /// A region seed lies outside the domain, or a region or hole seed on a facet.
+    /// A region seed lies outside the domain, or a region or hole seed lies on a facet.
     SeedOutside = 18,
-    /// The surface encloses nothing, and the convex hull was not asked for.
+    /// The surface encloses nothing, and the convex hull was not requested.
     NothingEnclosed = 19,
     /// The caller's callback asked to stop.
     Cancelled = 30,
@@ -47,11 +47,11 @@ pub enum DelotetStatus {
     TooLarge = 41,
     /// A file cannot be opened, read or written.
     File = 50,
-    /// A file's content is not what its format prescribes.
+    /// The content of a file does not follow its format.
     Format = 51,
-    /// A mesh does not pass its check.
+    /// A mesh failed its check.
     CheckFailed = 60,
-    /// A failed invariant: a bug of the library, please report it. A handle that the call was changing may only be freed.
+    /// An invariant failed: a bug in the library, please report it. Any handle that the call was modifying may only be freed.
     Internal = 90,
 }
 
@@ -81,9 +81,9 @@ pub enum DelotetElement {
 pub enum DelotetDefectKind {
     /// A coordinate is NaN or infinite.
     NonFinite = 1,
-    /// A coordinate cannot be brought into the exact range.
+    /// A coordinate cannot be scaled into the exact range.
     CoordinateRange = 2,
-    /// An index refers to nothing.
+    /// An index refers to no element.
     IndexOutOfRange = 3,
     /// A segment joins a point with itself or with an equal one.
     DegenerateSegment = 4,
@@ -93,7 +93,7 @@ pub enum DelotetDefectKind {
     RingIntersection = 6,
     /// An inner ring lies outside the outer one, or inside another inner ring.
     RingNesting = 7,
-    /// A polygon cannot be triangulated: it is folded in its own plane of projection.
+    /// A polygon cannot be triangulated: its projection onto a plane folds over itself.
     NonPlanarFacet = 8,
     /// Two facets cover the same triangle.
     DuplicateFacet = 9,
@@ -109,9 +109,10 @@ pub enum DelotetDefectKind {
     SeedOnFacet = 14,
     /// A seed lies outside the domain.
     SeedOutside = 15,
-    /// An edge of one facet only, where a surface that encloses nothing leaks. The elements are its ends, the point its middle.
+    /// An edge of only one facet, where a surface that encloses nothing leaks. The elements are its ends, the point its midpoint.
     OpenEdge = 16,
-    /// Two elements are too close to each other: no double fits where a Steiner point is needed at the first one, and the other is the nearest.
+    /// Two elements are too close to each other: a Steiner point needed on the first has no valid position in doubles, and the second is
+    /// the element nearest to it.
     Rounding = 17,
     /// A tetrahedron is flat (zero volume) or inverted.
     NotPositive = 18,
@@ -133,29 +134,30 @@ pub enum DelotetDefectKind {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DelotetWarningKind {
-    /// An edge of one facet only, on a part of the surface that encloses nothing: there it leaks. The elements are the ends.
+    /// An edge of only one facet, on a part of the surface that encloses nothing: it leaks there. The elements are the ends.
     OpenEdge = 1,
     /// A part of a facet bounds no tetrahedron.
     UnmeshedFacet = 2,
     /// A part of a segment is an edge of no tetrahedron.
     UnmeshedSegment = 3,
-    /// A point is a corner of no tetrahedron, and equals no other point.
+    /// A point is a corner of no tetrahedron and equals no earlier point.
     UnmeshedPoint = 4,
     /// A point equals an earlier one, which is used instead. The elements are the point and the earlier one.
     EqualPoints = 5,
-    /// A region seed lies in a region that has an earlier seed, whose attribute is used. The elements are both seeds.
+    /// Two region seeds lie in one region; the attribute of the earlier is used. The elements are the later seed and the earlier one.
     RepeatedSeed = 6,
-    /// A hole seed lies outside the domain: it has no effect.
+    /// A hole seed lies outside the domain and has no effect.
     HoleOutside = 7,
-    /// A region has a volume bound, which is kept, but makes no tetrahedron smaller: there is no refinement yet.
+    /// A region has a volume bound, which is kept but not applied: there is no refinement yet.
     UnusedVolume = 8,
-    /// A polygon is not planar by more than rounding; it was triangulated.
+    /// A polygon is out of plane by more than rounding; it was triangulated.
     NonPlanarFacet = 9,
     /// A file's format cannot hold a value as it is.
     LostValue = 10,
 }
 
-/// Stages of a run. The numbers are fixed; they come in this order, but DELOTET_PHASE_PRESERVE before DELOTET_PHASE_AUDIT.
+/// Stages of a run. The numbers are fixed. The stages run in this order, except that DELOTET_PHASE_PRESERVE comes before
+/// DELOTET_PHASE_AUDIT.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DelotetPhase {
@@ -405,8 +407,8 @@ pub extern "C" fn delotet_warning_kind_name(kind: u32) -> *const c_char {
     name_in(WARNING_KIND_NAMES, kind)
 }
 
-/// The part of a whole run that is done when `fraction` of `phase` is, from 0 to 1: for a single bar of progress. It never falls during
-/// a run, as phases come in their order. The shares of the phases are rough. 0 for other numbers.
+/// The fraction of the whole run that is done when `fraction` of `phase` is done, from 0 to 1: for a single progress bar. It never
+/// decreases during a run, since phases come in order. The shares of the phases are rough estimates. 0 for unknown phases.
 #[no_mangle]
 pub extern "C" fn delotet_phase_overall(phase: u32, fraction: f64) -> f64 {
     let known = Phase::ALL.into_iter().find(|&known| DelotetPhase::from(known) as u32 == phase);

@@ -1,4 +1,4 @@
-//! What the C tests cannot reach: panics inside the guard, misaligned arrays, handles made from hand-built meshes.
+//! Tests of what C tests cannot reach: panics inside the guard, misaligned arrays, handles made from hand-built meshes.
 use super::error::*;
 use super::guard::guard;
 use super::mesh::*;

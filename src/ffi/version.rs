@@ -1,7 +1,7 @@
 //! Version of the loaded library.
 use libc::c_char;
 
-/// The text that `delotet_version_string` hands out.
+/// The text that `delotet_version_string` returns.
 static VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");
 
 const fn part(text: &str) -> u32 {
@@ -15,8 +15,8 @@ const fn part(text: &str) -> u32 {
     value
 }
 
-/// Version of the loaded library: 1,000,000 * major + 1,000 * minor + patch, as DELOTET_VERSION is for the header.
-/// Before 1.0 library and header must agree in major and minor. Any thread, any time; cannot fail.
+/// Version of the loaded library: 1,000,000 * major + 1,000 * minor + patch, like DELOTET_VERSION for the header. Before 1.0, library and
+/// header must agree in major and minor version. May be called from any thread at any time; cannot fail.
 #[no_mangle]
 pub extern "C" fn delotet_version() -> u32 {
     const MAJOR: u32 = part(env!("CARGO_PKG_VERSION_MAJOR"));

@@ -1,6 +1,6 @@
-//! What C sees of arrays. Plain arrays: pointer and count. Records: pointer, count and stride, the bytes from one record to the
-//! next, so that records can grow by fields at their end without breaking programs that were compiled before. The views themselves
-//! are passed by value and therefore frozen. Records have the layout of the Rust types behind them, which is asserted here.
+//! Arrays as C sees them. Plain arrays: pointer and count. Records: pointer, count and stride (the bytes from one record to the next), so
+//! that fields can be appended to records without breaking compiled programs. The views themselves are passed by value and therefore
+//! frozen. Records have the layout of the Rust types behind them, which is asserted here.
 use crate::mesh_query::{Edge, Face};
 use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, Subface, Subsegment};
 use crate::plc::{RegionSeed, Segment};
@@ -43,7 +43,7 @@ pub(super) use records;
 pub struct DelotetPointsView {
     /// #points by 3 doubles: x y z per point.
     pub data: *const f64,
-    /// How many points.
+    /// Number of points.
     pub count: usize,
 }
 view!(DelotetPointsView, f64, [f64; 3]);
@@ -54,9 +54,9 @@ view!(DelotetPointsView, f64, [f64; 3]);
 pub struct DelotetDoublesView {
     /// #rows by `width` doubles.
     pub data: *const f64,
-    /// How many rows.
+    /// Number of rows.
     pub count: usize,
-    /// How many doubles per row.
+    /// Number of doubles per row.
     pub width: usize,
 }
 
@@ -66,7 +66,7 @@ pub struct DelotetDoublesView {
 pub struct DelotetMarkersView {
     /// `count` integers.
     pub data: *const i32,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
 }
 view!(DelotetMarkersView, i32, i32);
@@ -77,7 +77,7 @@ view!(DelotetMarkersView, i32, i32);
 pub struct DelotetIndicesView {
     /// `count` indices.
     pub data: *const u32,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
 }
 view!(DelotetIndicesView, u32, u32);
@@ -88,9 +88,9 @@ view!(DelotetIndicesView, u32, u32);
 pub struct DelotetIndexRowsView {
     /// #rows by `width` indices.
     pub data: *const u32,
-    /// How many rows.
+    /// Number of rows.
     pub count: usize,
-    /// How many indices per row.
+    /// Number of indices per row.
     pub width: usize,
 }
 
@@ -100,7 +100,7 @@ pub struct DelotetIndexRowsView {
 pub struct DelotetTetsView {
     /// #tetrahedra by 4 indices.
     pub data: *const u32,
-    /// How many tetrahedra.
+    /// Number of tetrahedra.
     pub count: usize,
 }
 view!(DelotetTetsView, u32, [u32; 4]);
@@ -121,9 +121,9 @@ pub struct DelotetSegment {
 pub struct DelotetSegmentsView {
     /// The first of `count` segments; DELOTET_AT(DelotetSegment, view, i) is the i-th.
     pub first: *const DelotetSegment,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetSegmentsView, DelotetSegment, Segment);
@@ -134,9 +134,9 @@ records!(DelotetSegmentsView, DelotetSegment, Segment);
 pub struct DelotetRegionSeed {
     /// x y z of a point inside the region.
     pub point: [f64; 3],
-    /// The attribute that the tetrahedra there get.
+    /// The attribute of the tetrahedra there.
     pub attribute: f64,
-    /// The largest volume of a tetrahedron there; 0 if there is no bound.
+    /// Bound on the volume of a tetrahedron there; 0 if there is none.
     pub max_volume: f64,
 }
 
@@ -146,9 +146,9 @@ pub struct DelotetRegionSeed {
 pub struct DelotetRegionSeedsView {
     /// The first of `count` seeds; DELOTET_AT(DelotetRegionSeed, view, i) is the i-th.
     pub first: *const DelotetRegionSeed,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetRegionSeedsView, DelotetRegionSeed, DelotetRegionSeed);
@@ -164,7 +164,7 @@ impl From<&RegionSeed> for DelotetRegionSeed {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DelotetRegion {
-    /// The attribute of the seed; for unseeded regions a number of its own, not used by any seed.
+    /// The attribute of the seed; a region without a seed has a number of its own that no seed uses.
     pub attribute: f64,
     /// The volume bound of the seed; 0 if it has none.
     pub max_volume: f64,
@@ -178,9 +178,9 @@ pub struct DelotetRegion {
 pub struct DelotetRegionsView {
     /// The first of `count` regions; DELOTET_AT(DelotetRegion, view, i) is the i-th.
     pub first: *const DelotetRegion,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetRegionsView, DelotetRegion, DelotetRegion);
@@ -191,13 +191,13 @@ records!(DelotetRegionsView, DelotetRegion, DelotetRegion);
 pub struct DelotetSubface {
     /// The corners.
     pub corners: [u32; 3],
-    /// The input facet it lies on (where coplanar neighbours with equal markers are meshed as one: one of them).
+    /// The input facet it lies on (one of them, if coplanar neighbours with equal markers are meshed as one facet).
     pub facet: u32,
     /// That facet's marker.
     pub marker: i32,
-    /// The tetrahedra on both sides. The first is that of the lower region (by its index), within one region that of the lower index;
-    /// the second is DELOTET_INVALID_INDEX on the boundary. `(b - a) x (c - a)` points from the first to the second: from the
-    /// lower region to the higher, and outward on the boundary.
+    /// The tetrahedra on both sides: first the one in the region with the lower index or, within one region, the one with the lower index.
+    /// The second is DELOTET_INVALID_INDEX on the boundary. `(b - a) x (c - a)` points from the first to the second: from the lower region
+    /// to the higher, and outward on the boundary.
     pub tets: [u32; 2],
 }
 
@@ -207,22 +207,22 @@ pub struct DelotetSubface {
 pub struct DelotetSubfacesView {
     /// The first of `count` subfaces; DELOTET_AT(DelotetSubface, view, i) is the i-th.
     pub first: *const DelotetSubface,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetSubfacesView, DelotetSubface, Subface);
 
-/// A piece of a segment or of a facet's edge: an edge of the mesh.
+/// A piece of a segment or of a facet edge: an edge of the mesh.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSubsegment {
     /// The ends.
     pub ends: [u32; 2],
-    /// The input segment it lies on, or DELOTET_INVALID_INDEX for an edge of facets.
+    /// The input segment it lies on, or DELOTET_INVALID_INDEX for a facet edge that is no segment.
     pub segment: u32,
-    /// The segment's marker, 0 for an edge of facets.
+    /// The segment's marker, or 0 if there is no segment.
     pub marker: i32,
 }
 
@@ -232,26 +232,27 @@ pub struct DelotetSubsegment {
 pub struct DelotetSubsegmentsView {
     /// The first of `count` subsegments; DELOTET_AT(DelotetSubsegment, view, i) is the i-th.
     pub first: *const DelotetSubsegment,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetSubsegmentsView, DelotetSubsegment, Subsegment);
 
-/// A Steiner point and where it lies: on an edge of the input, or inside (DELOTET_MODE_PRESERVE), exactly where its doubles are.
+/// A Steiner point and where it lies: on an input edge, or inside (DELOTET_MODE_PRESERVE), exactly at its double coordinates.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSteinerPoint {
-    /// Input points a and b: the ends of the input edge that the point was put on, at exactly a + t (b - a); both
-    /// DELOTET_INVALID_INDEX for a point inside.
+    /// Input points a and b, the ends of the input edge; the point lies on it at exactly a + t (b - a). Both are DELOTET_INVALID_INDEX for
+    /// a point inside.
     pub ends: [u32; 2],
-    /// The parameter t; 0 for a point inside. Terms beyond a double, which hardly any point has, are in delotet_mesh_steiner_terms.
+    /// The parameter t; 0 for a point inside. The few parameters that one double cannot hold have further terms in
+    /// delotet_mesh_steiner_terms().
     pub t: f64,
     /// The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only or the point lies inside.
     pub segment: u32,
-    /// Its coordinates are exactly a + t (b - a); false: they are rounded, or were moved to keep every tetrahedron positive.
-    /// True for a point inside.
+    /// True if its coordinates are exactly a + t (b - a), and for a point inside. False if they were rounded, or moved to keep every
+    /// tetrahedron positive.
     pub exact: bool,
 }
 
@@ -261,18 +262,18 @@ pub struct DelotetSteinerPoint {
 pub struct DelotetSteinerView {
     /// The first of `count` Steiner points; DELOTET_AT(DelotetSteinerPoint, view, i) is the i-th.
     pub first: *const DelotetSteinerPoint,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetSteinerView, DelotetSteinerPoint, SteinerPoint);
 
-/// A term of a Steiner point's parameter beyond `t`: the exact parameter is the sum of `t` and its terms.
+/// A further term of a Steiner point's parameter: the exact parameter is the sum of `t` and its terms.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSteinerTerm {
-    /// Index into the Steiner points.
+    /// Index into delotet_mesh_steiner_points().
     pub steiner: u32,
     /// The term.
     pub value: f64,
@@ -284,20 +285,20 @@ pub struct DelotetSteinerTerm {
 pub struct DelotetSteinerTermsView {
     /// The first of `count` terms; DELOTET_AT(DelotetSteinerTerm, view, i) is the i-th.
     pub first: *const DelotetSteinerTerm,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetSteinerTermsView, DelotetSteinerTerm, SteinerTerm);
 
-/// A flip of two facets' triangles that facet merging made before meshing.
+/// A flip of two facet triangles, made by facet merging before meshing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetFacetFlip {
     /// The removed edge (input points).
     pub old_ends: [u32; 2],
-    /// The edge in its place.
+    /// The edge that replaces it.
     pub new_ends: [u32; 2],
     /// The two facets.
     pub facets: [u32; 2],
@@ -309,9 +310,9 @@ pub struct DelotetFacetFlip {
 pub struct DelotetFacetFlipsView {
     /// The first of `count` flips; DELOTET_AT(DelotetFacetFlip, view, i) is the i-th.
     pub first: *const DelotetFacetFlip,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetFacetFlipsView, DelotetFacetFlip, FacetFlip);
@@ -322,12 +323,12 @@ records!(DelotetFacetFlipsView, DelotetFacetFlip, FacetFlip);
 pub struct DelotetFace {
     /// The corners; `(b - a) x (c - a)` points from `tets[0]` to `tets[1]`.
     pub corners: [u32; 3],
-    /// The tetrahedra on both sides, the smaller index first, but of a subface in its order; the second is DELOTET_INVALID_INDEX on the
-    /// boundary.
+    /// The tetrahedra on both sides, the smaller index first, or in the order of the subface if it is one; the second is
+    /// DELOTET_INVALID_INDEX on the boundary.
     pub tets: [u32; 2],
-    /// The subface that it is, or DELOTET_INVALID_INDEX.
+    /// Its subface, or DELOTET_INVALID_INDEX if it is not constrained.
     pub subface: u32,
-    /// The subface's marker, else 0.
+    /// The marker of its subface, or 0.
     pub marker: i32,
 }
 
@@ -337,9 +338,9 @@ pub struct DelotetFace {
 pub struct DelotetFacesView {
     /// The first of `count` faces; DELOTET_AT(DelotetFace, view, i) is the i-th.
     pub first: *const DelotetFace,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetFacesView, DelotetFace, Face);
@@ -350,11 +351,11 @@ records!(DelotetFacesView, DelotetFace, Face);
 pub struct DelotetEdge {
     /// The ends, the smaller first.
     pub ends: [u32; 2],
-    /// A tetrahedron that has it.
+    /// A tetrahedron that has this edge.
     pub tet: u32,
-    /// The subsegment that it is, or DELOTET_INVALID_INDEX.
+    /// Its subsegment, or DELOTET_INVALID_INDEX if it is not constrained.
     pub subsegment: u32,
-    /// The subsegment's marker, else 0.
+    /// The marker of its subsegment, or 0.
     pub marker: i32,
 }
 
@@ -364,9 +365,9 @@ pub struct DelotetEdge {
 pub struct DelotetEdgesView {
     /// The first of `count` edges; DELOTET_AT(DelotetEdge, view, i) is the i-th.
     pub first: *const DelotetEdge,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetEdgesView, DelotetEdge, Edge);
@@ -375,14 +376,14 @@ records!(DelotetEdgesView, DelotetEdge, Edge);
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSecondOrderView {
-    /// #nodes by 3 doubles: the mid-edge nodes, one per edge in the order of delotet_mesh_edges. Node i has the index
+    /// #nodes by 3 doubles: the mid-edge nodes, one per edge in the order of delotet_mesh_edges(). Node i has the index
     /// #points + i.
     pub nodes: *const f64,
-    /// How many mid-edge nodes.
+    /// Number of mid-edge nodes.
     pub node_count: usize,
     /// #tetrahedra by 10 indices: four corners, then six mid-edge nodes.
     pub tets: *const u32,
-    /// How many tetrahedra.
+    /// Number of tetrahedra.
     pub tet_count: usize,
 }
 

@@ -1,27 +1,27 @@
-//! What a caller should know about a mesh that was made all the same.
+//! Warnings: what a caller should know about a mesh that is valid nonetheless.
 use super::guard::read;
 use super::mesh::DelotetMesh;
 use super::status::{DelotetElement, DelotetWarningKind};
 use super::view::records;
 use crate::warning::{Warning, WarningKind};
 
-/// One warning: kind, the one or two elements involved, and a point where it is seen.
+/// One warning: kind, the one or two elements involved, and a point that locates it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DelotetWarning {
-    /// The kind: a DelotetWarningKind, in 32 bits with any compiler.
+    /// The kind: a DelotetWarningKind, stored as 32 bits with every compiler.
     pub kind: u32,
-    /// What `first` counts: a DelotetElement.
+    /// What kind of element `first` is: a DelotetElement.
     pub first_element: u32,
-    /// Index of the element that it is about.
+    /// Index of the element that the warning is about.
     pub first: u32,
-    /// What `second` counts: a DelotetElement; DELOTET_ELEMENT_NONE if only one element is involved.
+    /// What kind of element `second` is: a DelotetElement, DELOTET_ELEMENT_NONE if only one element is involved.
     pub second_element: u32,
     /// Index of the other element of a pair, or DELOTET_INVALID_INDEX.
     pub second: u32,
     /// 1 if `point` is set, else 0.
     pub has_point: u32,
-    /// x y z of a point at or near it (rounded); zeros if there is none.
+    /// x y z of a point at or near the element (rounded); zeros if there is none.
     pub point: [f64; 3],
 }
 
@@ -31,9 +31,9 @@ pub struct DelotetWarning {
 pub struct DelotetWarningsView {
     /// The first of `count` warnings; DELOTET_AT(DelotetWarning, view, i) is the i-th.
     pub first: *const DelotetWarning,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
-    /// Bytes from one to the next.
+    /// Bytes from one element to the next.
     pub stride: usize,
 }
 records!(DelotetWarningsView, DelotetWarning, DelotetWarning);
@@ -54,9 +54,9 @@ impl From<&Warning> for DelotetWarning {
     }
 }
 
-/// What should be known about a mesh: leaks, parts of the input that are not meshed, seeds without effect. Of each kind at most as many
-/// as delotet_options_set_max_defects allows; delotet_mesh_warning_count() counts all. The log gets a line per kind. Borrowed from
-/// `mesh`. Empty for NULL.
+/// The warnings about a mesh: leaks, parts of the input that are not meshed, seeds without effect. Lists at most as many of each kind as
+/// delotet_options_set_max_defects() allows; delotet_mesh_warning_count() counts all. The log gets a line per kind. Borrowed from `mesh`.
+/// Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_warnings(mesh: *const DelotetMesh) -> DelotetWarningsView {
     let none = DelotetWarningsView::new(&[]);
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn delotet_mesh_warnings(mesh: *const DelotetMesh) -> Delo
     unsafe { read(mesh, none, |mesh| DelotetWarningsView::new(&mesh.warnings)) }
 }
 
-/// How many warnings of a kind (a DelotetWarningKind) there are, listed or not. 0 for NULL and for other numbers.
+/// The number of warnings of a kind (a DelotetWarningKind), listed or not. 0 for NULL and for unknown kinds.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_warning_count(mesh: *const DelotetMesh, kind: u32) -> u64 {
     let known = WarningKind::ALL.into_iter().find(|&known| DelotetWarningKind::from(known) as u32 == kind);

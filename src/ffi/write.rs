@@ -1,4 +1,4 @@
-//! How meshes are written: settings by setters that check at once, and the call.
+//! Writing meshes: the options, with setters that validate at once, and the call itself.
 use super::error::DelotetError;
 use super::file::path_of;
 use super::guard::{free, get, get_mut, guard, invalid, make, null, read};
@@ -13,22 +13,22 @@ use std::ffi::{CStr, CString};
 
 /// A version of Gmsh's format: one of the DELOTET_MSH_ constants.
 pub type DelotetMshVersion = u32;
-/// 4.1, of Gmsh 4. The default.
+/// Version 4.1, that of Gmsh 4. The default.
 pub const DELOTET_MSH_4_1: DelotetMshVersion = 41;
-/// 2.2, which many solvers read and some of them only.
+/// Version 2.2, which many solvers read; some read no other.
 pub const DELOTET_MSH_2_2: DelotetMshVersion = 22;
 
-/// How a mesh is written. One object may serve any number of calls, also at the same time (the log is then called from all their
+/// How a mesh is written. One object may serve any number of calls, even concurrent ones (the log callback is then called from all their
 /// threads).
 pub struct DelotetWriteOptions {
     options: WriteOptions,
-    /// The names of `options.region_names`, as C reads them back.
+    /// The names of `options.region_names` as C strings.
     names: Vec<CString>,
     callbacks: Callbacks,
 }
 
-/// New options with the defaults that the setters document. The caller owns them: free with delotet_write_options_free. NULL only
-/// if memory ran out.
+/// New options with the defaults that the setters document. The caller owns them; free them with delotet_write_options_free(). NULL only if
+/// memory ran out.
 #[no_mangle]
 #[must_use]
 pub extern "C" fn delotet_write_options_new() -> *mut DelotetWriteOptions {
@@ -52,7 +52,8 @@ unsafe fn change(
     unsafe { guard(out_error, || body(get_mut(options, "options")?)) }
 }
 
-/// .vtu: compress the arrays (zlib); smaller and slower. Other formats ignore it. Default: false. Errors: INVALID_ARGUMENT (NULL).
+/// .vtu: compress the arrays with zlib, which makes smaller files more slowly. Other formats ignore it. Default: false. Errors:
+/// INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_write_options_set_compress(
@@ -69,8 +70,8 @@ pub unsafe extern "C" fn delotet_write_options_set_compress(
     }
 }
 
-/// .vtu: also write the subfaces, as STEM_subfaces.vtu for STEM.vtu. Other formats ignore it: they have them in any case, but for .vtk.
-/// Default: false. Errors: INVALID_ARGUMENT (NULL).
+/// .vtu: also write the subfaces, to STEM_subfaces.vtu for STEM.vtu. Other formats ignore it: they always contain the subfaces, except
+/// .vtk, which never does. Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_write_options_set_subfaces(
@@ -87,7 +88,7 @@ pub unsafe extern "C" fn delotet_write_options_set_subfaces(
     }
 }
 
-/// Tetrahedra of ten nodes: the corners, then the middles of the edges in the order of the format. Writing .mesh fails with it.
+/// Write tetrahedra of ten nodes: the corners, then the midpoints of the edges in the order of the format. Writing .mesh then fails.
 /// Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
@@ -105,7 +106,7 @@ pub unsafe extern "C" fn delotet_write_options_set_second_order(
     }
 }
 
-/// .msh: the version, a DELOTET_MSH_ constant. Other formats ignore it. Default: DELOTET_MSH_4_1. Errors: INVALID_ARGUMENT (other
+/// .msh: sets the version, a DELOTET_MSH_ constant. Other formats ignore it. Default: DELOTET_MSH_4_1. Errors: INVALID_ARGUMENT (other
 /// values).
 #[no_mangle]
 #[must_use]
@@ -131,8 +132,8 @@ pub unsafe extern "C" fn delotet_write_options_set_msh_version(
     }
 }
 
-/// .msh, .inp: the name of the regions with an attribute; other formats ignore it. `name`: zero-terminated UTF-8, copied, of which
-/// the first line counts; NULL or an empty one takes the name away. Default: no names.
+/// .msh, .inp: names the regions with an attribute; other formats ignore it. `name`: zero-terminated UTF-8; its first line is copied; NULL
+/// or "" removes the name. Default: no names.
 /// Errors: INVALID_ARGUMENT (NULL, an attribute that is not finite, a name that is not UTF-8), OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -177,8 +178,8 @@ impl DelotetWriteOptions {
     }
 }
 
-/// Lines of text about what is written go to `callback` together with `user_data`, which is only handed through: a line
-/// "warning: ..." for each kind of thing that the format cannot hold or that has no effect in it. NULL: nowhere, the default.
+/// Sets the callback that receives log lines; `user_data` is passed to it unchanged. There is one line "warning: ..." for each kind of data
+/// that the format cannot hold and for each option without effect in it. NULL, the default: none.
 /// Errors: INVALID_ARGUMENT (options is NULL).
 #[no_mangle]
 #[must_use]
@@ -210,28 +211,28 @@ unsafe fn setting<R>(options: *const DelotetWriteOptions, body: impl FnOnce(&Wri
     }
 }
 
-/// Whether arrays are compressed. For NULL, here and in all getters of options: the default.
+/// Whether arrays are compressed, as set by delotet_write_options_set_compress(). All getters return the default for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_compress(options: *const DelotetWriteOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |o| o.compress) }
 }
 
-/// Whether subfaces are written too, as delotet_write_options_set_subfaces() sets it.
+/// Whether subfaces are also written, as set by delotet_write_options_set_subfaces().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_subfaces(options: *const DelotetWriteOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |o| o.subfaces) }
 }
 
-/// Whether tetrahedra have ten nodes, as delotet_write_options_set_second_order() sets it.
+/// Whether tetrahedra have ten nodes, as set by delotet_write_options_set_second_order().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_second_order(options: *const DelotetWriteOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |o| o.second_order) }
 }
 
-/// The version of .msh, as delotet_write_options_set_msh_version() sets it.
+/// The version of .msh, as set by delotet_write_options_set_msh_version().
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_msh_version(
     options: *const DelotetWriteOptions,
@@ -245,7 +246,8 @@ pub unsafe extern "C" fn delotet_write_options_msh_version(
     }
 }
 
-/// The name of the regions with an attribute: UTF-8, NULL if they have none. Borrowed from `options` until it is changed.
+/// The name of the regions with an attribute, UTF-8; NULL if they have none. Borrowed from `options`: valid until they are changed or
+/// freed.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_region_name(
     options: *const DelotetWriteOptions,
@@ -260,7 +262,7 @@ pub unsafe extern "C" fn delotet_write_options_region_name(
     }
 }
 
-/// The log callback, NULL if there is none, as delotet_write_options_set_log() sets it.
+/// The log callback, NULL if there is none, as set by delotet_write_options_set_log().
 /// `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a callback).
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_log(
@@ -276,16 +278,16 @@ pub unsafe extern "C" fn delotet_write_options_log(
     callbacks.log
 }
 
-/// Frees options. NULL is ignored. Not while a call uses them.
+/// Frees options. NULL is ignored. No call may be using them.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_free(options: *mut DelotetWriteOptions) {
     // SAFETY: the caller passes NULL or options that it owns.
     unsafe { free(options) }
 }
 
-/// Writes a mesh to a file as delotet_mesh_write() does, in the way that `options` ask for (NULL: the defaults). What the format
-/// cannot hold as it is goes to the options' log; the guide's page on formats says what each one holds.
-/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one without second order, or a library built without files), FILE,
+/// Writes a mesh to a file like delotet_mesh_write(), with `options` (NULL: the defaults). The log callback is told what the format cannot
+/// hold; src/doc/formats.md says what each format holds.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one without second order, or the library was built without file formats), FILE,
 /// TOO_LARGE, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]

@@ -1,8 +1,8 @@
 //! Groups of a file (solids, groups, materials, colours) and the markers that they become.
 //!
 //! While a file is read, its polygons carry the number of their group, from 1 in the order in which groups appear; 0 is no
-//! group. At the end every group gets a marker: the one that its name states (`marker_K NAME`), else the lowest from 1 that
-//! no group states and none before has got.
+//! group. At the end every group gets a marker: the one that its name states (`marker_K NAME`), otherwise the lowest from 1 that no group
+//! states and no earlier one has.
 use crate::error::{Error, Status};
 use crate::plc::Plc;
 use rustc_hash::FxHashMap;
@@ -12,14 +12,14 @@ struct Group {
     name: String,
 }
 
-/// What a group means that all polygons of a file are in, and that states no marker.
+/// What a single group of all polygons of a file means, if it states no marker.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Single {
-    /// It has a marker as all groups.
+    /// It has a marker like any group.
     Counts,
-    /// It divides nothing: the marker is 0, and has the group's name.
+    /// It divides nothing: the marker is 0, with the group's name.
     Unmarked,
-    /// Nothing: a model in one colour.
+    /// Nothing, as for a model in one colour.
     Nothing,
 }
 
@@ -45,7 +45,7 @@ impl Groups {
         Ok(number)
     }
 
-    /// The number of the group that a key stands for; `name` is asked for where it is a new one.
+    /// The number of the group for a key; `name` is called if it is new.
     pub fn of_key(
         &mut self,
         key: &[u8],
@@ -98,7 +98,7 @@ impl Groups {
         })
     }
 
-    /// The marker of each number, and the names of the markers into `plc`. `single`: what holds where all is in one group.
+    /// The marker of each group number; stores the names of the markers in `plc`. `single` applies if everything is in one group.
     pub fn markers(&self, single: Single, plc: &mut Plc) -> Result<Vec<i32>, Error> {
         let mut stated: Vec<i32> = Vec::new();
         stated.try_reserve_exact(self.groups.len())?;
@@ -137,7 +137,7 @@ pub(super) fn stated_marker(name: &[u8]) -> Option<(i32, &[u8])> {
     Some((marker, rest[end..].trim_ascii()))
 }
 
-/// Bytes as text: what is not UTF-8 becomes U+FFFD.
+/// Bytes as text; invalid UTF-8 becomes U+FFFD.
 fn text(bytes: &[u8]) -> Result<String, Error> {
     let mut text = String::new();
     text.try_reserve_exact(bytes.len())?;

@@ -1,4 +1,4 @@
-//! Files: surfaces in, meshes and surfaces out. Everything is decided by the file's extension; see [`Format`].
+//! Files: reads surfaces, writes meshes and surfaces. The extension of a file determines its format; see [`Format`].
 //!
 //! Invariants: a malformed file gives an error that names the line, never a panic and never an allocation beyond what its
 //! size justifies; coordinates are read correctly rounded and written in the fewest digits that read back bit for bit;
@@ -104,7 +104,7 @@ impl Format {
                 return Err(Error::new(
                     Status::Unsupported,
                     format_args!(
-                        "{}: its format is not known, for it has no extension ({KNOWN})",
+                        "{}: unknown file format: the name has no extension ({KNOWN})",
                         path.display()
                     ),
                 ));
@@ -112,7 +112,7 @@ impl Format {
             _ => {
                 return Err(Error::new(
                     Status::Unsupported,
-                    format_args!("{}: '.{extension}' is no known file format ({KNOWN})", path.display()),
+                    format_args!("{}: unknown file format '.{extension}' ({KNOWN})", path.display()),
                 ));
             }
         })

@@ -12,9 +12,9 @@ use crate::INVALID;
 pub(super) struct Model<'a> {
     /// The mesh.
     pub mesh: &'a TetMesh,
-    /// What it was made of.
+    /// The PLC that it was made from.
     pub plc: &'a Plc,
-    /// What is asked for.
+    /// The options of the writer.
     pub options: &'a WriteOptions,
     data: PointData,
     edges: Option<Edges>,

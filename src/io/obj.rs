@@ -1,9 +1,9 @@
 //! Wavefront OBJ: vertices, polygons, lines; groups and materials become markers. Source: Wavefront Technologies, Object
 //! Files (.obj), appendix B1.
 //!
-//! Faces and lines in no group and of no material have marker 0, each new pair of group and material the next number from 1, and its
-//! name; a group `marker_K NAME` has marker K, whatever its material. Texture coordinates, normals and display attributes are skipped, free-form curves and
-//! surfaces refused. Equal points are joined.
+//! Faces and lines without group and material have marker 0. Each new pair of group and material gets the next number from 1 and its name;
+//! a group `marker_K NAME` has marker K, whatever its material. Texture coordinates, normals and display attributes are skipped, free-form
+//! curves and surfaces refused. Equal points are joined.
 use super::groups::{self, Groups, Single};
 use super::surface::{out_of_range, Surface};
 use super::text::{bad, int, shown, Line, Lines};

@@ -1,8 +1,9 @@
 //! The Object File Format: `OFF`, counts, a line per vertex, a line per polygon. Source: the Geomview manual, "OFF Files".
 //!
 //! Prefixes `ST`, `C`, `N` (texture coordinates, colours, normals) only add columns after the coordinates; these are
-//! skipped. What follows the corners of a face is its colour: one integer is an index into a colour map and becomes the marker,
-//! three or four numbers number groups where they are not the same everywhere, anything else is skipped. Homogeneous (`4OFF`), n-dimensional (`nOFF`) and binary files are refused.
+//! skipped. What follows the corners of a face is its colour: a single integer is an index into a colour map and becomes the marker;
+//! colours of three or four numbers are numbered as groups, if there is more than one; anything else is skipped. Homogeneous (`4OFF`),
+//! n-dimensional (`nOFF`) and binary files are refused.
 use super::groups::{Groups, Single};
 use super::surface::Surface;
 use super::text::{bad, float, int, shown, Line, Lines};

@@ -1,5 +1,4 @@
-//! Output that appears whole or not at all: files are written under temporary names beside their targets and renamed when
-//! all are complete.
+//! Output that is written completely or not at all: files get temporary names next to their targets and are renamed when all are complete.
 use crate::error::{Error, Status};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
@@ -14,7 +13,7 @@ pub(super) fn file_error(path: &Path, doing: &str, error: &io::Error) -> Error {
     Error::new(status, format_args!("{}: cannot {doing}: {}", path.display(), Reason(error)))
 }
 
-/// An error of the system in words that need no memory: the standard library makes a text of them first.
+/// Displays a system error without allocating, unlike the standard library.
 struct Reason<'a>(&'a io::Error);
 
 impl std::fmt::Display for Reason<'_> {
@@ -185,7 +184,7 @@ impl Write for Buffered {
 /// A buffered writer with fast numbers: doubles in the fewest digits that read back bit for bit.
 pub(super) struct Out {
     inner: Buffered,
-    /// Why something cannot be written, if that is not the file system's fault.
+    /// The reason why something cannot be written, if it is not a file system error.
     refused: Option<&'static str>,
 }
 

@@ -1,16 +1,15 @@
-//! `.parents`, beside TetGen's files: what they cannot say and an exact check needs. Ours, plain text, numbered from 0.
+//! `.parents`, next to TetGen's files: what these cannot express and an exact check needs. A plain text format of delotet, numbered from 0.
 //!
-//! First line: the number of Steiner points (the last points of `.node`), of faces (those of `.face`), of facet flips, and 1 if
-//! the convex hull was kept, else 0, of tetrahedra that rounding had to replace, of faces and edges that are not
-//! meshed, and what the mesh guarantees: 0 constrained Delaunay, 1 Delaunay, 2 the surface kept, 3 the outer boundary kept. Then a line per Steiner point: the two ends `a` and `b` of its edge (input points), the
-//! input segment or -1, and the parameter `t` with any further terms of it: exactly, the point is `a + t (b − a)`. Then a line
-//! per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two facets. Then a line per replaced
-//! tetrahedron, ascending: its number. Then a line per piece of a facet that bounds no tetrahedron: its corners, its facet, its marker;
-//! and one per piece of an edge that no tetrahedron has: its ends, its segment or -1, its marker.
-//! If points were left out of the mesh, one more number stands at the end of the first line: that of the points of the input. The
-//! lines on what is not meshed then count points as the input does. At the end of the file come the number of points before and a line
-//! per such point with its number now or -1; the number of Steiner points that were left out, and for each a line with its place and one
-//! as above.
+//! First line: the numbers of Steiner points (the last points of `.node`), of faces (those of `.face`) and of facet flips; 1 if the convex
+//! hull was kept, otherwise 0; the numbers of tetrahedra replaced by rounding and of unmeshed faces and edges; and what the mesh
+//! guarantees: 0 constrained Delaunay, 1 Delaunay, 2 the surface kept, 3 the outer boundary kept. Then a line per Steiner point: the two
+//! ends `a` and `b` of its edge (input points), the input segment or -1, and the parameter `t` with any further terms of it: exactly, the
+//! point is `a + t (b − a)`. Then a line per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two
+//! facets. Then a line per replaced tetrahedron, ascending: its number. Then a line per piece of a facet that bounds no tetrahedron: its
+//! corners, its facet, its marker; and one per piece of an edge that no tetrahedron has: its ends, its segment or -1, its marker.
+//! If points were left out of the mesh, the first line ends with one more number, the number of input points. The lines about unmeshed
+//! pieces then use the input's indices. At the end of the file come the number of old points and a line for each with its new index or -1,
+//! then the number of Steiner points left out, and for each a line with its coordinates and one as above.
 //! Doubles read back bit for bit.
 use super::output_files::Out;
 use super::text::{bad, float, Line, Lines};
@@ -127,10 +126,7 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
     let replaced = line.optional_int("the number of replaced tetrahedra")?.unwrap_or(0);
     let replaced = usize::try_from(replaced).ok().filter(|&n| n <= mesh.tets.len());
     let Some(replaced) = replaced else {
-        return Err(bad(
-            line.number(),
-            "the number of replaced tetrahedra is not that of the mesh beside it",
-        ));
+        return Err(bad(line.number(), "the number of replaced tetrahedra does not match the mesh"));
     };
     let mut unmeshed = |what| -> Result<usize, Error> {
         let count = line.optional_int(what)?.unwrap_or(0);
@@ -144,7 +140,7 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
     mesh.guarantee =
         *guarantee.ok_or_else(|| bad(line.number(), "what the mesh guarantees is a number from 0 to 3"))?;
     if steiner > mesh.points.len() || faces != mesh.subfaces.len() {
-        let message = "the numbers of points and faces are not those of the mesh beside it";
+        let message = "the numbers of points and faces do not match the mesh";
         return Err(Error::new(Status::Format, message));
     }
     let inputs = line.optional_int("the number of input points")?;
@@ -222,7 +218,7 @@ fn read_steiner_point(
     let mut line = lines.expect("a Steiner point")?;
     let ends = [index(&mut line)?, index(&mut line)?];
     let segment = index(&mut line)?;
-    // Points inside lie where their doubles are.
+    // Points inside lie at their doubles.
     let exact = ends == [INVALID; 2];
     let steiner = points.len() as u32;
     points.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact });

@@ -1,8 +1,8 @@
 //! PLY, text and binary of both byte orders. Source: Greg Turk, The PLY Polygon File Format (1994).
 //!
-//! Used are the elements `vertex` (x, y, z of any scalar type), `face` (the list `vertex_index` or `vertex_indices`; a
-//! scalar `marker`, or else `material_index`, or else the colour `red`, `green`, `blue`, which numbers groups where it is not the same
-//! everywhere) and `edge` (`vertex1`, `vertex2`: segments). Everything else is read over. A comment
+//! It uses the elements `vertex` (x, y, z of any scalar type), `face` (the list `vertex_index` or `vertex_indices`; a scalar `marker`,
+//! otherwise `material_index`, otherwise the colour `red`, `green`, `blue`, which numbers groups if there is more than one) and `edge`
+//! (`vertex1`, `vertex2`: segments). Everything else is skipped. A comment
 //! `marker K NAME` names a marker. Equal points are joined.
 use super::groups::{self, Groups, Single};
 use super::surface::Surface;
@@ -247,7 +247,7 @@ fn scalar(line: &mut Line<'_>, token: Option<&[u8]>) -> Result<Scalar, Error> {
     Scalar::parse(token).ok_or_else(|| bad(line.number(), format_args!("unknown type '{}'", shown(token))))
 }
 
-/// Everything needed is there, once, and the counts fit the file.
+/// Checks that everything required is present once, and that the counts fit the file.
 fn check_elements(elements: &[Element], encoding: Encoding, lines: &Lines<'_>) -> Result<(), Error> {
     let fail = |what: &str| Err(bad(lines.number(), what));
     for kind in [Kind::Vertex, Kind::Face, Kind::Edge] {

@@ -1,4 +1,4 @@
-//! What a content is that its name does not promise: for messages that say more than where reading stopped.
+//! Recognizes content that does not match a file's extension, for messages that say more than where reading stopped.
 use super::Format;
 
 /// First bytes and what they belong to.
@@ -39,14 +39,14 @@ const WORDS: &[(&[u8], Format, &str)] = &[
     (b"v", Format::Obj, "an OBJ file: its name should end in .obj"),
 ];
 
-/// What a content is that could not be read in a format; `None`: nothing that is known here.
+/// A description of content that could not be read in a format; `None` if it is not recognized.
 pub(super) fn other_kind(bytes: &[u8], format: Format) -> Option<&'static str> {
     if let Some((_, kind)) = BEGINNINGS.iter().find(|(beginning, _)| bytes.starts_with(beginning)) {
         return Some(kind);
     }
     let text = &bytes[..bytes.len().min(1024)];
     if text.iter().any(|&b| b < b' ' && !matches!(b, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c)) {
-        // These two may be binary: their readers say what is wrong with them.
+        // These two may be binary: their readers report what is wrong.
         return (!matches!(format, Format::Stl | Format::Ply)).then_some("binary data");
     }
     let lines = text.split(|&b| b == b'\n').map(<[u8]>::trim_ascii);

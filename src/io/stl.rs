@@ -1,7 +1,7 @@
 //! STL, text and binary. Source: 3D Systems, StereoLithography Interface Specification (1989).
 //!
-//! A file is binary if its length is 84 + 50 n, n being the count at byte 80: text cannot fulfil that, and binary files
-//! that begin with "solid" exist. Equal points are joined: the format has no other way to say that triangles meet.
+//! A file is binary if its length is 84 + 50 n, with n the count at byte 80: text never satisfies this, and there are binary files that
+//! begin with "solid". Equal points are joined, since the format has no other way to express that triangles meet.
 use super::groups::{Groups, Single};
 use super::surface::Surface;
 use super::text::{bad, float, shown, Lines};
@@ -9,8 +9,8 @@ use crate::error::{Error, Status};
 use crate::plc::Plc;
 
 /// Reads a file of either kind. The triangles of the k-th solid of several have marker k, from 1, and the solid's name names
-/// it; a solid `marker_K NAME` has marker K. In a binary file the two attribute bytes of a triangle (colours, in most files
-/// that use them) number groups, where they are not the same everywhere.
+/// it; a solid `marker_K NAME` has marker K. In a binary file the two attribute bytes of a triangle (colours, in most files that use them)
+/// number groups, if they differ.
 pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
     if let Some(count) = binary_count(bytes) {
         return read_binary(bytes, count);

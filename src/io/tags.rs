@@ -1,7 +1,7 @@
 //! Groups of elements for formats that divide a mesh by integers and names: one per region, facet marker and segment marker.
 //!
-//! A group's tag is the attribute or marker itself where that is a positive integer, else the lowest free positive one, for
-//! physical tags must be positive.
+//! A group's tag is the attribute or marker itself if that is a positive integer, otherwise the lowest free positive one, since physical
+//! tags must be positive.
 use super::model::{lose, Model};
 use crate::error::{Element, Error};
 use crate::fallible;
@@ -40,8 +40,8 @@ pub(super) struct Groups {
 }
 
 impl Groups {
-    /// Divides a mesh. Warns of attributes and markers that are no positive integers; of marker 0 only where there are others
-    /// beside it, for else it means that nothing is marked.
+    /// Divides a mesh into groups. Warns of attributes and markers that are not positive integers; of marker 0 only if there are other
+    /// markers, since otherwise nothing is marked.
     pub fn new(model: &Model<'_>, warnings: &mut Warnings) -> Result<Self, Error> {
         let mesh = model.mesh;
         let curves = by_marker(segment_pieces(mesh)?, |i| mesh.subsegments[i as usize].marker)?;

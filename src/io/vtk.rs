@@ -1,7 +1,7 @@
 //! Legacy VTK, binary (big endian). Source: VTK User's Guide, "VTK File Formats", simple legacy formats.
 //!
-//! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers. Scalars
-//! do not count their components: some readers make columns of them where they do.
+//! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers. Scalars do not state a
+//! number of components, since some readers turn scalars that do into columns.
 use super::model::Model;
 use super::output_files::Out;
 use super::quality::{corners, dihedrals};

@@ -2,8 +2,8 @@
 //! VTK User's Guide, "VTK File Formats", XML formats.
 //!
 //! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers and whether
-//! they are Steiner points. The second file's cells are the subfaces with `facet` and `marker`. Arrays of one component do
-//! not say so: some readers make a column of them where it is said.
+//! they are Steiner points. The second file's cells are the subfaces with `facet` and `marker`. Arrays of one component do not state that
+//! number, since some readers turn arrays that do into columns.
 use super::model::{Model, Nodes};
 use super::output_files::Out;
 use super::quality::{corners, dihedrals};
@@ -82,7 +82,7 @@ impl fmt::Display for Content {
 /// A grid of one kind of cell: the tetrahedra, or the subfaces with the nodes that they use.
 pub(super) struct Grid<'a> {
     model: &'a Model<'a>,
-    /// The mesh's node of each of ours, and ours of each of the mesh's; none: all nodes, as they are.
+    /// For each node of the grid its node in the mesh, and the reverse; `None` if the grid has all nodes unchanged.
     used: Option<(Vec<u32>, Vec<u32>)>,
     nodes: usize,
     cells: usize,
@@ -217,7 +217,7 @@ impl<'a> Grid<'a> {
         let compress = self.model.options.compress;
         let mut packed: Vec<Vec<u8>> = Vec::new();
         if compress {
-            // Its state is memory that cannot be asked for, once per file.
+            // Its state, one per file, is allocated infallibly.
             let mut zlib = Compress::new(Compression::fast(), true);
             for array in sections.iter().flat_map(|(_, arrays)| arrays) {
                 let bytes = self.compressed(array, &mut zlib)?;

@@ -1,4 +1,4 @@
-//! Meshes to files: what may be asked for, and the writer of each format.
+//! Writing meshes to files: the options of each format, and its writer.
 use super::model::Model;
 use super::output_files::{self, OutputFiles};
 use super::tags::{self, Groups};
@@ -11,7 +11,7 @@ use crate::plc::Plc;
 use crate::warning::Warnings;
 use std::path::{Path, PathBuf};
 
-/// An option of [`WriteOptions`] that a format has no use for.
+/// An option of [`WriteOptions`] without effect in a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UnusedOption {
     /// [`WriteOptions::compress`].
@@ -110,7 +110,7 @@ pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> 
             files.write(path, |out| vtu::Grid::tets(&model).write(out))?;
             if options.subfaces {
                 let grid = vtu::Grid::subfaces(&model)?;
-                // As `subfaces_path`, with memory that is asked for.
+                // Like `subfaces_path`, with fallible allocation.
                 let stem = output_files::with_extension(path, "")?;
                 let beside = output_files::with_suffix(&stem, &["_subfaces.vtu"])?;
                 files.write(&beside, |out| grid.write(out))?;

@@ -1,5 +1,5 @@
-//! Surface files: OFF, STL, OBJ, PLY and TetGen's `.node`, `.poly`, `.smesh`. What a format cannot express is refused, not
-//! dropped. Sources: as the readers of the formats.
+//! Surface files: OFF, STL, OBJ, PLY and TetGen's `.node`, `.poly`, `.smesh`. What a format cannot express is an error, not dropped.
+//! Sources: see the readers of the formats.
 use super::output_files::{Out, OutputFiles};
 use super::{Format, WriteOptions};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
@@ -39,7 +39,7 @@ pub(super) fn write(files: &mut OutputFiles, path: &Path, plc: &Plc) -> Result<(
     }
 }
 
-/// What the format does not hold, of a PLC that has been written in it.
+/// Warnings about values of a PLC that the format cannot hold.
 pub(super) fn lost(format: Format, plc: &Plc) -> Warnings {
     let mut warnings = Warnings::default();
     let mut lose = |first: Element| {
@@ -287,7 +287,7 @@ fn normal(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> [f64; 3] {
     let v: [f64; 3] = std::array::from_fn(|i| c[i] - a[i]);
     let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
-    // The divisor is chosen, not the quotient: compilers may divide first and choose then, which traps where hosts ask for traps.
+    // Selects the divisor, not the quotient: compilers may divide before selecting, which would trap if the host enables traps.
     let (n, divisor) = if length.is_normal() { (n, length) } else { ([0.0; 3], 1.0) };
     n.map(|x| x / divisor)
 }

@@ -1,7 +1,7 @@
 //! Checks the topological invariants of [`Tetrahedra`].
 use super::{flag, Tetrahedra, GHOST};
 
-/// What is wrong with the topology, in words, or nothing.
+/// `Ok`, or a description of what is wrong with the topology.
 pub fn check_topology(mesh: &Tetrahedra) -> Result<(), String> {
     for t in 0..mesh.slot_count() as u32 {
         if !mesh.is_live(t) {
@@ -27,7 +27,7 @@ pub fn check_topology(mesh: &Tetrahedra) -> Result<(), String> {
                 return Err(format!("tetrahedron {t}: neighbour {f} does not point back"));
             }
             let (mut a, mut b) = (mesh.face(c), mesh.face(n));
-            // Opposite senses: the face read from the other side is an odd permutation.
+            // Opposite orientations: the face read from the other side is an odd permutation.
             let odd = (0..3).any(|k| a[0] == b[k] && a[1] == b[(k + 2) % 3] && a[2] == b[(k + 1) % 3]);
             a.sort_unstable();
             b.sort_unstable();

@@ -1,10 +1,10 @@
-//! A journal of replacements, so that they can be taken back: the same tetrahedra in the same slots.
+//! A journal of replacements, so that they can be undone: the same tetrahedra return to the same slots.
 //!
-//! A replacement ([`Refill::replace`](super::refill::Refill::replace)) releases the old slots in their order and then allocates one for each new
-//! tetrahedron, from a stack of free slots. Undone in the opposite order these steps meet the same stack: every old tetrahedron gets
-//! its own slot again, and what it had, neighbours included, is put back as it was.
+//! A replacement ([`Refill::replace`](super::refill::Refill::replace)) releases the old slots in order and then allocates one for each new
+//! tetrahedron, from a stack of free slots. Undone in reverse order, these steps see the same stack: every old tetrahedron gets its own
+//! slot again, and its data, including neighbours, are restored.
 //!
-//! Invariant: replacements are taken back last first, and nothing else has been replaced since.
+//! Invariant: replacements are undone in reverse order, and nothing else has been replaced since.
 use super::{flag, Tetrahedra};
 use crate::error::Error;
 
@@ -16,7 +16,7 @@ struct Saved {
     adj: [u32; 4],
 }
 
-/// Replacements, the last one last.
+/// Replacements, in order.
 #[derive(Default)]
 pub struct Journal {
     saved: Vec<Saved>,
@@ -26,7 +26,7 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// How many replacements can be taken back.
+    /// The number of replacements that can be undone.
     pub fn len(&self) -> usize {
         self.starts.len()
     }
@@ -36,7 +36,7 @@ impl Journal {
         self.starts.is_empty()
     }
 
-    /// Forgets all: they stay.
+    /// Forgets all entries: the replacements become permanent.
     pub fn clear(&mut self) {
         self.saved.clear();
         self.fresh.clear();
@@ -55,14 +55,14 @@ impl Journal {
         Ok(())
     }
 
-    /// Ends the entry: these came, in the order of their allocation.
+    /// Ends the entry: `fresh` are the new tetrahedra, in the order of their allocation.
     pub fn end(&mut self, fresh: &[u32]) -> Result<(), Error> {
         self.fresh.try_reserve(fresh.len())?;
         self.fresh.extend_from_slice(fresh);
         Ok(())
     }
 
-    /// Takes the last replacement back.
+    /// Undoes the last replacement.
     ///
     /// # Errors
     /// `Internal` if something else has been replaced since.
@@ -73,7 +73,7 @@ impl Journal {
         }
         for old in self.saved[saved..].iter().rev() {
             if mesh.allocate(old.verts) != old.slot {
-                return Err(Error::internal("a replacement is taken back out of order"));
+                return Err(Error::internal("a replacement is undone out of order"));
             }
             mesh.flags[old.slot as usize] = old.flags;
             for v in old.verts {

@@ -1,10 +1,10 @@
-//! Edges or faces, found by their vertices: grouped by the lowest one.
+//! Lookup of edges or faces by their vertices, grouped by the lowest one.
 //!
-//! Vertices are numbered along a curve, and so are, roughly, tetrahedra: questions about one after the other stay in a small part of
-//! the lists, where a hash table would answer each from another corner of memory.
+//! Vertices are numbered along a curve, and so, roughly, are tetrahedra: consecutive lookups stay in a small part of the lists, whereas in
+//! a hash table each would touch another part of memory.
 use crate::error::Error;
 
-/// Up to so many entries are looked at one by one.
+/// Up to this many entries are searched linearly.
 const FEW: usize = 8;
 
 /// Numbers of simplices of `N + 1` vertices.
@@ -16,7 +16,7 @@ pub struct Lookup<const N: usize> {
 }
 
 impl<const N: usize> Lookup<N> {
-    /// Of simplices given by lowest vertex, other vertices in order, and number, all different. Vertices are below `vertex_count`.
+    /// A lookup of simplices given by lowest vertex, other vertices in order, and number, all different. Vertices are below `vertex_count`.
     pub fn new(
         vertex_count: usize,
         simplices: impl Iterator<Item = (u32, [u32; N], u32)> + Clone,
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn all_are_found_and_no_others() {
-        // A fan around vertex 0, wider than is looked at one by one, and a chain.
+        // A fan around vertex 0, too wide for linear search, and a chain.
         let edges: Vec<[u32; 2]> = (1..40).map(|v| [0, v]).chain((1..39).map(|v| [v, v + 1])).collect();
         let numbered = edges.iter().zip(0..).map(|(&[a, b], i)| (a, [b], i));
         let lookup = Lookup::new(40, numbered).unwrap();

@@ -1,8 +1,8 @@
 //! Tetrahedra and their adjacency: topology only, no coordinates.
 //!
-//! Structure of arrays (engine notes §3). The convex hull is closed by *ghost tetrahedra* `(a, b, c, GHOST)`: their first three
-//! vertices are a hull face seen from outside in the same sense as any face from its tetrahedron, so cavity code has no
-//! special case. The ghost vertex is always in slot 3.
+//! A structure of arrays. The convex hull is closed by *ghost tetrahedra* `(a, b, c, GHOST)`: their first three vertices are a hull face,
+//! oriented as seen from outside like any face from its tetrahedron, so cavity code needs no special case. The ghost vertex is always in
+//! slot 3.
 //!
 //! Invariants between operations: every live tetrahedron has four live neighbours; `adj[adj[c]] == c` for every corner code
 //! `c = 4·t + f`; the two tetrahedra share the three vertices of that face.
@@ -22,7 +22,7 @@ use tables::FACE;
 pub const GHOST: u32 = u32::MAX;
 /// No tetrahedron.
 pub const NONE: u32 = u32::MAX;
-/// Most tetrahedra that corner codes can address: with one more the last code, of its corner 3, would be [`NONE`].
+/// The most tetrahedra that corner codes can address: with one more, the code of its corner 3 would be [`NONE`].
 pub const MAX_TETS: usize = (1 << 30) - 1;
 const _: () = assert!(4 * (MAX_TETS - 1) + 3 < NONE as usize);
 
@@ -49,8 +49,8 @@ pub mod flag {
     pub const EDGE: u16 = 1 << 4;
     /// All six edge bits.
     pub const EDGES: u16 = 0x3f << 4;
-    /// The number of the range that owns the tetrahedron while several workers insert vertices; 0: none does. Nothing is
-    /// a subface or subsegment then.
+    /// The number of the range that owns the tetrahedron while several workers insert vertices; 0 if none does. There are no subfaces or
+    /// subsegments at that time.
     pub const OWNER: u16 = FACES | EDGES;
     /// A scratch mark: clear between operations.
     pub const MARK: u16 = 1 << 10;
@@ -82,13 +82,13 @@ impl Tetrahedra {
         self.free.clear();
     }
 
-    /// How many slots there are (live and free).
+    /// The number of slots (live and free).
     #[inline(always)]
     pub fn slot_count(&self) -> usize {
         self.verts.len()
     }
 
-    /// How many tetrahedra live, ghosts included.
+    /// The number of live tetrahedra, including ghosts.
     pub fn live_count(&self) -> usize {
         self.verts.len() - self.free.len()
     }
@@ -138,7 +138,7 @@ impl Tetrahedra {
         Ok(Slots::shared(self, more))
     }
 
-    /// Makes room for about `extra` more slots if there is memory: only a hint, growth asks again.
+    /// Makes room for about `extra` more slots if there is memory. This is only a hint: growth reserves again.
     pub(crate) fn expect(&mut self, extra: usize) {
         let extra = extra.min(MAX_TETS.saturating_sub(self.verts.len()));
         let _ = self.verts.try_reserve_exact(extra);
@@ -155,7 +155,7 @@ impl Tetrahedra {
                 "more tetrahedra than the library can address, 2^30 - 1",
             ));
         }
-        // By a quarter, not twofold: most of the memory of a large mesh is here.
+        // Grow by a quarter instead of doubling: most of the memory of a large mesh is here.
         let room = extra.max(self.verts.len() / 4).min(MAX_TETS - self.verts.len());
         self.verts.try_reserve_exact(room)?;
         self.adj.try_reserve_exact(room)?;
@@ -164,7 +164,7 @@ impl Tetrahedra {
         Ok(())
     }
 
-    /// A slot for a new tetrahedron: a free one or a new one at the end. Its content is undefined but for the vertices.
+    /// A slot for a new tetrahedron: a free one or a new one at the end. Its content is undefined except for the vertices.
     #[inline(always)]
     pub fn allocate(&mut self, verts: [u32; 4]) -> u32 {
         if let Some(t) = self.free.pop() {
@@ -207,13 +207,13 @@ impl Tetrahedra {
         self.free.push(t);
     }
 
-    /// The slot is in use.
+    /// Whether the slot is in use.
     #[inline(always)]
     pub fn is_live(&self, t: u32) -> bool {
         self.flags[t as usize] & flag::DEAD == 0
     }
 
-    /// The tetrahedron has the vertex at infinity.
+    /// Whether the tetrahedron has the vertex at infinity.
     #[inline(always)]
     pub fn is_ghost(&self, t: u32) -> bool {
         self.verts[t as usize][3] == GHOST
@@ -232,7 +232,7 @@ impl Tetrahedra {
         self.adj[(c >> 2) as usize][(c & 3) as usize]
     }
 
-    /// The vertices of the face opposite corner `c`, such that `(opposite, x, y, z)` is positive.
+    /// The vertices of the face opposite corner `c`, ordered so that `(opposite, x, y, z)` is positive.
     #[inline(always)]
     pub fn face(&self, c: u32) -> [u32; 3] {
         let v = &self.verts[(c >> 2) as usize];

@@ -1,15 +1,15 @@
-//! Cavities refilled: some tetrahedra go, others that have the same boundary come in their place.
+//! Refilling cavities: replaces some tetrahedra by others with the same boundary.
 //!
-//! Faces are joined by their vertices, each twice: once from either side, or once from a new tetrahedron and once from the one that
-//! stays beyond the boundary. Most cavities are small, and their faces are found quicker in a list than by hashing.
+//! Faces are matched by their vertices, each twice: from two new tetrahedra, or from a new tetrahedron and the one that stays beyond the
+//! boundary. Most cavities are small, and searching a list of their faces is faster than hashing.
 use super::{face_key, flag, Tetrahedra};
 use crate::error::Error;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Most tetrahedra of a small cavity.
+/// The most tetrahedra of a small cavity.
 const SMALL: usize = 32;
 
-/// Faces that wait for their second side: corner code of the first.
+/// Faces that wait for their second side, with the corner code of the first.
 #[derive(Default)]
 struct OpenFaces {
     small: bool,
@@ -18,7 +18,7 @@ struct OpenFaces {
 }
 
 impl OpenFaces {
-    /// Makes room for the faces of so many tetrahedra.
+    /// Clears the list and makes room for the faces of `tets` tetrahedra.
     fn clear(&mut self, tets: usize) -> Result<(), Error> {
         self.small = tets <= SMALL;
         self.list.clear();
@@ -52,7 +52,7 @@ impl OpenFaces {
     }
 }
 
-/// Refills; keeps its scratch space.
+/// Refills cavities, with its scratch space.
 #[derive(Default)]
 pub struct Refill {
     open: OpenFaces,
@@ -62,8 +62,8 @@ pub struct Refill {
 }
 
 impl Refill {
-    /// Replaces the tetrahedra `old` by `new`, none of them ghosts. Faces flagged as subfaces stay flagged, and `subfaces`
-    /// become so; `vertex_tet` is kept up to date.
+    /// Replaces the tetrahedra `old` by `new`, none of them ghosts. Faces flagged as subfaces stay flagged, and `subfaces` are flagged;
+    /// `vertex_tet` is kept up to date.
     ///
     /// # Errors
     /// `Internal` if the boundaries differ (the mesh is then unusable), `OutOfMemory`, `TooLarge`.

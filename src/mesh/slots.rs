@@ -1,18 +1,18 @@
-//! A raw view of the tetrahedra: unchecked, and several of them may exist at the same time.
+//! A raw view of the tetrahedra: unchecked, and several may exist at the same time.
 //!
-//! The inner loops of insertion work on it, by one thread or by many. What makes it sound:
+//! The inner loops of insertion use it, on one thread or several. Why it is sound:
 //!
-//! *In bounds.* Codes and slots come from `adj` of live tetrahedra or from the allocator, and the invariants of
-//! [`Tetrahedra`] bound both by the number of slots; debug builds assert it at each access.
+//! *In bounds.* Codes and slots come from `adj` of live tetrahedra or from the allocator, and the invariants of [`Tetrahedra`] bound both
+//! by the number of slots; debug builds assert this at each access.
 //!
-//! *No two threads at one place.* While workers share the arrays ([`Slots::shared`]), a tetrahedron belongs to the range
-//! that its flags name, or to none: then it is *frozen*. All vertices of an owned tetrahedron belong to its range. So two
-//! tetrahedra of different ranges share no vertex, the neighbours of an owned tetrahedron are owned by the same range or frozen,
-//! and a worker that starts from an owned one and stops at frozen ones meets no others. A worker
-//! * reads and writes `verts`, `flags` and `adj` of its own slots: what it owned at first, and its own block of new ones;
-//! * reads `verts` and `flags` of frozen tetrahedra at its owned ones, which nobody writes;
-//! * writes one entry of `adj` of a frozen tetrahedron: the one that leads to a tetrahedron of its own. Nobody else touches
-//!   this entry. (Rows of `adj` of frozen tetrahedra are never loaded as a whole.)
+//! *No data races.* While workers share the arrays ([`Slots::shared`]), a tetrahedron belongs to the range that its flags name, or to none:
+//! then it is *frozen*. All vertices of an owned tetrahedron belong to its range. So two tetrahedra of different ranges share no vertex,
+//! the neighbours of an owned tetrahedron are owned by the same range or frozen, and a worker that starts from an owned one and stops at
+//! frozen ones meets no others. A worker
+//! * reads and writes `verts`, `flags` and `adj` of its own slots: those it owned at first, and its own block of new ones;
+//! * reads `verts` and `flags` of frozen tetrahedra next to its own, which nobody writes;
+//! * writes one entry of `adj` of a frozen tetrahedron: the one that leads to a tetrahedron of its own. No other worker accesses this
+//!   entry. (Rows of `adj` of frozen tetrahedra are never loaded as a whole.)
 //! * reads, of a frozen ghost, the entry of `adj` that leads to the finite tetrahedron at the same hull face, and that one's `verts`. It
 //!   is frozen too, since its range would have the ghost's three vertices; so nobody writes this entry.
 #![allow(unsafe_code)]
@@ -25,18 +25,18 @@ pub struct Slots<'a> {
     verts: *mut [u32; 4],
     adj: *mut [u32; 4],
     flags: *mut u16,
-    /// Slots that exist or are set aside for new tetrahedra.
+    /// Number of slots that exist or are reserved for new tetrahedra.
     count: usize,
     life: PhantomData<&'a Tetrahedra>,
 }
 
-// SAFETY: plain pointers to arrays that outlive the view; that threads keep off each other is shown above.
+// SAFETY: plain pointers to arrays that outlive the view; the absence of data races is shown above.
 unsafe impl Send for Slots<'_> {}
 // SAFETY: as for Send.
 unsafe impl Sync for Slots<'_> {}
 
 impl<'a> Slots<'a> {
-    /// For readers: nothing may be written through it.
+    /// A view for readers: nothing may be written through it.
     #[inline(always)]
     pub(super) fn read(mesh: &'a Tetrahedra) -> Self {
         Slots {
@@ -48,7 +48,7 @@ impl<'a> Slots<'a> {
         }
     }
 
-    /// For one writer.
+    /// A view for one writer.
     #[inline(always)]
     pub(super) fn exclusive(mesh: &'a mut Tetrahedra) -> Self {
         Slots {
@@ -60,8 +60,8 @@ impl<'a> Slots<'a> {
         }
     }
 
-    /// For several writers, with `more` slots behind the present ones, for which there must be room. They become part of
-    /// the mesh by [`Tetrahedra::adopt`].
+    /// A view for several writers, with `more` slots after the existing ones, for which there must be room. [`Tetrahedra::adopt`] makes
+    /// them part of the mesh.
     pub(super) fn shared(mesh: &'a mut Tetrahedra, more: usize) -> Self {
         let count = mesh.verts.len() + more;
         assert!(
@@ -70,7 +70,7 @@ impl<'a> Slots<'a> {
         Slots { count, ..Slots::exclusive(mesh) }
     }
 
-    /// How many slots there are.
+    /// The number of slots.
     #[inline(always)]
     pub(crate) fn count(&self) -> usize {
         self.count
@@ -139,7 +139,7 @@ impl<'a> Slots<'a> {
         unsafe { *self.adj.add(t).cast::<u32>().add(f) }
     }
 
-    /// Sets what is across corner code `c`.
+    /// Sets the corner code across corner code `c`.
     #[inline(always)]
     pub(crate) fn set_across(&self, c: u32, to: u32) {
         let (t, f) = (self.at(c >> 2), (c & 3) as usize);
@@ -147,7 +147,7 @@ impl<'a> Slots<'a> {
         unsafe { *self.adj.add(t).cast::<u32>().add(f) = to }
     }
 
-    /// Asks for the memory of `t`, which is needed soon.
+    /// Prefetches the memory of `t`, which is needed soon.
     #[inline(always)]
     pub(crate) fn prefetch(&self, t: u32) {
         #[cfg(target_arch = "x86_64")]
@@ -161,7 +161,7 @@ impl<'a> Slots<'a> {
         }
     }
 
-    /// As [`Tetrahedra::face`].
+    /// Like [`Tetrahedra::face`].
     #[inline(always)]
     pub(crate) fn face(&self, c: u32) -> [u32; 3] {
         FACE[(c & 3) as usize].map(|i| self.vertex(c >> 2, i))
@@ -169,14 +169,14 @@ impl<'a> Slots<'a> {
 }
 
 impl Tetrahedra {
-    /// Makes the `count` slots behind the present ones part of the mesh.
+    /// Makes the `count` slots after the existing ones part of the mesh.
     ///
     /// # Safety
-    /// All their vertices, neighbours and flags were written through a view by [`Tetrahedra::share`] for as many.
+    /// All their vertices, neighbours and flags were written through a view from [`Tetrahedra::share`] for at least as many slots.
     pub(crate) unsafe fn adopt(&mut self, count: usize) {
         let length = self.verts.len() + count;
         debug_assert!(length <= self.verts.capacity() && length <= self.adj.capacity());
-        // SAFETY: the caller has written them; `share` has made sure of the room.
+        // SAFETY: the caller has written them; `share` has ensured the capacity.
         unsafe {
             self.verts.set_len(length);
             self.adj.set_len(length);

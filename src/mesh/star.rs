@@ -56,7 +56,7 @@ impl StarSearch {
                 if opposite == v || mesh.flags[n as usize] & flag::MARK != 0 {
                     continue;
                 }
-                // The tetrahedron left lacks `w`: only the apex can be it.
+                // The previous tetrahedron does not have `w`, so only the apex can be it.
                 if mesh.apex(code) == w {
                     found = Some(n);
                     break 'search;
@@ -73,7 +73,7 @@ impl StarSearch {
 }
 
 impl StarSearch {
-    /// A corner code of the face `a b c`, if the mesh has it; `start` has vertex `a`.
+    /// A corner code of the face `a b c`, if it is in the mesh; `start` has vertex `a`.
     pub fn find_face(&mut self, mesh: &mut Tetrahedra, [a, b, c]: [u32; 3], start: u32) -> Option<u32> {
         let t = self.find_edge(mesh, a, b, start)?;
         EdgeRing::new(mesh, t, a, b)

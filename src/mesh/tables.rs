@@ -1,7 +1,7 @@
 //! Index tables of a tetrahedron. Faces are opposite the vertex of the same number; edges are 01 02 03 12 13 23.
 
-/// `FACE[i]`: the vertices of face `i`, such that `(i, FACE[i])` is an even permutation of `(0, 1, 2, 3)`: seen from the
-/// opposite vertex the face turns the same way for every `i`.
+/// `FACE[i]`: the vertices of face `i`, ordered so that `(i, FACE[i])` is an even permutation of `(0, 1, 2, 3)`: seen from the opposite
+/// vertex the face turns the same way for every `i`.
 pub const FACE: [[u8; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
 /// `EDGE[e]`: the two vertices of edge `e`.

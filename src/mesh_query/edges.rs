@@ -13,27 +13,27 @@ pub struct Edge {
     pub ends: [u32; 2],
     /// The first tetrahedron that has it.
     pub tet: u32,
-    /// The subsegment that it is, or [`INVALID`].
+    /// Its subsegment, or [`INVALID`] if it is not constrained.
     pub subsegment: u32,
-    /// The subsegment's marker, else 0.
+    /// The marker of its subsegment, or 0.
     pub marker: i32,
 }
 
-/// The edges of a mesh and where tetrahedra and subfaces find their own.
+/// The edges of a mesh, and those of each tetrahedron and subface.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Edges {
-    /// Every edge once, ascending by ends.
+    /// Every edge once, sorted by ends.
     pub edges: Vec<Edge>,
     /// Edges whose smaller end is `v` are `edges[starts[v]..starts[v + 1]]`.
     starts: Vec<u32>,
-    /// Per tetrahedron its edges 01 02 03 12 13 23.
+    /// For each tetrahedron its edges 01 02 03 12 13 23.
     pub tet_edges: Vec<[u32; 6]>,
-    /// Per subface `(a, b, c)` its edges ab, bc, ca.
+    /// For each subface `(a, b, c)` its edges ab, bc, ca.
     pub subface_edges: Vec<[u32; 3]>,
 }
 
 impl Edges {
-    /// Lists the edges of `mesh`. Errors: out of memory; more than 2³² − 2 edges.
+    /// Lists the edges of `mesh`. Fails if memory runs out or there are more than 2³² − 2 edges.
     pub fn new(mesh: &TetMesh) -> Result<Edges, Error> {
         let mut list = Edges::default();
         list.collect(mesh)?;
@@ -57,7 +57,7 @@ impl Edges {
         Ok(list)
     }
 
-    /// The edge between two vertices.
+    /// The edge between two vertices, if there is one.
     pub fn find(&self, a: u32, b: u32) -> Option<u32> {
         let (low, high) = (a.min(b), a.max(b));
         let start = *self.starts.get(low as usize)?;

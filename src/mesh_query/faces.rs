@@ -1,7 +1,7 @@
 //! All faces of a mesh, each once, in the order of their first tetrahedron.
 //!
-//! Invariant: `corners` look outward from `tets[0]`, which always exists. It has the smaller index of the two, but on a subface the
-//! order is that of the subface: from the lower region to the higher.
+//! Invariant: `corners` are oriented outward from `tets[0]`, which always exists. It has the smaller index of the two, except on a subface,
+//! which keeps its own order: from the lower region to the higher.
 use super::{filled, FACE_CORNERS};
 use crate::error::Error;
 use crate::{TetMesh, INVALID};
@@ -14,23 +14,23 @@ pub struct Face {
     pub corners: [u32; 3],
     /// The tetrahedra on both sides; the second is [`INVALID`] on the boundary.
     pub tets: [u32; 2],
-    /// The subface that it is, or [`INVALID`].
+    /// Its subface, or [`INVALID`] if it is not constrained.
     pub subface: u32,
-    /// The subface's marker, else 0.
+    /// The marker of its subface, or 0.
     pub marker: i32,
 }
 
-/// The faces of a mesh and where each tetrahedron finds its own.
+/// The faces of a mesh, and those of each tetrahedron.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Faces {
     /// Every face once.
     pub faces: Vec<Face>,
-    /// Per tetrahedron its four faces, face `i` opposite vertex `i`.
+    /// For each tetrahedron its four faces, face `i` opposite vertex `i`.
     pub tet_faces: Vec<[u32; 4]>,
 }
 
 impl Faces {
-    /// Lists the faces of `mesh`. Errors: out of memory; a mesh whose neighbours do not fit together is `Internal`.
+    /// Lists the faces of `mesh`. Fails if memory runs out, or with `Internal` if the neighbours are inconsistent.
     pub fn new(mesh: &TetMesh) -> Result<Faces, Error> {
         let inner: usize = mesh.neighbors.iter().flatten().filter(|&&beyond| beyond != INVALID).count();
         let mut faces = Vec::new();
@@ -72,7 +72,7 @@ impl Faces {
     }
 }
 
-/// The face of `tet` that has these corners.
+/// The face of `tet` with these corners, if any.
 fn side_with(mesh: &TetMesh, tet: u32, corners: &[u32; 3]) -> Option<usize> {
     let tet = mesh.tets.get(tet as usize)?;
     let side = tet.iter().position(|corner| !corners.contains(corner))?;

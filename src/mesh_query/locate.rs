@@ -1,8 +1,8 @@
-//! Which tetrahedron holds a point, and with which barycentric coordinates.
+//! Finds the tetrahedron that contains a point, and its barycentric coordinates.
 //!
 //! A tree of bounding boxes over the tetrahedra (median splits of the centres) yields candidates; exact orientation signs
-//! decide. A point on a common face, edge or vertex belongs to the tetrahedron with the smallest index, so the answer does
-//! not depend on the order of the questions. Non-convex meshes and meshes of several parts need no special care.
+//! decide. A point on a shared face, edge or vertex belongs to the tetrahedron with the smallest index, so the result does not depend on
+//! the order of the queries. Non-convex meshes and meshes of several parts need no special treatment.
 use super::FACE_CORNERS;
 use crate::elementary::{exponent, power_of_two};
 use crate::error::Error;
@@ -43,31 +43,31 @@ struct Node {
     right: u32,
 }
 
-/// Finds the tetrahedra of points in one mesh.
+/// Finds the tetrahedra that contain points, in one mesh.
 #[derive(Clone, Debug)]
 pub struct Locator {
     nodes: Vec<Node>,
     order: Vec<u32>,
-    /// A power of two that brings the mesh to about unit size, where the predicates are exact.
+    /// A power of two that scales the mesh to about unit size, where the predicates are exact.
     scale: f64,
 }
 
-/// The place of a point: a tetrahedron, and the sign of the point before each of its faces (all non-negative).
+/// The location of a point: a tetrahedron, and the sign of the point relative to each of its faces (all non-negative).
 struct Hit {
     tet: u32,
     signs: [Sign; 4],
 }
 
-/// A tetrahedron on its way into the tree.
+/// A tetrahedron to be inserted into the tree.
 #[derive(Clone, Copy)]
 struct Entry {
-    /// About a quarter of the sum of the corners: where is unimportant, any split is a valid tree.
+    /// Approximate centroid. It need not be exact: any split gives a valid tree.
     centre: [f32; 3],
     tet: u32,
 }
 
 impl Locator {
-    /// Builds the tree: O(n log n) time, about 40 bytes per tetrahedron. Errors: out of memory.
+    /// Builds the tree in O(n log n) time and about 40 bytes per tetrahedron. Fails if memory runs out.
     pub fn new(mesh: &TetMesh) -> Result<Locator, Error> {
         let mut locator = Locator { nodes: Vec::new(), order: Vec::new(), scale: scale_of(&mesh.points) };
         let mut entries = Vec::new();
@@ -86,7 +86,7 @@ impl Locator {
         Ok(locator)
     }
 
-    /// Makes the nodes, without bounds, and sorts the entries into their leaves.
+    /// Makes the nodes, without bounds, and distributes the entries to their leaves.
     fn split(&mut self, entries: &mut [Entry]) -> Result<(), Error> {
         self.nodes.try_reserve(entries.len() / 2 + 1)?;
         // Ranges still to be split, each with the node whose right child it is (INVALID: none).
@@ -115,7 +115,7 @@ impl Locator {
         Ok(())
     }
 
-    /// Bounds of all nodes, children (which come later) first.
+    /// Computes the bounds of all nodes, children (which come later) first.
     fn bound(&mut self, mesh: &TetMesh) {
         for index in (0..self.nodes.len()).rev() {
             let node = self.nodes[index];
@@ -134,9 +134,9 @@ impl Locator {
         }
     }
 
-    /// For each point the tetrahedron that holds it (its boundary included), or [`INVALID`] outside; and, if asked, its
-    /// barycentric coordinates there: non-negative numbers, one per corner, with sum 1 (all NaN outside).
-    /// `tets` and `barycentric` must have one entry per point; further points are left alone.
+    /// Finds for each point the tetrahedron that contains it, including its boundary, or [`INVALID`] outside; and, if requested, its
+    /// barycentric coordinates there: non-negative numbers, one per corner, with sum 1 (all NaN outside). `tets` and `barycentric` must
+    /// have one entry per point; further points are ignored.
     pub fn locate(
         &self,
         mesh: &TetMesh,
@@ -159,7 +159,7 @@ impl Locator {
     }
 
     fn find(&self, mesh: &TetMesh, point: &[f64; 3], last: u32) -> Option<Hit> {
-        // Neighbouring questions often share a tetrahedron; strictly inside, no other one can hold the point.
+        // Consecutive points often share a tetrahedron; if a point is strictly inside, no other tetrahedron contains it.
         if last != INVALID {
             if let Some(hit) = self.test(mesh, last, point) {
                 if hit.signs == [Sign::Positive; 4] {
@@ -198,7 +198,7 @@ impl Locator {
 
     fn test(&self, mesh: &TetMesh, tet: u32, point: &[f64; 3]) -> Option<Hit> {
         let corners = mesh.tets[tet as usize].map(|corner| mesh.points[corner as usize]);
-        // Most candidates fail already here.
+        // This rejects most candidates.
         let apart = |axis: usize| {
             let x = corners.map(|corner| corner[axis]);
             x.iter().all(|&x| x < point[axis]) || x.iter().all(|&x| x > point[axis])
@@ -210,7 +210,7 @@ impl Locator {
         let (corners, point) = (corners.map(scaled), scaled(*point));
         let mut signs = [Sign::Zero; 4];
         for (sign, [a, b, c]) in signs.iter_mut().zip(FACE_CORNERS) {
-            // Seen from inside, the outward face turns the other way.
+            // Seen from inside, the outward face has the opposite orientation.
             *sign = -orient3d(&corners[a], &corners[b], &corners[c], &point);
             if *sign == Sign::Negative {
                 return None;
@@ -236,12 +236,12 @@ impl Locator {
     }
 }
 
-/// The power of two that brings the largest coordinate into [1, 2).
+/// The power of two that scales the largest coordinate into [1, 2).
 fn scale_of(points: &[[f64; 3]]) -> f64 {
     let largest = points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
     let power = exponent(largest);
     match power {
-        // Inside this range nothing can overflow or lose its last bits.
+        // In this range nothing can overflow or lose its last bits.
         -100..=100 => 1.0,
         _ => power_of_two((-power).clamp(-1000, 1000)),
     }

@@ -1,5 +1,5 @@
-//! What solvers ask of a finished mesh: its faces and edges, second-order nodes, the data of its points, and which tetrahedron
-//! holds a point. Everything here derives from [`TetMesh`](crate::TetMesh) alone and leaves it unchanged.
+//! What solvers need from a finished mesh: its faces and edges, second-order nodes, the data of its points, and the tetrahedron that
+//! contains a point. Everything here is derived from [`TetMesh`](crate::TetMesh) and leaves it unchanged.
 
 pub mod edges;
 pub mod faces;
@@ -21,7 +21,7 @@ pub const FACE_CORNERS: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 
 /// Ends of edge `i` of a tetrahedron.
 pub const EDGE_ENDS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
-/// `count` copies of `value`, or an error when memory is short.
+/// `count` copies of `value`; fails if memory runs out.
 pub(crate) fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, Error> {
     let mut list = Vec::new();
     list.try_reserve_exact(count)?;
@@ -29,7 +29,7 @@ pub(crate) fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, Error> 
     Ok(list)
 }
 
-/// For each vertex of the mesh the first tetrahedron at it; [`INVALID`](crate::INVALID) for points that no tetrahedron uses.
+/// For each point the first tetrahedron that has it as a corner, or [`INVALID`](crate::INVALID) if none does.
 pub fn point_tets(mesh: &crate::TetMesh) -> Result<Vec<u32>, Error> {
     let mut first = filled(mesh.points.len(), crate::INVALID)?;
     for (tet, corners) in mesh.tets.iter().enumerate().rev() {

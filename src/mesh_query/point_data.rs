@@ -1,4 +1,4 @@
-//! Attributes and markers of the mesh's points: the input's, continued to the Steiner points.
+//! Attributes and markers of the mesh's points: the input's, extended to the Steiner points.
 use crate::error::Error;
 use crate::plc::attributes::{as_meshed, continue_attributes};
 use crate::{Plc, TetMesh, INVALID};
@@ -6,18 +6,17 @@ use crate::{Plc, TetMesh, INVALID};
 /// Attributes and markers of all points of a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PointData {
-    /// Attributes per point.
+    /// The number of attributes per point.
     pub attribute_count: usize,
-    /// `attribute_count` numbers per point: for a Steiner point linear between the ends of its input edge, or inside a tetrahedron
-    /// of points around it.
+    /// `attribute_count` numbers per point. Those of Steiner points are interpolated linearly between the ends of the input edge, or in a
+    /// tetrahedron of surrounding points.
     pub attributes: Vec<f64>,
-    /// One per point, or empty if the input had none: for a Steiner point its segment's marker, 0 on an edge of facets only and
-    /// inside.
+    /// One per point, or empty if the input has none. A Steiner point has the marker of its segment, or 0 if it lies on no segment.
     pub markers: Vec<i32>,
 }
 
 impl PointData {
-    /// Continues the data of `plc` to the Steiner points of `mesh`.
+    /// Extends the data of `plc` to the Steiner points of `mesh`. Fails if memory runs out.
     pub fn new(plc: &Plc, mesh: &TetMesh) -> Result<PointData, Error> {
         let plc = &*as_meshed(plc, mesh)?;
         let width = plc.point_attribute_count;

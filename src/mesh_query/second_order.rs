@@ -1,9 +1,9 @@
-//! Ten-node tetrahedra: a node in the middle of every edge. Node of edge `i` has the index `points.len() + i`.
+//! Ten-node tetrahedra: a node at the midpoint of every edge. The node of edge `i` has the index `points.len() + i`.
 use super::edges::Edges;
 use crate::error::{Error, Status};
 use crate::{TetMesh, INVALID};
 
-/// In which order the six mid-edge nodes follow the four corners.
+/// The order in which the six mid-edge nodes follow the four corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NodeOrder {
     /// VTK, Abaqus and CalculiX (C3D10), Nastran: 01 12 02 03 13 23.
@@ -15,7 +15,7 @@ pub enum NodeOrder {
 }
 
 impl NodeOrder {
-    /// Which of the edges 01 02 03 12 13 23 each mid-edge node sits on.
+    /// The edge, among 01 02 03 12 13 23, of each mid-edge node.
     pub(crate) fn edges(self) -> [usize; 6] {
         match self {
             NodeOrder::Vtk => [0, 3, 1, 2, 4, 5],

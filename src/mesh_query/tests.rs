@@ -242,7 +242,7 @@ fn point_data_continues_to_steiner_points() {
     assert_eq!(data.markers, [5, 6, 42, 0]);
 }
 
-/// An octahedron around two points inside, of which one needs the other's value.
+/// An octahedron around two points inside, one of which needs the other's value.
 #[test]
 fn linear_attributes_are_met_inside() {
     let mut points = vec![
@@ -262,7 +262,7 @@ fn linear_attributes_are_met_inside() {
         ..Plc::default()
     };
     points.extend([[0.5, 0.25, 0.125], [0.75, 0.5, 0.625]]);
-    // The first point with all sides but one, where the second one sits between them.
+    // The first point with all sides but one, where the second one lies between.
     let mut tets = Vec::new();
     for (x, y, z) in (0..8).map(|i| (i & 1, 2 + (i >> 1 & 1), 4 + (i >> 2))) {
         match (x, y, z) {

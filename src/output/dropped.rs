@@ -1,41 +1,42 @@
-//! Leaving out the points that no tetrahedron has, and the way back, which a check against the input takes.
+//! Dropping the points that belong to no tetrahedron, and the way back, which a check against the input needs.
 use super::{SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::error::{Error, Status};
 use crate::INVALID;
 
-/// What went with the points that no tetrahedron has ([`Options::drop_unmeshed_points`](crate::Options::drop_unmeshed_points)): the map
-/// from the numbers of points before to those now, and what the mesh cannot refer to any more.
+/// What was dropped with the points that belong to no tetrahedron
+/// ([`Options::drop_unmeshed_points`](crate::Options::drop_unmeshed_points)): the map from old to new point indices, and everything that
+/// the mesh can no longer refer to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Dropped {
-    /// Per point before (the input's, then the Steiner points) its index now: of a point that equals an earlier one that one's;
+    /// For each old point (the input points, then the Steiner points) its new index, or that of the earlier point that it equals;
     /// [`INVALID`](crate::INVALID) if it was dropped.
     pub new_index: Vec<u32>,
-    /// How many of these are points of the input.
+    /// The number of these that are input points.
     pub input_point_count: u32,
-    /// Where the Steiner points were that were dropped, in order.
+    /// The coordinates of the dropped Steiner points, in order.
     pub points: Vec<[f64; 3]>,
-    /// The same points, with the ends of their edges by the numbers before.
+    /// The same Steiner points; the ends of their edges are old indices.
     pub steiner: Vec<SteinerPoint>,
-    /// Terms of their parameters; `steiner` counts these points.
+    /// Terms of their parameters; the field `steiner` is an index into these points.
     pub steiner_terms: Vec<SteinerTerm>,
-    /// Pieces of facets that bound no tetrahedron, by the numbers before.
+    /// Pieces of facets that bound no tetrahedron, with old indices.
     pub subfaces: Vec<Subface>,
-    /// Pieces of edges that no tetrahedron has, by the numbers before.
+    /// Pieces of edges that belong to no tetrahedron, with old indices.
     pub subsegments: Vec<Subsegment>,
 }
 
 impl Dropped {
-    /// The part of the map that is about points of the input.
+    /// The part of the map for input points.
     pub fn inputs(&self) -> &[u32] {
         self.new_index.get(..self.input_point_count as usize).unwrap_or_default()
     }
 
-    /// The input points that are left, ascending, by their numbers in the input: those that have the next number each.
+    /// The remaining input points, as ascending indices into the input: those whose new index is the next one.
     pub fn kept_inputs(&self) -> impl Iterator<Item = u32> + '_ {
         self.kept().filter(|&old| old < self.input_point_count)
     }
 
-    /// All points that are left, by their numbers before.
+    /// All remaining points, by their old indices.
     fn kept(&self) -> impl Iterator<Item = u32> + '_ {
         let mut next = 0;
         (0..).zip(&self.new_index).filter_map(move |(old, &new)| {
@@ -53,7 +54,8 @@ fn reserved<T>(count: usize) -> Result<Vec<T>, Error> {
 }
 
 impl TetMesh {
-    /// Leaves out every point that no tetrahedron has and no Steiner point is put between. What is not meshed goes with them.
+    /// Drops every point that belongs to no tetrahedron and is no end of a remaining Steiner point's edge, together with the unmeshed
+    /// pieces.
     pub(crate) fn drop_unmeshed_points(&mut self) -> Result<(), Error> {
         let (count, inputs) = (self.points.len(), self.input_point_count as usize);
         let mut keep = reserved(count)?;
@@ -102,7 +104,7 @@ impl TetMesh {
         Ok(())
     }
 
-    /// Steiner points that are left, and those that are not.
+    /// The remaining Steiner points and the dropped ones.
     fn split_steiner(
         &mut self,
         keep: &[bool],
@@ -135,14 +137,14 @@ impl TetMesh {
         Ok(())
     }
 
-    /// The mesh as it was before points were left out, with the numbers of the input's points; `inputs` are these.
+    /// The mesh as it was before points were dropped, with the indices of the input; `inputs` are the input points.
     ///
     /// # Errors
     /// [`Status::CheckFailed`] if the map does not fit the mesh and the input; [`Status::OutOfMemory`].
     pub fn with_dropped(&self, inputs: &[[f64; 3]]) -> Result<TetMesh, Error> {
         let Some(dropped) = &self.dropped else { return Ok(self.clone()) };
         let misfit = || {
-            Error::new(Status::CheckFailed, "the map of dropped points does not fit the mesh and the input")
+            Error::new(Status::CheckFailed, "the map of dropped points does not match the mesh and the input")
         };
         let before = dropped.new_index.len();
         let mut old_index: Vec<u32> = reserved(self.points.len())?;
@@ -197,7 +199,7 @@ impl TetMesh {
                 mesh.steiner_terms.push(SteinerTerm { steiner: number as u32, ..*term });
             }
         }
-        // An index that refers to nothing stays one: the check names it.
+        // An invalid index stays invalid: the check reports it.
         let back = |v: &mut u32| *v = old_index.get(*v as usize).copied().unwrap_or(INVALID);
         mesh.tets.iter_mut().flatten().for_each(back);
         mesh.subfaces.iter_mut().for_each(|face| face.corners.iter_mut().for_each(back));

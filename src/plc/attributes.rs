@@ -1,21 +1,21 @@
-//! Attributes of points that a mesher added, continued from those of the input's points.
+//! Attributes of added points, interpolated from those of the input points.
 //!
-//! On an input edge: linear between its ends. Inside: the point is a convex combination of four points around it, a vertex of
-//! its star and the triangle of the star's boundary that the line from there through the point leaves by; so linear attributes are
-//! met up to rounding, and none leaves the range of its neighbours. This is no topological decision: doubles will do.
+//! On an input edge: linear between its ends. Inside: the point is a convex combination of four points around it, a vertex of its star and
+//! the triangle of the star's boundary through which the line from there through the point leaves. So linear attributes are reproduced up
+//! to rounding, and no value leaves the range of its neighbours. This is no topological decision, so doubles suffice.
 use crate::elementary::{exponent, power_of_two, quotient};
 use crate::error::Error;
 use crate::output::TetMesh;
 use crate::plc::Plc;
 use std::borrow::Cow;
 
-/// The input with the points that are left in the mesh, for what goes with points: their markers and attributes. Facets are not copied, as
-/// corners would have other numbers; markers, names and seeds are.
+/// The input restricted to the points that remain in the mesh, for their markers and attributes. Facets are not copied, since their corners
+/// would have other indices; markers, names and seeds are.
 ///
 /// # Errors
 /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
 pub fn as_meshed<'a>(plc: &'a Plc, mesh: &TetMesh) -> Result<Cow<'a, Plc>, Error> {
-    // As many points as the mesh has of the input: none was left out, or the input was treated so before.
+    // The numbers of input points agree: none was dropped, or the input has already been restricted.
     let dropped = match &mesh.dropped {
         Some(dropped) if plc.points.len() != mesh.input_point_count as usize => dropped,
         _ => return Ok(Cow::Borrowed(plc)),
@@ -47,7 +47,7 @@ fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, Error> {
     Ok(copy)
 }
 
-/// `plc.point_attribute_count` numbers per Steiner point of `mesh`, in their order.
+/// The attributes of the Steiner points of `mesh`: `plc.point_attribute_count` numbers per point, in their order.
 ///
 /// # Errors
 /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
@@ -83,8 +83,7 @@ pub fn continue_attributes(plc: &Plc, mesh: &TetMesh) -> Result<Vec<f64>, Error>
         return Ok(added);
     }
     let stars = stars(mesh, &known)?;
-    // Points inside that have others of their kind around may have to wait for these; if that does not help, what is known
-    // must do.
+    // Points inside may have to wait for others around them; if that does not help, the known ones must suffice.
     let mut partly = false;
     while !inside.is_empty() {
         let before = inside.len();
@@ -116,7 +115,7 @@ pub fn continue_attributes(plc: &Plc, mesh: &TetMesh) -> Result<Vec<f64>, Error>
     Ok(added)
 }
 
-/// (point, tetrahedron) for every point that is not known, sorted.
+/// Pairs (point, tetrahedron) for every unknown point, sorted.
 fn stars(mesh: &TetMesh, known: &[bool]) -> Result<Vec<(u32, u32)>, Error> {
     let mut stars: Vec<(u32, u32)> = Vec::new();
     let sound = |tet: &[u32; 4]| tet.iter().all(|&v| (v as usize) < known.len());
@@ -130,8 +129,8 @@ fn stars(mesh: &TetMesh, known: &[bool]) -> Result<Vec<(u32, u32)>, Error> {
     Ok(stars)
 }
 
-/// Four known points around `v` and its weights in them: of all pairs of a vertex of the star and a triangle of the star's
-/// boundary the one whose smallest weight is largest.
+/// Four known points around `v` and its weights in them: of all pairs of a vertex of the star and a triangle of the star's boundary, the
+/// one with the largest smallest weight. `None` if there is none.
 fn enclosing(
     mesh: &TetMesh,
     v: u32,
@@ -155,7 +154,7 @@ fn enclosing(
     best.map(|(_, corners, weights)| (corners, weights))
 }
 
-/// The known corners of the tetrahedron of a star that has most of them, with equal weights.
+/// The known corners of the tetrahedron in the star that has the most of them, with equal weights.
 fn beside(star: impl Iterator<Item = [u32; 4]>, known: &[bool]) -> Option<([u32; 4], [f64; 4])> {
     let count = |tet: &[u32; 4]| tet.iter().filter(|&&p| known[p as usize]).count();
     let tet = star.max_by_key(count).filter(|tet| count(tet) > 0)?;
@@ -163,7 +162,7 @@ fn beside(star: impl Iterator<Item = [u32; 4]>, known: &[bool]) -> Option<([u32;
     Some((tet, tet.map(|p| if known[p as usize] { weight } else { 0.0 })))
 }
 
-/// Weights of `v` in a tetrahedron: volumes with it in a corner's place over the whole one.
+/// Weights of `v` in a tetrahedron: the volume with `v` in place of each corner, divided by the whole volume.
 fn barycentric(mesh: &TetMesh, corners: [u32; 4], v: u32) -> [f64; 4] {
     // Coordinates of about one: their products neither overflow nor vanish.
     let largest = corners.iter().flat_map(|&p| mesh.points[p as usize]).fold(0.0f64, |m, x| m.max(x.abs()));
@@ -178,7 +177,7 @@ fn barycentric(mesh: &TetMesh, corners: [u32; 4], v: u32) -> [f64; 4] {
     std::array::from_fn(|i| {
         let mut part = corners;
         part[i] = v;
-        // No weights, where the tetrahedron is flat in doubles.
+        // No weights if the tetrahedron is flat in doubles.
         quotient(volume(part), whole).unwrap_or(-1.0)
     })
 }

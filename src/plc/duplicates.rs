@@ -1,4 +1,4 @@
-//! Equal points: each is mapped to the first of its kind, by sorting. `-0.0` equals `0.0`.
+//! Equal points: each is mapped to the first point equal to it, by sorting. `-0.0` equals `0.0`.
 use super::radix::sort_keyed;
 use crate::error::Error;
 
@@ -34,7 +34,7 @@ pub fn first_equal(points: &[[f64; 3]]) -> Result<Vec<u32>, Error> {
     Ok(alias)
 }
 
-/// Resolves the points of one abscissa.
+/// Resolves the points with equal x.
 fn alias_run(points: &[[f64; 3]], run: &mut [(u64, u32)], alias: &mut [u32]) {
     let rest = |i: u32| (key(points[i as usize][1]), key(points[i as usize][2]));
     run.sort_unstable_by_key(|&(_, i)| (rest(i), i));

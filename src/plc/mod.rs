@@ -1,7 +1,7 @@
 //! The input: a piecewise linear complex (PLC). Pure data.
 //!
-//! Si & Gärtner 2011, section 2: a PLC is a set of vertices, segments and facets such that the intersection of any two is a
-//! union of others of the set. We are more lenient on input: a vertex exactly on a segment or facet splits it.
+//! Si & Gärtner 2011, section 2: a PLC is a set of vertices, segments and facets such that the intersection of any two is a union of other
+//! elements of the set. Input may be more lenient: a vertex exactly on a segment or facet splits it.
 
 pub mod attributes;
 pub mod duplicates;
@@ -28,8 +28,8 @@ pub enum Interior {
     /// The first ring is the outer boundary, all further rings (three corners or more) are holes in it.
     #[default]
     FirstMinusOthers,
-    /// TetGen's rule: everything that cannot be reached from outside without crossing an edge of a polygon belongs to the
-    /// facet, except what can be reached from a hole seed of the facet. Inner polygons and 2-point polygons constrain only.
+    /// TetGen's rule: the facet is everything that cannot be reached from outside without crossing a polygon's edge, except what can be
+    /// reached from one of its hole seeds. Inner polygons and 2-point polygons only constrain the mesh.
     Seeds,
 }
 
@@ -42,7 +42,7 @@ pub struct Facet {
     pub holes: Vec<[f64; 3]>,
     /// What is inside.
     pub interior: Interior,
-    /// The caller's marker (facets with unequal markers are never merged).
+    /// The caller's marker (facets with different markers are never merged).
     pub marker: i32,
 }
 
@@ -63,12 +63,11 @@ pub struct RegionSeed {
     pub point: [f64; 3],
     /// The attribute given to its tetrahedra.
     pub attribute: f64,
-    /// Largest volume of a tetrahedron there (kept for refinement), none if not positive.
+    /// Bound on the volume of a tetrahedron there (kept for refinement); no bound if not positive.
     pub max_volume: Option<f64>,
 }
 
-/// The name of a facet marker: of the group, solid, material or colour of a file that the marker stands for, or one that the
-/// caller gave.
+/// The name of a facet marker: that of the group, solid, material or colour of a file that the marker stands for, or one set by the caller.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MarkerName {
     /// The marker.
@@ -82,7 +81,7 @@ pub struct MarkerName {
 pub struct Plc {
     /// The points: x, y, z.
     pub points: Vec<[f64; 3]>,
-    /// How many attributes each point has.
+    /// The number of attributes of each point.
     pub point_attribute_count: usize,
     /// `point_attribute_count` numbers per point.
     pub point_attributes: Vec<f64>,
@@ -100,8 +99,8 @@ pub struct Plc {
     pub holes: Vec<[f64; 3]>,
     /// Region seeds.
     pub regions: Vec<RegionSeed>,
-    /// Names of facet markers, ascending by marker, each marker at most once ([`Plc::set_marker_name`] keeps it so). Readers
-    /// fill it from the groups of a file, writers name groups by it; meshing does not look at it.
+    /// Names of facet markers, sorted by marker, at most one per marker ([`Plc::set_marker_name`] maintains this). Readers fill it from the
+    /// groups of a file, writers use it to name groups; meshing ignores it.
     pub names: Vec<MarkerName>,
 }
 
@@ -112,7 +111,7 @@ impl Plc {
         self.names.get(found).map(|n| n.name.as_str())
     }
 
-    /// Names a facet marker; an empty name takes its name away. Only the first line of a name is kept, without blanks around it.
+    /// Names a facet marker; an empty name removes its name. Only the first line of a name is kept, without surrounding blanks.
     ///
     /// # Errors
     /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
@@ -133,17 +132,17 @@ impl Plc {
         Ok(())
     }
 
-    /// How many facets there are: triangles and general ones.
+    /// The number of facets, triangles and general ones.
     pub fn facet_count(&self) -> usize {
         self.triangles.len() + self.facets.len()
     }
 
-    /// A copy; unlike `clone` it reports that memory ran out.
+    /// A copy; unlike `clone` it returns an error if memory runs out.
     ///
     /// # Errors
     /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
     pub fn try_clone(&self) -> Result<Plc, Error> {
-        // By name, so that a field that is added cannot be forgotten here.
+        // By name, so that a new field cannot be forgotten here.
         let Plc {
             points,
             point_attribute_count,
@@ -181,7 +180,7 @@ impl Plc {
     }
 }
 
-/// What is kept of a name.
+/// The part of a name that is kept.
 pub(crate) fn name_line(name: &str) -> &str {
     name.trim().lines().next().unwrap_or_default().trim_end()
 }
@@ -211,7 +210,7 @@ pub(crate) fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, Error> {
     Ok(copy)
 }
 
-/// A list of what `make` makes of each element.
+/// A list of the results of `make` for each element. Fails if `make` does.
 fn each<T, R>(list: &[T], mut make: impl FnMut(&T) -> Result<R, Error>) -> Result<Vec<R>, Error> {
     let mut made = Vec::new();
     made.try_reserve_exact(list.len())?;

@@ -1,10 +1,10 @@
-//! What of the surface is nearest to a place: for messages only, in plain arithmetic.
+//! The element of the surface nearest to a point: only for messages, in floating-point arithmetic.
 use super::surface::Surface;
 use crate::error::Element;
 use crate::vector::{cross, dot, sub};
 use crate::INVALID;
 
-/// What a place belongs to: it is not near itself.
+/// The element that a point belongs to, which does not count as near.
 #[derive(Clone, Copy, Debug)]
 pub enum Home {
     /// The edge between two points.
@@ -25,7 +25,7 @@ impl Surface {
         }
     }
 
-    /// The facet, segment or point nearest to a place that is not its home or a part of that.
+    /// The facet, segment or point nearest to a point, other than its home or a part of that; `None` if there is none.
     pub fn nearest_element(&self, at: &[f64; 3], home: Home) -> Option<Element> {
         let corner = |v: u32| &self.points[v as usize];
         let mut best: Option<(f64, Element)> = None;
@@ -38,7 +38,7 @@ impl Surface {
             Home::Edge(ends) => ends.iter().all(|v| self.triangles[t].contains(v)),
             Home::Facet(facet) => self.triangle_facet[t] == facet,
         };
-        // An edge may come too close to what it does not touch anywhere along it, and the place lie elsewhere on it.
+        // An edge may come too close to another element anywhere along it, while the point lies elsewhere on it.
         let apart = |others: &[u32]| match home {
             Home::Edge(ends) if !others.iter().any(|v| ends.contains(v)) => Some(ends.map(|v| *corner(v))),
             _ => None,
@@ -97,14 +97,14 @@ fn to_edge(p: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
     dot(&d, &d).sqrt()
 }
 
-/// Distance of two edges.
+/// Distance between two edges.
 fn between_edges([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2]) -> f64 {
     let ends = to_edge(&a, &c, &d).min(to_edge(&b, &c, &d)).min(to_edge(&c, &a, &b)).min(to_edge(&d, &a, &b));
     let (ab, cd, ac) = (sub(&b, &a), sub(&d, &c), sub(&c, &a));
     let n = cross(&ab, &cd);
     let size = dot(&n, &n);
     if size < f64::MIN_POSITIVE {
-        // Parallel ones are nearest to each other at an end.
+        // Parallel edges are nearest to each other at an end.
         return ends;
     }
     // a + s ab and c + t cd are nearest to each other.
@@ -157,7 +157,7 @@ mod tests {
         assert_eq!(surface.nearest_element(&[0.5, 0.5, -1.5], Home::Facet(5)), Some(Element::Point(6)));
         assert_eq!(surface.nearest_element(&[1.9, 1.9, 0.5], Home::Edge([3, 4])), Some(Element::Facet(5)));
         assert_eq!(surface.nearest_element(&[2.0, 2.0, 0.0], Home::Edge([0, 2])), Some(Element::Segment(7)));
-        // Edges that cross closely count wherever on them the place is.
+        // Edges that pass close by count, wherever on them the point is.
         let mut crossing = surface;
         crossing.points[6] = [-1.0, 2.0, 0.125];
         crossing.points.extend([[1.0, 2.0, 0.125], [0.0, 2.0, 2.0]]);

@@ -1,13 +1,13 @@
-//! Edges where a surface is open, and what certainly encloses nothing.
+//! Edges where a surface is open, and parts that certainly enclose nothing.
 //!
-//! A triangle with an edge that no other triangle has bounds no volume: one can pass from one side to the other round that edge.
-//! Taken away, it leaves others open. Where all triangles go this way (a collapse, Whitehead 1939), nothing is enclosed. The
-//! converse is not true, but surfaces without open edges that enclose nothing (Bing's house with two rooms) are curiosities.
+//! A triangle with an edge that no other triangle has bounds no volume: one can pass from one side to the other around that edge. Removing
+//! it may leave others open. If all triangles can be removed this way (a collapse, Whitehead 1939), nothing is enclosed. The converse does
+//! not hold, but surfaces without open edges that enclose nothing (Bing's house with two rooms) are curiosities.
 use super::surface::Surface;
 use crate::error::Error;
 use crate::predicates::scale;
 
-/// An edge of one triangle only.
+/// An edge of only one triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OpenEdge {
     /// The ends, ascending: input points.
@@ -17,7 +17,7 @@ pub struct OpenEdge {
 }
 
 impl OpenEdge {
-    /// The middle of the edge in the caller's coordinates, rounded.
+    /// The midpoint of the edge in the caller's coordinates, rounded.
     pub fn middle(&self, surface: &Surface) -> Option<[f64; 3]> {
         let [a, b] = self.ends.map(|v| surface.points.get(v as usize));
         let (a, b) = (a?, b?);
@@ -52,15 +52,15 @@ pub fn open_edges(surface: &Surface) -> Result<Vec<OpenEdge>, Error> {
     Ok(open)
 }
 
-/// Open edges of the shells (parts of the surface that are connected through edges) that enclose nothing for certain, and whether all
-/// shells are such.
+/// Open edges of the shells (parts of the surface connected through edges) that certainly enclose nothing, and whether that holds for all
+/// shells.
 ///
 /// # Errors
 /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
 pub fn open_shells(surface: &Surface) -> Result<(Vec<OpenEdge>, bool), Error> {
     let uses = uses(surface)?;
     let count = surface.triangles.len();
-    // Per edge its range of uses, and how many triangles of it are left; per triangle its edges.
+    // For each edge its range of uses and the number of its remaining triangles; for each triangle its edges.
     let mut edges: Vec<[u32; 3]> = Vec::new();
     edges.try_reserve_exact(uses.len())?;
     let mut edges_of = filled(count, [0u32; 3])?;
@@ -79,7 +79,7 @@ pub fn open_shells(surface: &Surface) -> Result<(Vec<OpenEdge>, bool), Error> {
             open.push(OpenEdge { ends, triangle });
         }
     }
-    // Every triangle goes once at most.
+    // Every triangle is removed at most once.
     let mut gone = filled(count, false)?;
     let mut stack: Vec<u32> = Vec::new();
     stack.try_reserve_exact(count)?;
@@ -103,7 +103,7 @@ pub fn open_shells(surface: &Surface) -> Result<(Vec<OpenEdge>, bool), Error> {
         }
     }
     let all = gone.iter().all(|&gone| gone);
-    // Shells with a triangle that is left may enclose something.
+    // Shells with a remaining triangle may enclose something.
     let mut closed = gone;
     closed.iter_mut().for_each(|x| *x = !*x);
     stack.extend((0..count as u32).filter(|&t| closed[t as usize]));

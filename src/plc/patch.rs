@@ -1,8 +1,8 @@
 //! Edges of the facets' triangles: which of them constrain, and the patches between those.
 //!
 //! An edge is *flat*, and constrains nothing, when exactly two triangles meet there, of one facet or of facets with equal
-//! markers, exactly coplanar and on opposite sides of it, and nothing else asks for the edge. Every other edge is a segment; those
-//! that only divide a polygon are noted as its diagonals, since others would do.
+//! markers, exactly coplanar and on opposite sides of it, and nothing else requires the edge. Every other edge is a segment; those that
+//! only divide a polygon are recorded as its diagonals, since others would do as well.
 //! Edges are grouped by a counting sort on their smaller end, so the segments come out sorted.
 use super::polygon::project;
 use super::surface::Surface;
@@ -10,7 +10,7 @@ use crate::error::{Error, Status};
 use crate::predicates::{orient2d, orient3d, Sign};
 use crate::INVALID;
 
-/// An edge that constrains whatever the triangles at it, and its input segment or `INVALID`.
+/// An edge that constrains regardless of its triangles, and its input segment or `INVALID`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FixedEdge {
     /// The ends, in any order.
@@ -67,7 +67,7 @@ pub fn connect(surface: &mut Surface, fixed: &[FixedEdge], marker: impl Fn(u32) 
     Ok(())
 }
 
-/// All uses of edges, grouped by the smaller end and sorted in each group; and where the groups begin.
+/// All uses of edges, grouped by the smaller end and sorted within each group, and the beginning of each group.
 fn group_uses(surface: &Surface, fixed: &[FixedEdge]) -> Result<(Vec<u32>, Vec<Use>), Error> {
     let each = |f: &mut dyn FnMut(u32, u32, u32)| {
         for (t, &[a, b, c]) in surface.triangles.iter().enumerate() {
@@ -127,7 +127,7 @@ pub fn are_flat(points: &[[f64; 3]], [a, b]: [u32; 2], c: u32, d: u32) -> bool {
         .is_some_and(|(sign, axis)| turn(axis, d) == -sign)
 }
 
-/// Disjoint sets of triangles (Tarjan): the smallest member stands for each.
+/// Disjoint sets of triangles (Tarjan): the smallest member represents each set.
 pub struct Patches {
     parent: Vec<u32>,
 }
@@ -157,7 +157,7 @@ impl Patches {
         self.parent[a.max(b) as usize] = a.min(b);
     }
 
-    /// Numbers the sets by their first members; returns how many there are.
+    /// Numbers the sets in the order of their first members; returns the number of sets.
     pub fn number(mut self, patch: &mut Vec<u32>) -> Result<u32, Error> {
         patch.clear();
         patch.try_reserve_exact(self.parent.len())?;

@@ -1,12 +1,12 @@
-//! How far polygons are from planar, for people who want to know: they are triangulated all the same.
+//! How far polygons are from planar, for warnings: they are triangulated anyway.
 use super::{Facet, Plc};
 use crate::vector::{cross, dot, sub};
 
-/// Corners of facets that are farther out of plane than this part of the facet's extent are worth a word: coordinates in four
-/// significant digits are rounded by less. Lower, it would speak of rounding; higher, hide walls that lean visibly.
+/// Corners farther out of plane than this fraction of the facet's extent are worth a warning: coordinates with four significant digits are
+/// rounded by less. A lower value would warn of rounding, a higher one hide walls that lean visibly.
 pub const NOTABLE: f64 = 1e-3;
 
-/// The corner of a facet that is farthest from the facet's plane, and how far it is, as a part of the facet's extent. The plane is
+/// The corner of a facet that is farthest from the facet's plane, and its distance as a fraction of the facet's extent. The plane is
 /// Newell's: its normal is the area vector of the first ring, and it passes through the mean of the ring's corners.
 pub fn farthest_corner(plc: &Plc, facet: &Facet) -> Option<(u32, f64)> {
     let ring = facet.polygons.iter().find(|ring| ring.len() >= 3)?;
@@ -16,7 +16,7 @@ pub fn farthest_corner(plc: &Plc, facet: &Facet) -> Option<(u32, f64)> {
         return None;
     }
     let point = |v: &u32| plc.points.get(*v as usize).copied().unwrap_or_default();
-    // Everything is seen from the box's middle, in units of its longest side: no product overflows.
+    // Coordinates are relative to the box's centre, in units of its longest side, so that no product overflows.
     let (mut low, mut high) = (point(&ring[0]), point(&ring[0]));
     for p in corners().map(point) {
         low = std::array::from_fn(|i| low[i].min(p[i]));

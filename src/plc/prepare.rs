@@ -1,7 +1,7 @@
 //! From PLC to surface: the steps in their order, and the collection of defects.
 //!
-//! Indices and coordinates first, since nothing else can be looked at while they are wrong; then equal points, facets one by
-//! one, then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
+//! Indices and coordinates come first, since nothing else can be examined while they are wrong; then equal points, each facet by itself,
+//! then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
 use super::duplicates::first_equal;
 use super::intersect::{find_named_intersections, IntersectInput, Intersections, Names};
 use super::merge::net::net_flips;
@@ -22,7 +22,7 @@ use crate::warning::{Warning, WarningKind, Warnings};
 use crate::INVALID;
 use std::fmt;
 
-/// Defects found so far, as many as the caller wants to see.
+/// Defects found so far; as many are listed as the caller wants.
 pub(crate) struct Defects {
     limit: usize,
     list: Vec<Defect>,
@@ -54,7 +54,7 @@ impl Defects {
         self.count == 0
     }
 
-    /// An error if there are defects.
+    /// Fails with the defects if there are any.
     pub(crate) fn into_result(self) -> Result<(), Error> {
         let Some(status) = self.kinds.iter().map(|k| status_of(k.0)).max_by_key(|&s| severity(s)) else {
             return Ok(());
@@ -84,7 +84,7 @@ fn status_of(kind: DefectKind) -> Status {
     }
 }
 
-/// Which of several classes names the error.
+/// The severity of a status: the most severe one among the defects becomes the status of the error.
 fn severity(status: Status) -> u32 {
     match status {
         Status::NonFinitePoint => 6,
@@ -97,7 +97,7 @@ fn severity(status: Status) -> u32 {
     }
 }
 
-/// A PLC that has been checked and split; the edges of its triangles are not classified yet.
+/// A PLC that has been checked and split; the edges of its triangles are not yet classified.
 pub struct Prepared {
     surface: Surface,
     fixed: Vec<FixedEdge>,
@@ -128,7 +128,7 @@ impl Prepared {
         Ok(surface)
     }
 
-    /// Begins the merging of facets that meet above `degrees`.
+    /// Begins merging facets that meet at more than `degrees`.
     ///
     /// # Errors
     /// [`Status::OutOfMemory`].
@@ -136,7 +136,7 @@ impl Prepared {
         Merger::new(&mut self.surface, std::mem::take(&mut self.fixed), plc, degrees)
     }
 
-    /// The surface when merging is done, with flips and their undoing left out.
+    /// The surface after merging, listing only net flips.
     ///
     /// # Errors
     /// [`Status::OutOfMemory`].
@@ -146,10 +146,10 @@ impl Prepared {
     }
 }
 
-/// Checks a PLC and makes it ready for tetrahedralization.
+/// Checks a PLC and prepares it for tetrahedralization.
 ///
 /// # Errors
-/// All defects found, with the worst class as status; without `options.validate` crossings of elements are not looked for.
+/// All defects found, with the most severe status; without `options.validate`, elements are not checked for crossings.
 /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
 pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Surface, Error> {
     let mut prepared = check_and_split(plc, options, observer)?;
@@ -200,7 +200,7 @@ pub fn check_and_split(plc: &Plc, options: &Options, observer: &mut dyn Observer
     Ok(Prepared { surface, fixed: fixed.edges })
 }
 
-/// Edges that constrain by themselves, and the elements they come from.
+/// Edges that constrain by themselves, and the elements that they come from.
 #[derive(Default)]
 struct Fixed {
     edges: Vec<FixedEdge>,
@@ -218,7 +218,7 @@ impl Fixed {
     }
 }
 
-/// Hands on a part of a phase's progress.
+/// Reports progress as a part of a phase's.
 struct Part<'a> {
     observer: &'a mut dyn Observer,
     from: f64,
@@ -235,7 +235,7 @@ impl Observer for Part<'_> {
     }
 }
 
-/// Finds all contacts; those that are defects are added to the others. Edges of facets in the interior of other facets are fixed.
+/// Finds all contacts and adds the defects among them to the others. Edges of facets in the interior of other facets become fixed.
 fn intersect(
     surface: &Surface,
     fixed: &mut Fixed,
@@ -265,7 +265,7 @@ fn intersect(
     Ok(found)
 }
 
-/// All contacts of facets, fixed edges and vertices. From number `given` on, fixed edges are edges of facets in the interior of others.
+/// All contacts of facets, fixed edges and vertices. Fixed edges from index `given` on are edges of facets in the interior of others.
 fn contacts(
     surface: &Surface,
     fixed: &Fixed,
@@ -287,15 +287,15 @@ fn contacts(
         segments: &segments,
     };
     let names = Names { owners: &fixed.owner, edges_from: given };
-    // One at least is asked for: its kind makes the status.
+    // At least one is requested: its kind determines the status.
     find_named_intersections(&input, names, max_defects.max(1), observer)
 }
 
-/// Reports every defect of a PLC; of the options, `max_defects` counts, and `keep_hull` and `mode`, which allow open surfaces.
-/// Warns of shells that enclose nothing beside others.
+/// Reports every defect of a PLC. Only the options `max_defects`, and `keep_hull` and `mode`, which allow open surfaces, have an effect.
+/// Returns warnings about shells that enclose nothing if others do.
 ///
 /// # Errors
-/// As [`prepare`] with validation on; [`Status::NothingEnclosed`] if all of the surface is open, with its open edges.
+/// As [`prepare`] with validation on; [`Status::NothingEnclosed`], with the open edges, if the whole surface encloses nothing.
 pub fn check(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Warnings, Error> {
     let strict = Options { max_defects: options.max_defects, ..Options::default() };
     let surface = prepare(plc, &strict, observer)?;
@@ -315,11 +315,11 @@ pub fn check(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Resul
     Ok(warnings)
 }
 
-/// The error of a surface that encloses nothing, which names its open edges.
+/// The error for a surface that encloses nothing, with its open edges.
 pub(crate) fn nothing_enclosed(plc: &Plc, surface: &Surface, open: &[OpenEdge], max_defects: usize) -> Error {
     let mut defects = Vec::new();
     let listed = open.len().min(max_defects);
-    // Short of memory, the message alone has to do.
+    // When memory is short, the message alone must suffice.
     if defects.try_reserve_exact(listed).is_ok() {
         defects.extend(open[..listed].iter().map(|edge| Defect {
             kind: DefectKind::OpenEdge,
@@ -348,7 +348,7 @@ pub(crate) fn nothing_enclosed(plc: &Plc, surface: &Surface, open: &[OpenEdge], 
     Error::with_defects(Status::NothingEnclosed, message, defects, open.len())
 }
 
-/// Coordinates are finite, indices refer to points.
+/// Fails unless coordinates are finite and indices refer to points.
 fn check_references(plc: &Plc, max_defects: usize) -> Result<(), Error> {
     if plc.points.len() >= INVALID as usize
         || plc.facet_count() >= INVALID as usize
@@ -394,7 +394,7 @@ fn check_references(plc: &Plc, max_defects: usize) -> Result<(), Error> {
     defects.into_result()
 }
 
-/// Brings the points into the range of exact arithmetic.
+/// Scales the points into the range of exact arithmetic.
 fn scale_points(plc: &Plc, surface: &mut Surface, defects: &mut Defects) -> Result<(), Error> {
     surface.points.try_reserve_exact(plc.points.len())?;
     match range_scale(&plc.points) {
@@ -530,7 +530,7 @@ fn defect_kind(kind: FaultKind) -> Option<DefectKind> {
     }
 }
 
-/// Where a fault is seen: about where the two edges cross, or at the vertex.
+/// The location of a fault: about where the two edges cross, or at the vertex.
 fn fault_point(points: &[[f64; 3]], fault: Fault) -> Option<[f64; 3]> {
     if fault.vertices.contains(&INVALID) {
         return None;

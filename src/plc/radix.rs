@@ -1,5 +1,5 @@
-//! Sorting of many numbered keys: by the 33 highest bits in which the keys differ in three passes (LSD radix sort; Knuth, TAOCP
-//! vol. 3, section 5.2.5), then the rest of the bits by comparisons, in the short runs that are left.
+//! Sorts many numbered keys: three passes over the 33 highest bits in which the keys differ (LSD radix sort; Knuth, TAOCP vol. 3, section
+//! 5.2.5), then comparisons for the remaining bits, within the short runs of equal digits.
 use crate::error::Error;
 
 /// Bits per pass.

@@ -1,8 +1,8 @@
 //! Making the facets' triangles conform to vertices that lie in them or on their edges, and to segments that lie in them.
 //!
-//! A triangle with vertices inside it or on its edges is triangulated anew, like a facet; all triangles at an edge see the same
-//! vertices on it, so they stay conforming. Where a segment crosses the flat edge between two triangles, both are triangulated
-//! anew as one region, without that edge.
+//! A triangle with vertices inside it or on its edges is retriangulated like a facet; all triangles at an edge see the same vertices on it,
+//! so they stay conforming. If a segment crosses the flat edge between two triangles, both are retriangulated as one region, without that
+//! edge.
 use super::intersect::Intersections;
 use super::patch::{are_flat, FixedEdge, Patches};
 use super::polygon::{project, Role, Triangulator};
@@ -11,11 +11,11 @@ use super::Interior;
 use crate::error::Error;
 use crate::predicates::{orient2d, Sign};
 
-/// A segment that crosses an edge which must stay: the index of the segment among the fixed edges, and a triangle at the edge.
+/// A segment that crosses an edge that must stay: the index of the segment among the fixed edges, and a triangle at the edge.
 pub type Crossing = (u32, u32);
 
-/// Splits fixed edges and triangles at the vertices found on them. `may_join` tells whether the edge between triangles of two
-/// facets, exactly coplanar, may go. Segments that cross edges which may not are returned, and nothing is split then.
+/// Splits fixed edges and triangles at the vertices found on them. `may_join` says whether the edge between triangles of two exactly
+/// coplanar facets may be removed. If segments cross edges that may not, these segments are returned and nothing is split.
 pub fn split(
     surface: &mut Surface,
     fixed: &mut Vec<FixedEdge>,
@@ -76,7 +76,7 @@ impl Pieces {
     }
 }
 
-/// Sorts points of the line through `a` and `b` in that direction: by a coordinate in which the ends differ, so exactly.
+/// Sorts points on the line through `a` and `b` in that direction, exactly: by a coordinate in which the ends differ.
 fn sort_along(points: &[[f64; 3]], a: u32, b: u32, on: &mut [u32]) {
     let (p, q) = (points[a as usize], points[b as usize]);
     let Some(k) = (0..3).find(|&k| p[k] != q[k]) else { return };
@@ -90,7 +90,7 @@ fn sort_along(points: &[[f64; 3]], a: u32, b: u32, on: &mut [u32]) {
     });
 }
 
-/// Which triangles are triangulated anew, and which of them together.
+/// Which triangles are retriangulated, and which of them together.
 struct Groups {
     sets: Patches,
     /// Edges that segments cross, sorted.
@@ -223,7 +223,7 @@ fn cross(points: &[[f64; 3]], [a, b]: [u32; 2], [p, q]: [u32; 2], apex: u32) -> 
     opposite(a, b, p, q) && opposite(p, q, a, b)
 }
 
-/// Triangulates the groups anew.
+/// Retriangulates the groups.
 struct Splitter<'a> {
     surface: &'a mut Surface,
     found: &'a Intersections,
@@ -277,7 +277,7 @@ impl<'a> Splitter<'a> {
         Ok(())
     }
 
-    /// Hands the group's region to the triangulator.
+    /// Passes the group's region to the triangulator.
     fn gather(&mut self, group: &[(u32, u32)], in_triangle: &[(u32, u32)]) -> Result<(), Error> {
         self.triangulator.clear();
         let ring = self.triangulator.add_polygon(Role::Outer)?;
@@ -344,13 +344,14 @@ impl<'a> Splitter<'a> {
         Ok(())
     }
 
-    /// Puts the new triangles in the place of the group's.
+    /// Replaces the group's triangles by the new ones.
     fn replace(&mut self, group: &[(u32, u32)]) -> Result<(), Error> {
         let surface = &mut *self.surface;
         let first = group[0].1;
         let (axis, sense) = axis_of(&surface.points, surface.triangles[first as usize]);
         let facet = surface.triangle_facet[first as usize];
-        // Who lies where is asked of the old triangles: approximately, since facets joined here are one plane with one marker.
+        // The old triangles give facet and orientation. Approximate location suffices, since the facets joined here are coplanar and have
+        // one marker.
         let mut old: Vec<([u32; 3], u32, bool)> = Vec::new();
         old.try_reserve_exact(group.len())?;
         old.extend(group.iter().map(|&(_, t)| {
@@ -383,7 +384,7 @@ impl<'a> Splitter<'a> {
     }
 }
 
-/// Facet and sense of the old triangle that holds the middle of a new one.
+/// Facet and orientation of the old triangle that contains the centroid of a new one.
 fn parent_of(
     points: &[[f64; 3]],
     axis: usize,

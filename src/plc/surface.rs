@@ -1,39 +1,40 @@
-//! The PLC made ready for constrained Delaunay tetrahedralization: what [`prepare`](super::prepare::prepare) returns.
+//! The PLC prepared for constrained Delaunay tetrahedralization, as [`prepare`](super::prepare::prepare) returns it.
 //!
-//! Invariants: the points are distinct up to `alias`; every segment and triangle refers to alias representatives only; no
-//! vertex lies inside a segment, a triangle or an edge of a triangle.
+//! Invariants: the points are distinct up to `alias`; segments and triangles refer only to alias representatives; no vertex lies inside a
+//! segment, a triangle or an edge of a triangle.
 use crate::error::Error;
 use crate::fallible::copied;
 use crate::output::FacetFlip;
 
-/// The PLC made ready: distinct vertices, constrained edges, and a triangulation of all facets that conforms to all vertices.
+/// The prepared PLC: distinct vertices, constrained edges, and a triangulation of all facets that conforms to all vertices.
 #[derive(Debug, PartialEq, Default)]
 pub struct Surface {
     /// All input points, scaled by `2^scale` (#points by 3).
     pub points: Vec<[f64; 3]>,
-    /// The power of two that brings the input into the range of exact arithmetic; 0 for ordinary input.
+    /// The power of two that scales the input into the range of exact arithmetic; 0 for ordinary input.
     pub scale: i32,
-    /// Per input point the first point equal to it (itself if none).
+    /// For each input point the first point equal to it (itself if there is no earlier one).
     pub alias: Vec<u32>,
     /// Every constrained edge once, smaller index first, sorted (#segments by 2).
     pub segments: Vec<[u32; 2]>,
-    /// Per segment the first input segment it lies on, or [`INVALID`](crate::INVALID) for an edge of facets only.
+    /// For each segment the first input segment it lies on, or [`INVALID`](crate::INVALID) for an edge only of facets.
     pub segment_parent: Vec<u32>,
-    /// Segments that are diagonals of our own in a polygon that is planar only up to rounding, and its facet: ascending.
+    /// Segments that are diagonals, chosen during triangulation, of a polygon that is planar only up to rounding, and its facet; in
+    /// ascending order.
     pub diagonals: Vec<(u32, u32)>,
     /// The first facet that is a polygon: those before it are triangles of the input.
     pub first_polygon: u32,
     /// The triangulation of all facets (#triangles by 3).
     pub triangles: Vec<[u32; 3]>,
-    /// Per triangle its facet, in the numbering of the PLC.
+    /// For each triangle its facet, in the numbering of the PLC.
     pub triangle_facet: Vec<u32>,
-    /// Per triangle its patch: patches are maximal sets of triangles connected through flat edges.
+    /// For each triangle its patch: patches are maximal sets of triangles connected through flat edges.
     pub triangle_patch: Vec<u32>,
-    /// How many patches there are.
+    /// The number of patches.
     pub patch_count: u32,
     /// The flips of facet merging, in order.
     pub facet_flips: Vec<FacetFlip>,
-    /// Edges made by flips that lie beside the input's surface, by more than rounding: smaller index first, sorted.
+    /// Edges made by flips that lie off the input's surface by more than rounding: smaller index first, sorted.
     pub edges_beside: Vec<[u32; 2]>,
 }
 

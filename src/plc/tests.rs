@@ -26,7 +26,7 @@ fn run(plc: &Plc) -> Result<Surface, Error> {
     Ok(surface)
 }
 
-/// What holds for every surface.
+/// The invariants of every surface.
 fn assert_consistent(s: &Surface) {
     assert_eq!(s.triangles.len(), s.triangle_facet.len());
     assert_eq!(s.triangles.len(), s.triangle_patch.len());
@@ -41,7 +41,7 @@ fn assert_consistent(s: &Surface) {
     }
 }
 
-/// No vertex lies in a segment or in the closure of a triangle, but its own.
+/// No vertex lies in a segment or in a closed triangle other than its own.
 fn assert_conforming(s: &Surface) {
     use crate::predicates::{orient2d, orient3d, Sign};
     let at = |v: u32| &s.points[v as usize];
@@ -341,7 +341,7 @@ fn a_corner_that_lies_on_an_edge_in_projection_only() {
     let mut plc = Plc { points, facets: vec![ring_facet(&[&[0, 1, 2, 4, 3]])], ..Plc::default() };
     let error = run(&plc).unwrap_err();
     assert_eq!((error.status, error.defects[0].first), (Status::NonPlanarFacet, Element::Facet(0)));
-    // A corner beside the edge in projection too has a triangulation that keeps the edge.
+    // A corner next to the edge in projection too has a triangulation that keeps the edge.
     plc.points[4][1] = 1.0;
     assert!(run(&plc).unwrap().segments.contains(&[0, 1]));
 }
@@ -605,7 +605,7 @@ fn all_defects_are_reported_together() {
         .defects
         .iter()
         .any(|d| d.kind == DefectKind::FacetFacet && d.second == Some(Element::Facet(12))));
-    // Segment 0 is left out of the test, and yet its follower keeps its number.
+    // Segment 0 is excluded from the test, yet the next one keeps its index.
     assert!(error.defects.iter().any(|d| d.first == Element::Segment(1)));
     assert_eq!(error.defect_count, error.defects.len());
 }
@@ -775,14 +775,14 @@ fn a_pair_of_elements_is_one_defect() {
 
 #[test]
 fn the_point_far_from_most_is_out_of_range() {
-    // What is small beside one far point is not at fault.
+    // Small points next to one far point are not at fault.
     let mut plc = Plc { points: vec![[0.1, 0.2, 0.3]; 6], ..Plc::default() };
     plc.points[4] = [0.0, -1e200, 0.0];
     let error = limited_check(&plc, 100).unwrap_err();
     assert_eq!(error.status, Status::CoordinateRange);
     let points: Vec<_> = error.defects.iter().map(|d| (d.first, d.point)).collect();
     assert_eq!(points, [(Element::Point(4), Some(plc.points[4]))]);
-    // Nor is what is large beside tiny points; all of these are named.
+    // Nor are large points next to tiny ones; all tiny ones are named.
     plc.points[4] = [1e-200, 0.0, 0.0];
     plc.points[1] = [0.0, 0.0, -1e-300];
     let error = limited_check(&plc, 100).unwrap_err();

@@ -1,8 +1,8 @@
-//! Big integers, for the signs of Steiner points that integers of fixed width cannot hold (see `wide`).
+//! Big integers, for signs at Steiner points that integers of fixed width cannot represent (see `wide`).
 //!
-//! No range to leave: expansions would underflow where a Steiner point has bits below the exact range of coordinates (see
-//! `range`). Slow and simple on purpose: schoolbook arithmetic on 32-bit digits, lowest first, no leading zero digit,
-//! zero has no digits and is not negative.
+//! They have no limited range: expansions would underflow if a Steiner point has bits below the exact range of coordinates (see `range`).
+//! Slow and simple on purpose: schoolbook arithmetic on 32-bit digits, lowest first, no leading zero digit, zero has no digits and is not
+//! negative.
 
 use super::{expansion::Expansion, range, Sign};
 use std::cmp::Ordering;
@@ -57,7 +57,7 @@ impl Big {
         Big::scaled_rows(points, [0; N])
     }
 
-    /// The same of points times two to the power of their exponents.
+    /// The same for points times two to the power of their exponents.
     pub(crate) fn scaled_rows<const N: usize>(
         points: &[[Expansion; 3]; N],
         exponents: [i32; N],
@@ -70,7 +70,7 @@ impl Big {
         std::array::from_fn(|i| std::array::from_fn(|k| Big::of(&points[i][k], unit - exponents[i])))
     }
 
-    /// The value of an expansion in units of two to the power of `unit`, which divides all its components.
+    /// The value of an expansion in units of 2^`unit`, which divides all its components.
     fn of(value: &Expansion, unit: i32) -> Big {
         let zero = Big { negative: false, digits: Vec::new() };
         value.components().iter().fold(zero, |sum, &x| sum.combine(&Big::of_double(x, unit), false))

@@ -1,10 +1,10 @@
 //! Expansion arithmetic: exact sums and products as unevaluated sums of doubles.
 //!
-//! Invariant of an [`Expansion`]: its components are non-zero, strongly non-overlapping, of increasing size; zero has no
-//! component. All operations keep it (round to nearest even). Exact as long as nothing over- or underflows, which the
-//! range of coordinates rules out (see `range`). Serves the coordinates of Steiner points, their rounding and their
-//! order; determinants are evaluated in integers (see `wide`). Source: Shewchuk, *Adaptive Precision Floating-Point
-//! Arithmetic and Fast Robust Geometric Predicates*, 1997, sections 2.3 to 2.8.
+//! Invariant of an [`Expansion`]: its components are non-zero, strongly non-overlapping, and of increasing magnitude; zero has no
+//! components. All operations maintain it (with round to nearest even). They are exact as long as nothing over- or underflows, which the
+//! range of coordinates rules out (see `range`). Used for the coordinates of Steiner points, their rounding and their order; determinants
+//! are evaluated in integers (see `wide`). Source: Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+//! Predicates*, 1997, sections 2.3 to 2.8.
 
 use super::Sign;
 
@@ -17,7 +17,7 @@ pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (x, (a - a_virtual) + (b - b_virtual))
 }
 
-/// As [`two_sum`], where `|a| >= |b|` or `a` is zero (Dekker).
+/// Like [`two_sum`], for `|a| >= |b|` or zero `a` (Dekker).
 #[inline(always)]
 pub(crate) fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let x = a + b;
@@ -141,8 +141,8 @@ impl Expansion {
 
     /// The double nearest to the exact value, ties to even.
     pub fn nearest(&self) -> f64 {
-        // Sum from the largest down until something is rounded off; then only a tie that the rest breaks is left to
-        // mend (as in Python's math.fsum).
+        // Sum from the largest down until something is rounded off; then only a tie that the rest breaks remains to be corrected (as in
+        // Python's math.fsum).
         let e = self.components();
         let Some((&last, mut rest)) = e.split_last() else {
             return 0.0;

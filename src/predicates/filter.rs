@@ -1,26 +1,26 @@
-//! Determinants in plain doubles and bounds of their errors.
+//! Determinants in floating-point arithmetic and bounds on their errors.
 //!
 //! Notation: u = 2^-53. A determinant evaluated as below is a sum of monomials, each of which passes through at most k
-//! roundings, so the error is at most `γ_k P`, `γ_k = k u / (1 − k u)`, P the sum of the monomials' sizes (Higham; the
-//! same count is in Shewchuk 1997, section 4.3). Counts: a difference of coordinates rounds once.
+//! roundings, so the error is at most `γ_k P`, `γ_k = k u / (1 − k u)`, P the sum of the monomials' magnitudes (Higham; the same count is
+//! in Shewchuk 1997, section 4.3). Counts: a difference of coordinates rounds once.
 //! * orient3d: 3 differences, product, subtraction, product, two sums: k = 8.
 //! * insphere: 5 differences, product, subtraction, product, two sums, square, two sums, product, two sums: k = 16.
 //! * 2D orientation: 2 differences, product, subtraction: k = 4. Dot product: 2, product, two sums: k = 5.
 //! * incircle in a plane: 4 differences, product, subtraction, square, two sums, product, two sums: k = 12.
 //!
-//! With X, Y, Z bounds of the differences per axis, L = X² + Y² + Z²: P is at most 6 XYZ, 24 XYZL, 2 UV, L, 6 UVL. Such a
-//! bound is static or semi-static, after whether X, Y, Z come from the box or from the points at hand (Devillers & Pion
-//! 2003). The bounds take k + 1 for k; their own rounding is covered by that and by the factor `SLACK`.
+//! With X, Y, Z bounds on the differences per axis, L = X² + Y² + Z²: P is at most 6 XYZ, 24 XYZL, 2 UV, L, 6 UVL. Such a bound is static
+//! if X, Y, Z come from the box, semi-static if they come from the given points (Devillers & Pion 2003). The bounds use k + 1 instead of k;
+//! this and the factor `SLACK` cover their own rounding.
 //!
-//! *Implicit points* enter by their nearest doubles. Where a difference is off by at most δx in x (the errors of both
-//! points), the exact determinant differs from the one of the nearest doubles by at most the sum over columns of (number
-//! of monomials) (δ of this column) (bounds of the other columns), X, Y, Z being enlarged by δ: replace the columns one
-//! after the other. The column of squares has δL = 2 (X δx + Y δy + Z δz).
+//! *Implicit points* are represented by their nearest doubles. If a difference is off by at most δx in x (the errors of both points), the
+//! exact determinant differs from the one of the nearest doubles by at most the sum over columns of (number of monomials) (δ of this
+//! column) (bounds of the other columns), with X, Y, Z enlarged by δ: replace the columns one after the other. The column of squares has δL
+//! = 2 (X δx + Y δy + Z δz).
 //!
-//! *Underflow.* Products of differences of explicit points are multiples of 2^-1070: exact or normal. The bounds may
-//! underflow and get the smallest normal number added. Steiner points with bits below the exact range may make products
-//! of the static level underflow, by 2^-1075 times the other factors' bounds: far below the static bound, whose X, Y, Z
-//! are zero or at least 2^-214. The semi-static level leaves such points to exact arithmetic.
+//! *Underflow.* Products of differences of explicit points are multiples of 2^-1070: exact or normal. The bounds may underflow, so the
+//! smallest normal number is added to them. Steiner points with bits below the exact range may make products of the static level underflow,
+//! by 2^-1075 times the other factors' bounds: far below the static bound, whose X, Y, Z are zero or at least 2^-214. The semi-static level
+//! leaves such points to exact arithmetic.
 
 const U: f64 = f64::EPSILON / 2.0;
 const SLACK: f64 = 1.0 + 1.0 / 1_099_511_627_776.0;
@@ -42,11 +42,11 @@ pub(crate) fn insphere_det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3
     insphere_minors(a, b, c, d, e).1
 }
 
-/// The insphere determinant relative to `e`, and minors of it: `orient3d` with `e` in the place of each vertex of `(a, b, c, d)`
-/// (with the same roundings as [`orient3d_det`], so its bounds hold).
+/// The insphere determinant relative to `e`, and its minors: `orient3d` with `e` in place of each vertex of `(a, b, c, d)` (with the same
+/// roundings as [`orient3d_det`], so its bounds hold).
 ///
-/// The points go in two pairs, (a, c) and (b, d): all steps but a few are the same for both members, and compilers make
-/// one instruction of the two.
+/// The points are processed in two pairs, (a, c) and (b, d): nearly all steps are the same for both members, and compilers merge them into
+/// one instruction.
 #[inline(always)]
 pub(crate) fn insphere_minors(
     a: &[f64; 3],
@@ -75,7 +75,7 @@ pub(crate) fn insphere_minors(
     ([bcd, -cda, dab, -abc], sum.0[0] + sum.0[1])
 }
 
-/// Two numbers that take part in the same operations.
+/// Two numbers that undergo the same operations.
 #[derive(Clone, Copy)]
 struct Pair([f64; 2]);
 
@@ -110,14 +110,14 @@ impl std::ops::Mul for Pair {
     }
 }
 
-/// Bounds of coordinate differences: `size` of the exact ones per axis, `error` of those of the nearest doubles.
+/// Bounds on coordinate differences per axis: `size` on the exact ones, `error` on the errors with nearest doubles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spread {
     pub(crate) size: [f64; 3],
     pub(crate) error: [f64; 3],
 }
 
-/// The larger of two numbers; unlike `f64::max` one instruction, as there is no NaN here.
+/// The larger of two numbers; unlike `f64::max` a single instruction, since there are no NaNs here.
 #[inline(always)]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a > b {
@@ -128,7 +128,7 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
 }
 
 impl Spread {
-    /// Of exact points: the differences to the last one.
+    /// For exact points: the differences to the last one.
     #[inline(always)]
     pub(crate) fn of<const N: usize>(points: [&[f64; 3]; N]) -> Spread {
         let last = points[N - 1];
@@ -152,7 +152,7 @@ impl Spread {
         larger(larger(self.size[0], self.size[1]), self.size[2])
     }
 
-    /// The bound of a squared distance and of its error.
+    /// Bounds on a squared distance and on its error.
     #[inline(always)]
     fn lift(&self) -> (f64, f64) {
         let ([x, y, z], [ex, ey, ez]) = (self.size, self.error);

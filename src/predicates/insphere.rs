@@ -1,20 +1,19 @@
-//! The insphere sign by index, plain and perturbed.
+//! The insphere sign by point index, unperturbed and perturbed.
 //!
-//! Perturbation: the lift of the vertex with the lowest id is lowered infinitesimally, that of the next one by infinitely
-//! less, and so on. The insphere determinant's derivative by a lift is the orientation of the other four points, so the
-//! first non-zero one in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting
-//! only).
+//! Perturbation: the lift of the vertex with the lowest id is lowered infinitesimally, that of the next one by infinitely less, and so on.
+//! The derivative of the insphere determinant with respect to a lift is the orientation of the other four points, so the first non-zero one
+//! in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting only).
 
 use super::{exact, filter, robust_insphere, wide, Points, Sign};
 
-/// How a tetrahedron lies to a point, after a quick look.
+/// The position of a tetrahedron relative to a point, as far as a quick test tells.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Glance {
     /// Its circumsphere contains the point.
     Inside,
-    /// The point is beyond the plane of this face: of such faces the one with the largest determinant.
+    /// The point is beyond the plane of this face; of such faces, the one with the largest determinant.
     Beyond(u32),
-    /// A closer look is needed; if the point is beyond a plane at all, it is close to it.
+    /// An exact test is needed; if the point is beyond a plane at all, it is close to it.
     Unclear,
 }
 
@@ -33,8 +32,8 @@ impl Points {
         }
     }
 
-    /// Whether [`insphere_perturbed`](Points::insphere_perturbed) is positive; `at` are the coordinates of `e`. One
-    /// branch, and one that is hardly ever taken: for callers whose branches on the answer would be mispredicted.
+    /// Whether [`insphere_perturbed`](Points::insphere_perturbed) is positive; `at` are the coordinates of `e`. There is only one branch,
+    /// hardly ever taken: for callers whose branches on the result would be mispredicted.
     #[inline(always)]
     pub fn inside_perturbed(&self, [a, b, c, d]: [u32; 4], e: u32, at: &[f64; 3]) -> bool {
         let det = filter::insphere_det(self.xyz(a), self.xyz(b), self.xyz(c), self.xyz(d), at);
@@ -45,14 +44,14 @@ impl Points {
         }
     }
 
-    /// How a finite tetrahedron lies to `e`, whose coordinates are `at`, as far as the static filter can tell.
+    /// The position of a finite tetrahedron relative to `e`, whose coordinates are `at`, as far as the static filter can tell.
     #[inline(always)]
     pub(crate) fn glance(&self, [a, b, c, d]: [u32; 4], at: &[f64; 3]) -> Glance {
         let (sides, det) = filter::insphere_minors(self.xyz(a), self.xyz(b), self.xyz(c), self.xyz(d), at);
         if det > self.insphere_bound {
             return Glance::Inside;
         }
-        // Without branches: which face it is cannot be predicted.
+        // Branch-free, since which face it is cannot be predicted.
         let first = (sides[1] < sides[0]) as usize;
         let second = 2 + (sides[3] < sides[2]) as usize;
         let least = if sides[second] < sides[first] { second } else { first };
@@ -86,7 +85,7 @@ impl Points {
         self.insphere_exact(det, spread.max(), explicit, ids)
     }
 
-    /// Exact arithmetic; `size` bounds all differences.
+    /// The exact level; `size` bounds all differences.
     #[cold]
     #[inline(never)]
     fn insphere_exact(&self, det: f64, size: f64, explicit: bool, ids: [u32; 5]) -> Sign {
@@ -139,7 +138,7 @@ impl Points {
     }
 }
 
-/// Sorts, and tells whether the permutation was odd.
+/// Sorts; returns whether the permutation was odd.
 fn sort_parity<const N: usize>(ids: &mut [u32; N]) -> bool {
     let mut odd = false;
     for end in (1..N).rev() {

@@ -1,8 +1,7 @@
-//! Exact signs of explicit points and of implicit Steiner points on segments. The one place that calls `robust`.
+//! Exact signs for explicit points and for implicit Steiner points on segments. The only module that calls `robust`.
 //!
-//! Levels: a static error bound from the box of all points, inlined; a semi-static bound from the points at hand; exact
-//! arithmetic in integers of fixed width; where those are too narrow, `robust` for explicit points and big integers
-//! otherwise.
+//! Levels: a static error bound from the box of all points, inlined; a semi-static bound from the given points; exact arithmetic in
+//! integers of fixed width; if those are too narrow, `robust` for explicit points and big integers otherwise.
 //!
 //! Orientation: [`orient3d()`] is positive when `det(b − a, c − a, d − a) > 0`, the opposite of Shewchuk's and
 //! `robust`'s sign.
@@ -69,7 +68,7 @@ fn coord3(p: &[f64; 3]) -> robust::Coord3D<f64> {
     robust::Coord3D { x: p[0], y: p[1], z: p[2] }
 }
 
-/// The differences to the last of some explicit points as integers, if they fit.
+/// The differences of explicit points to the last one as integers, if they fit.
 #[inline(always)]
 fn differences<const N: usize>(points: [&[f64; 3]; N]) -> Option<wide::Differences<N>> {
     wide::Differences::new(&points.map(|p| p.map(|x| [x, 0.0])))
@@ -80,7 +79,7 @@ fn robust_orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Si
     -Sign::of(robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)))
 }
 
-/// As [`robust_orient3d`].
+/// Like [`robust_orient3d`].
 fn robust_insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
     -Sign::of(robust::insphere(coord3(a), coord3(b), coord3(c), coord3(d), coord3(e)))
 }

@@ -13,8 +13,8 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// `orient3d(a, b, c, d)` for the point of these coordinates (of an implicit point: its nearest doubles), if the static filter
-    /// can tell. The determinant has the monomials and roundings that [`filter`] counts, relative to `b`, so its bound holds.
+    /// `orient3d(a, b, c, d)` for the point with these coordinates (the nearest doubles of an implicit point), if the static filter
+    /// decides. The determinant has the monomials and roundings that [`filter`] counts, relative to `b`, so its bound holds.
     #[inline(always)]
     pub fn side(&self, a: &[f64; 3]) -> Option<Sign> {
         let (p, n) = (&self.at, &self.normal);
@@ -43,14 +43,14 @@ impl Points {
         }
     }
 
-    /// Sign of `det(b − a, c − a, d − a)` for a point `a` of any finite coordinates, given as `a = p 2^exponent`. Slow: for points
-    /// outside of the exact range.
+    /// Sign of `det(b − a, c − a, d − a)` for a point `a` with any finite coordinates, given as `a = p 2^exponent`. Slow: for points
+    /// outside the exact range.
     pub fn orient3d_of(&self, p: &[f64; 3], exponent: i32, [b, c, d]: [u32; 3]) -> Sign {
         let [b, c, d] = [b, c, d].map(|v| self.exact_coordinates(v));
         exact::orient3d(&Big::scaled_rows(&[p.map(Expansion::from), b, c, d], [exponent, 0, 0, 0]))
     }
 
-    /// The plane through three points, for many [`Plane::side`] in turn.
+    /// The plane through three points, for repeated calls of [`Plane::side`].
     #[inline]
     pub fn plane(&self, b: u32, c: u32, d: u32) -> Plane {
         let (b, c, d) = (self.xyz(b), self.xyz(c), self.xyz(d));
@@ -74,11 +74,11 @@ impl Points {
         self.orient3d_exact(det, spread.max(), explicit, ids)
     }
 
-    /// Exact arithmetic; `size` bounds all differences.
+    /// The exact level; `size` bounds all differences.
     #[cold]
     #[inline(never)]
     fn orient3d_exact(&self, det: f64, size: f64, explicit: bool, ids: [u32; 4]) -> Sign {
-        // Differences are integers up to 2^16 in units of the grid: no operation of the determinant rounds.
+        // Differences are integers up to 2^16 in units of the grid: no operation in the determinant rounds.
         if explicit && size <= self.grid() * 65536.0 {
             return Sign::of(det);
         }
@@ -127,7 +127,7 @@ impl Points {
             let mut order = compare(self.xyz(a)[axis], self.xyz(b)[axis]);
             if order.is_eq() && !known {
                 let [p, q] = [a, b].map(|i| self.exact_coordinates(i));
-                // Expansions cannot underflow here: Steiner points have no bits below 2^-1014, and differences no others.
+                // Expansions cannot underflow here: Steiner points have no bits below 2^-1014, and neither have differences.
                 order = match p[axis].difference(&q[axis]).sign() {
                     Sign::Negative => Ordering::Less,
                     Sign::Zero => Ordering::Equal,
@@ -147,7 +147,7 @@ impl Points {
     }
 }
 
-/// Order of two finite doubles, zeros of both signs being equal.
+/// Order of two finite doubles; zeros of both signs are equal.
 fn compare(x: f64, y: f64) -> Ordering {
     debug_assert!(x.is_finite() && y.is_finite());
     x.partial_cmp(&y).unwrap_or(Ordering::Equal)

@@ -27,9 +27,9 @@ impl Points {
     /// For exactly coplanar points with `(a, b, c)` positive in the projection that drops `axis`: positive when `d` is
     /// inside the circle through `a`, `b`, `c` in space (not in the projection).
     ///
-    /// Ties are broken as [`insphere_perturbed`](Points::insphere_perturbed) does: with any point `e` off the plane the
-    /// result is the perturbed sign of `(a, b, c, e; d)`, or of `(b, a, c, e; d)`, whichever tetrahedron is positive.
-    /// Zero only if `a`, `b`, `c` are collinear.
+    /// Ties are broken as in [`insphere_perturbed`](Points::insphere_perturbed): with any point `e` off the plane the result is the
+    /// perturbed sign of `(a, b, c, e; d)`, or of `(b, a, c, e; d)`, whichever tetrahedron is positive. Zero only if `a`, `b`, `c` are
+    /// collinear.
     pub fn incircle_in_plane(&self, axis: usize, a: u32, b: u32, c: u32, d: u32) -> Sign {
         match self.incircle_unperturbed(axis, [a, b, c, d]) {
             Sign::Zero => self.incircle_tie(axis, [a, b, c, d]),
@@ -37,7 +37,7 @@ impl Points {
         }
     }
 
-    /// Whether four exactly coplanar points, no three of them on a line, lie on a circle.
+    /// Whether four exactly coplanar points, no three of them collinear, lie on a circle.
     pub fn cocircular(&self, a: u32, b: u32, c: u32, d: u32) -> bool {
         (0..3)
             .find(|&axis| self.orient_in_plane(axis, a, b, c) != Sign::Zero)

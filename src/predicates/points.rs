@@ -1,10 +1,10 @@
-//! The point store: explicit points, and Steiner points `a + t (b − a)` on segments that are no doubles.
+//! The point store: explicit points, and Steiner points `a + t (b − a)` on segments that doubles cannot represent.
 //!
 //! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit
-//! points; the static bounds hold for all differences between stored points; the ends of an implicit point are
-//! explicit. Source: implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t,
-//! so that all coordinates have denominator one: sums of two doubles in nearly all cases, and integers on a common
-//! grid. Where segments run so close to each other that a double is too coarse, t is the sum of several.
+//! points; the static bounds hold for all differences between stored points; the segment ends of an implicit point are explicit. Source:
+//! implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t, so that no coordinate has a
+//! denominator: coordinates are sums of two doubles in nearly all cases, and integers on a common grid. If segments run so close to each
+//! other that a double is too coarse, t is the sum of several.
 
 use super::big::Big;
 use super::expansion::{two_product, two_sum, Expansion};
@@ -20,11 +20,11 @@ struct Implicit {
     a: u32,
     b: u32,
     t: f64,
-    /// What the parameter has beyond the nearest double `t`: components, smallest first. Hardly ever there.
+    /// The components of the parameter beyond the nearest double `t`, smallest first. Usually empty.
     low: Box<[f64]>,
     /// The nearest doubles of `exact − nearest double`.
     rest: [f64; 3],
-    /// Whether nearest double plus rest is exact in all coordinates.
+    /// Whether the nearest double plus `rest` is exact in all coordinates.
     two_doubles: bool,
     /// Whether a coordinate has bits below the exact range: filters could underflow.
     fine: bool,
@@ -54,14 +54,14 @@ pub struct Points {
     grid: f64,
     pub(super) orient3d_bound: f64,
     pub(super) insphere_bound: f64,
-    /// Of circles, per axis that the projection drops.
+    /// Bounds for circles, by the axis that the projection drops.
     pub(super) incircle_bounds: [f64; 3],
 }
 
 const NONE: u32 = u32::MAX;
 
 impl Points {
-    /// Takes explicit points. All must be finite and in the exact range (see [`range_scale`](super::range_scale)).
+    /// A store of explicit points. All must be finite and in the exact range (see [`range_scale`](super::range_scale)).
     pub fn new(xyz: Vec<[f64; 3]>) -> Points {
         debug_assert!(xyz.iter().flatten().all(|&x| in_range(x)));
         let mut points = Points {
@@ -98,7 +98,7 @@ impl Points {
         let mut spread = Spread { size: [0.0; 3], error: [0.0; 3] };
         for axis in 0..3 {
             if !self.implicit.is_empty() {
-                // Two points, each off by half an ulp at most.
+                // Two points, each off by at most half an ulp.
                 spread.error[axis] = f64::EPSILON * self.min[axis].abs().max(self.max[axis].abs());
             }
             spread.size[axis] = self.max[axis] - self.min[axis] + spread.error[axis];
@@ -126,7 +126,7 @@ impl Points {
         &self.xyz[i as usize]
     }
 
-    /// All points as by [`xyz`](Points::xyz).
+    /// All points, as given by [`xyz`](Points::xyz).
     #[inline]
     pub fn coordinates(&self) -> &[[f64; 3]] {
         &self.xyz
@@ -195,7 +195,7 @@ impl Points {
     /// Appends the point `a + t (b − a)`: explicit if every coordinate is exactly a double, implicit otherwise.
     ///
     /// # Errors
-    /// `Internal` unless `a` and `b` are explicit, `0 < t < 1` and t a multiple of `2^-800`; `OutOfMemory`, `TooLarge`.
+    /// `Internal` unless `a` and `b` are explicit, `0 < t < 1` and t is a multiple of `2^-800`; `OutOfMemory`, `TooLarge`.
     pub fn push_on_segment(&mut self, a: u32, b: u32, t: &Expansion) -> Result<u32, Error> {
         match self.on_segment(a, b, t)? {
             (p, None) => self.push(p),
@@ -203,7 +203,7 @@ impl Points {
         }
     }
 
-    /// Nearest doubles of `a + t (b − a)`, and what else is to know if they are not exact.
+    /// The nearest doubles of `a + t (b − a)`, and the implicit point if they are not exact.
     fn on_segment(&self, a: u32, b: u32, t: &Expansion) -> Result<([f64; 3], Option<Implicit>), Error> {
         let known = |i: u32| (i as usize) < self.xyz.len() && self.is_explicit(i);
         if !known(a) || !known(b) || !range::is_parameter(t) {
@@ -230,8 +230,8 @@ impl Points {
         Ok((p, Some(Implicit { a, b, t: nearest, low, rest, two_doubles, fine })))
     }
 
-    /// Square of the distance between `a + t (b − a)` and its nearest double point, approximately; zero hardly ever unless it
-    /// is one. Twice the precision of doubles is enough to choose by.
+    /// Approximate square of the distance between `a + t (b − a)` and its nearest double point; hardly ever zero unless the point is
+    /// exactly a double. Twice the precision of doubles suffices for comparing candidates.
     pub fn rounding_error(&self, a: u32, b: u32, t: f64) -> f64 {
         let (a, b) = (self.xyz(a), self.xyz(b));
         let error = |axis: usize| {
@@ -244,7 +244,7 @@ impl Points {
         (0..3).map(|axis| error(axis) * error(axis)).sum()
     }
 
-    /// Moves an implicit point along its segment, to parameter `t`; it becomes explicit where it can.
+    /// Moves an implicit point along its segment, to parameter `t`; it becomes explicit if possible.
     ///
     /// # Errors
     /// `Internal` if `i` was never implicit or `t` is out of range.
@@ -283,7 +283,7 @@ impl Points {
         Ok(())
     }
 
-    /// Puts a point, implicit or not, where these doubles are; it is explicit then.
+    /// Moves a point, implicit or not, to these doubles; it is then explicit.
     ///
     /// # Errors
     /// `Internal` if a coordinate is not finite or outside the exact range.
@@ -298,7 +298,7 @@ impl Points {
         self.move_to(i, p)
     }
 
-    /// Keeps grid, box and bounds true for a new explicit point.
+    /// Updates grid, box and bounds for a new explicit point.
     fn take_explicit(&mut self, p: [f64; 3]) {
         let lowest = p.iter().filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(1000);
         self.grid = self.grid.min(range::scale(1.0, lowest));
@@ -321,7 +321,7 @@ impl Points {
         (0..3).map(|i| exact_bits_1d(a[i], b[i])).min().unwrap_or(0)
     }
 
-    /// The exact coordinates as expansions (components smallest first, their sum is the coordinate).
+    /// The exact coordinates as expansions (components smallest first; their sum is the coordinate).
     pub fn exact_coordinates(&self, i: u32) -> [Expansion; 3] {
         match self.implicit(i) {
             None => self.xyz(i).map(Expansion::from),
@@ -329,7 +329,7 @@ impl Points {
         }
     }
 
-    /// The differences to the last of these points as integers, if they fit.
+    /// The differences of these points to the last one as integers, if they fit.
     #[inline(always)]
     pub(super) fn differences<const N: usize>(&self, ids: [u32; N]) -> Option<Differences<N>> {
         let mut coordinates = [[[0.0; 2]; 3]; N];
@@ -376,7 +376,7 @@ impl Points {
         self.first_implicit != NONE && ids.iter().any(|&i| !self.is_explicit(i))
     }
 
-    /// Whether three of the points lie on one segment that an implicit one of them knows.
+    /// Whether three of the points lie on one segment, recognized from an implicit one among them.
     pub(super) fn three_on_a_segment(&self, ids: [u32; 4]) -> bool {
         let ends = |i: u32| self.implicit(i).map(|p| [p.a, p.b]);
         ids.iter().filter_map(|&i| ends(i)).any(|[a, b]| {
@@ -396,7 +396,7 @@ impl Points {
         self.grid
     }
 
-    /// Bounds of the differences to the last of these points; `explicit` if all of them are.
+    /// Bounds on the differences of these points to the last one; `explicit` says whether all of them are.
     #[inline(always)]
     pub(super) fn spread<const N: usize>(&self, ids: [u32; N], explicit: bool) -> Spread {
         let mut spread = Spread::of(ids.map(|i| self.xyz(i)));
@@ -417,7 +417,7 @@ impl Points {
         spread
     }
 
-    /// Forgets all points but the first `n`. (The static bounds stay as they are: they only could be tighter.)
+    /// Removes all points but the first `n`. (The static bounds stay valid, though they could be tighter.)
     pub fn truncate(&mut self, n: usize) {
         self.xyz.truncate(n);
         if self.first_implicit == NONE {
@@ -449,8 +449,8 @@ fn on_segment(a: &[f64; 3], b: &[f64; 3], t: &Expansion) -> [Expansion; 3] {
 /// Let d = b − a and g = 2^(low(d) − n), low the exponent of the lowest set bit. Even k belong to smaller n. For odd k and
 /// low(d) − n < low(a) the lowest bit of v = a + k d / 2^n is g exactly, so v is a double if and only if |v| <= 2^53 g;
 /// |v| is largest at k = 1 or k = 2^n − 1. Otherwise all v are multiples of 2^min(low(a), low(b)) no larger than the
-/// ends, and so doubles. Hence: doubles for all k up to n if the two outermost points of every level up to n are. |a|,
-/// |b| <= 2^53 g suffices, from there on level by level.
+/// ends, and so doubles. Hence all points up to level n are doubles if the two outermost points of every level up to n are. |a|, |b| <=
+/// 2^53 g is sufficient; beyond that, test level by level.
 fn exact_bits_1d(a: f64, b: f64) -> u32 {
     const MOST: u32 = 52;
     let d = Expansion::of_difference(b, a);

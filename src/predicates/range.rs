@@ -1,9 +1,9 @@
 //! The range of coordinates in which all signs are exact, and scaling by powers of two into it.
 //!
-//! Coordinates are multiples of `2^-214`, at most `2^200` in size. The insphere determinant has degree 5, so every product
-//! and every rounding error in it is a multiple of `2^-1070`: above the smallest double, `2^-1074`, nothing underflows.
-//! Differences are at most `2^201`, the determinant's sums below `2^1015`: nothing overflows, and no factor of a
-//! product that is split (degree at most 4, below `2^815`) comes near `2^996` where splitting would.
+//! Coordinates are multiples of `2^-214`, at most `2^200` in magnitude. The insphere determinant has degree 5, so every product and every
+//! rounding error in it is a multiple of `2^-1070`: above the smallest double, `2^-1074`, nothing underflows. Differences are at most
+//! `2^201`, the determinant's sums below `2^1015`: nothing overflows, and no factor that is split in a product (degree at most 4, below
+//! `2^815`) comes near `2^996`, where splitting would overflow.
 //!
 //! A Steiner point `a + t (b − a)` lies in the same box, but may have bits below `2^-214` (down to `2^-1014`, as t is a
 //! multiple of `2^-800`: no expansion of a coordinate underflows): the store marks these, and integers decide all their
@@ -11,11 +11,11 @@
 
 use super::{Expansion, Sign};
 
-/// All coordinates in range are multiples of two to this.
+/// All coordinates in range are multiples of two to this power.
 pub(crate) const LOWEST_EXPONENT: i32 = -214;
-/// No coordinate in range is larger than two to this.
+/// No coordinate in range is larger than two to this power.
 pub(crate) const HIGHEST_EXPONENT: i32 = 200;
-/// Where scaling brings the largest coordinate.
+/// The exponent to which scaling brings the largest coordinate.
 const TARGET_EXPONENT: i32 = 195;
 
 /// `|x| = mantissa 2^exponent`, the mantissa odd or zero; x finite.
@@ -61,8 +61,8 @@ pub fn to_range(x: f64) -> f64 {
     }
 }
 
-/// All parameters of Steiner points are multiples of two to this. Segments at an angle α need a precision of α²: this is enough
-/// down to angles of `2^-390`, and doubles in range reach `2^-415`.
+/// All parameters of Steiner points are multiples of two to this power. Segments at an angle α need a precision of α²: this is enough down
+/// to angles of `2^-390`, and doubles in range reach `2^-415`.
 const LOWEST_PARAMETER_EXPONENT: i32 = -800;
 
 /// Whether a Steiner point can have this parameter: strictly between 0 and 1, and not too fine.
@@ -72,10 +72,10 @@ pub fn is_parameter(t: &Expansion) -> bool {
         && t.components().iter().all(|&x| lowest_exponent(x).is_none_or(|e| e >= LOWEST_PARAMETER_EXPONENT))
 }
 
-/// The power of two `k` such that all points times `2^k` are in the exact range; 0 if they are already.
+/// The exponent `k` such that all points times `2^k` are in the exact range; 0 if they already are.
 ///
 /// # Errors
-/// The index of the first point that has a coordinate which is not finite, or else the first one at fault (see [`far_from_most`]).
+/// The index of the first point with a coordinate that is not finite, otherwise of the first one at fault (see [`far_from_most`]).
 pub fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
     let mut highest = i32::MIN;
     let mut inside = true;
@@ -88,7 +88,7 @@ pub fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
             inside &= in_range(x);
         }
     }
-    // Near the upper end there would be no room for the box that mode preserve puts round the points.
+    // Near the upper end there would be no room for the box that mode preserve puts around the points.
     if inside && highest <= TARGET_EXPONENT {
         return Ok(0);
     }
@@ -101,15 +101,15 @@ pub fn range_scale(points: &[[f64; 3]]) -> Result<i32, usize> {
     }
 }
 
-/// The points at fault where a set spans too many orders of magnitude: those outside of the range that holds the most points. (Of a
-/// model with one point far away, this is that point; the tiny bits of the others are not at fault.) Coordinates must be finite.
+/// The points at fault if a set spans too many orders of magnitude: those outside the range that contains the most points. (In a model with
+/// one point far away, this is that point; the tiny bits of the others are not at fault.) Coordinates must be finite.
 pub fn far_from_most(points: &[[f64; 3]]) -> impl Iterator<Item = usize> + '_ {
     /// From the lowest bit in range to the highest.
     const SPAN: i32 = TARGET_EXPONENT - LOWEST_EXPONENT;
-    /// Ranges begin at exponents from here on.
+    /// The lowest exponent at which ranges begin.
     const FIRST: i32 = -1074 - SPAN;
     const COUNT: usize = (1024 - FIRST) as usize;
-    // The ranges that hold a point begin in an interval, maybe an empty one.
+    // The ranges that contain a point begin in an interval, which may be empty.
     let starts = |p: &[f64; 3]| {
         let lowest = p.iter().filter_map(|&x| lowest_exponent(x)).min().unwrap_or(1023);
         let highest = p.iter().filter_map(|&x| highest_exponent(x)).max().unwrap_or(-1074);
@@ -130,10 +130,10 @@ pub fn far_from_most(points: &[[f64; 3]]) -> impl Iterator<Item = usize> + '_ {
     (0..points.len()).filter(move |&i| !starts(&points[i]).contains(&best.1))
 }
 
-/// `x 2^k`, rounded once; exact where the result is a double, subnormal ones included.
+/// `x 2^k`, rounded once; exact if the result is a double, including subnormal ones.
 pub fn scale(x: f64, k: i32) -> f64 {
     let power = |k: i32| f64::from_bits(((k + 1023) as u64) << 52);
-    // Steps down leave 53 bits of room, so that only the last one can round.
+    // Steps down leave 53 bits of room, so that only the last one may round.
     let (mut x, mut k) = (x, k.clamp(-3000, 3000));
     while k > 1023 {
         x *= power(1023);

@@ -190,7 +190,7 @@ fn compare_all(points: &Points, count: usize, random: &mut Random) -> [usize; 2]
     zeros
 }
 
-/// A quick look at a positive tetrahedron tells nothing that is not so.
+/// A glance at a positive tetrahedron never reports anything false.
 fn glance_is_right(points: &Points, t: [u32; 4], e: u32, inside: Sign) {
     let of_face = |face: usize| {
         let mut v = t;
@@ -202,7 +202,7 @@ fn glance_is_right(points: &Points, t: [u32; 4], e: u32, inside: Sign) {
         Glance::Beyond(face) => {
             assert_eq!(of_face(face as usize), Sign::Negative, "glance at {t:?} from {e}")
         }
-        // Whether that is rare see `static_filter_decides`.
+        // `static_filter_decides` tests that this is rare.
         Glance::Unclear => {}
     }
 }
@@ -287,7 +287,7 @@ fn random_points() {
     let mut random = Random(2);
     let points = Points::new((0..100).map(|_| random.point()).collect());
     compare_all(&points, 500, &mut random);
-    // The static filter is of use: it tells nearly all sides of points in general position.
+    // The static filter is useful: it decides nearly all sides of points in general position.
     let told = (0..500).filter(|_| {
         let [a, b, c, d] = random.distinct::<4>(points.len());
         points.plane(b, c, d).side(points.xyz(a)).is_some()
@@ -364,7 +364,7 @@ fn rounded_steiner_points_far_from_the_origin() {
             .collect();
         let points = with_steiner(plane, 40, [3, 9, 25][round % 3], &mut random);
         compare_all(&points, 300, &mut random);
-        // The test has teeth: signs of the nearest doubles differ from the exact ones.
+        // The test is meaningful: signs with the nearest doubles differ from the exact ones.
         for _ in 0..100 {
             let [a, b, c, d] = random.distinct::<4>(points.len());
             let rounded = [a, b, c, d].map(|i| points.xyz(i));
@@ -485,7 +485,7 @@ fn static_filter_decides() {
     assert!(undecided.iter().all(|&count| count < 10), "{undecided:?}");
 }
 
-/// Steiner points off one and the same line are collinear, on both ends and in between.
+/// Steiner points on one line are collinear, with both ends and in between.
 #[test]
 fn collinear_steiner_points() {
     let mut points = Points::new(vec![[0.1, 0.2, 0.3], [0.7, 0.45, 0.11], [0.0, 1.0, 0.0], [0.9, 0.8, 0.7]]);

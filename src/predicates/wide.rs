@@ -1,18 +1,18 @@
-//! Determinants in integers of fixed width: the exact level that nearly all close calls take.
+//! Determinants in integers of fixed width: the exact level that decides nearly all close cases.
 //!
-//! Coordinates of the few points at hand, given as one or two doubles each, are integers in units of their lowest set
-//! bit. If these stay within 2^124, the differences stay within 2^125 and all determinants within 640 bits; differences
-//! up to 2^61 take half as many digits. Two's complement, 64-bit digits, lowest first. Bounds, with |difference| <=
-//! 2^125 (2^61): minor 2^251 (2^123), squared distance 2^252 (2^124), triple product 2^378 (2^186), insphere 2^632
-//! (2^312), incircle 2^505 (2^249): below the sign bits of 4, 4, 6, 10, 8 (2, 2, 3, 5, 4) digits. Branch-free and
-//! faster than expansions, whose lengths vary.
+//! Coordinates of the given points, one or two doubles each, are integers in units of their lowest set bit. If these stay within 2^124, the
+//! differences stay within 2^125 and all determinants within 640 bits; differences up to 2^61 take half as many digits. Two's complement,
+//! 64-bit digits, lowest first. Bounds, with |difference| <= 2^125 (2^61): minor 2^251 (2^123), squared distance 2^252 (2^124), triple
+//! product 2^378 (2^186), insphere 2^632 (2^312), incircle 2^505 (2^249): below the sign bits of 4, 4, 6, 10, 8 (2, 2, 3, 5, 4) digits.
+//! Branch-free and faster than expansions, whose lengths vary.
 
 use super::Sign;
 
-/// Differences of explicit points to the last one as integers, if 62 bits hold them all exactly; `size` bounds their rounded
-/// values. Hardly more than the differences' rounding errors (Knuth 1969) is to compute; most exact tests go this way.
+/// Differences of explicit points to the last one as integers, if 62 bits hold them all exactly; `size` bounds their rounded values. Little
+/// more than the rounding errors of the differences (Knuth 1969) needs to be computed; most exact tests use this.
 ///
-/// With |difference| <= 2^62: minor 2^125, squared distance 2^126, triple product 2^189, insphere 2^317: they fit as well.
+/// With |difference| <= 2^62, the minor is below 2^125, the squared distance 2^126, the triple product 2^189, insphere 2^317: they fit as
+/// well.
 #[inline(always)]
 pub(crate) fn short_differences<const N: usize, const M: usize>(
     points: [&[f64; 3]; N],
@@ -20,7 +20,7 @@ pub(crate) fn short_differences<const N: usize, const M: usize>(
 ) -> Option<[[i64; 3]; M]> {
     const { assert!(M + 1 == N) };
     let exponent = ((size.to_bits() >> 52) & 0x7ff) as i64 - 1023;
-    // Largest differences to 2^61 and more, below 2^62. Coordinates in range keep this factor a normal number.
+    // Scales the largest difference to at least 2^61 and below 2^62. For coordinates in range this factor is a normal number.
     let factor = f64::from_bits((((61 - exponent) + 1023) as u64) << 52);
     let last = points[N - 1];
     let mut rows = [[0; 3]; M];
@@ -80,7 +80,7 @@ impl Triple {
         }
     }
 
-    /// The product with a number that is not negative.
+    /// The product with a non-negative number.
     #[inline(always)]
     fn times(self, l: i128) -> [u64; 5] {
         let digits = [self.low, self.high as u64];
@@ -88,7 +88,7 @@ impl Triple {
         let row = |factor: u64| {
             let first = u128::from(factor) * u128::from(digits[0]);
             let second = u128::from(factor) * u128::from(digits[1]) + (first >> 64);
-            // Below 2^64 2^62 in size.
+            // Below 2^64 2^62 in magnitude.
             let third = i128::from(factor) * top + (second >> 64) as i128;
             [first as u64, second as u64, third as u64, (third >> 64) as u64]
         };
@@ -149,7 +149,7 @@ fn mantissa(x: f64) -> (i64, i32) {
 }
 
 impl<const N: usize> Differences<N> {
-    /// From coordinates that are sums of two doubles each; `None` if they span too many bits.
+    /// The differences of coordinates that are sums of two doubles each; `None` if they span too many bits.
     #[inline(always)]
     pub(crate) fn new(points: &[[[f64; 2]; 3]; N]) -> Option<Self> {
         let (mut low, mut high) = (i32::MAX, i32::MIN);
@@ -325,12 +325,12 @@ pub(crate) fn insphere(rows: &Differences<5>) -> Sign {
     }
 }
 
-/// The insphere sign from the leading 122 bits of the differences, `None` if these do not decide; for points that span
-/// too many bits otherwise. Coordinates are sums of two doubles, off by less than `lost` each.
+/// The insphere sign from the leading 122 bits of the differences, for points that otherwise span too many bits; `None` if these bits do
+/// not decide. Coordinates are sums of two doubles, each off by less than `lost`.
 ///
-/// Cutting off takes less than one unit from each of a coordinate's two doubles, `lost` is at most one unit: differences
-/// are off by less than δ = 4. With Y a bound of their sizes, exact and cut off, the determinant is off by less than
-/// 24 (3 Y² δ 3 Y² + Y³ 6 Y δ) = 1440 Y⁴ < 2^11 Y⁴ (replacing columns as in `filter`; the squares are off by 6 Y δ).
+/// Truncation takes less than one unit from each of a coordinate's two doubles, and `lost` is at most one unit: differences are off by less
+/// than δ = 4. With Y a bound on their magnitudes, exact and truncated, the determinant is off by less than 24 (3 Y² δ 3 Y² + Y³ 6 Y δ) =
+/// 1440 Y⁴ < 2^11 Y⁴ (replacing columns as in `filter`; the squares are off by 6 Y δ).
 pub(crate) fn insphere_leading(points: &[[[f64; 2]; 3]; 5], lost: f64) -> Option<Sign> {
     let beyond = |x: f64| mantissa(x).1 + 53;
     let mut widest = 0.0f64;
@@ -371,7 +371,7 @@ pub(crate) fn insphere_leading(points: &[[[f64; 2]; 3]; 5], lost: f64) -> Option
     (highest_bit(&size)? >= 11 + 4 * bits).then_some(sign)
 }
 
-/// The place of the highest bit of a number that is not negative; `None` for zero.
+/// The position of the highest bit of a non-negative number; `None` for zero.
 fn highest_bit(digits: &[u64; 10]) -> Option<u32> {
     let i = digits.iter().rposition(|&d| d != 0)?;
     Some(64 * i as u32 + digits[i].ilog2())

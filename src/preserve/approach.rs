@@ -1,8 +1,8 @@
 //! Other apexes for the walls of a bad tetrahedron.
 //!
-//! A flat tetrahedron on the boundary goes only if its walls get another apex, which may be far away: on the other side of a thin part.
-//! So apexes are chosen by the tetrahedra that they would make with the walls, and the cavity is what these overlap: that of a vertex
-//! inserted (Watson 1981), but for a vertex that is there. All is plain arithmetic: it only chooses what to try.
+//! A flat tetrahedron on the boundary can be removed only if its walls get another apex, which may be far away, on the other side of a thin
+//! part. So apexes are chosen by the tetrahedra that they would form with the walls, and the cavity is what these overlap, as when
+//! inserting a vertex (Watson 1981), but for an existing vertex. All this is floating-point arithmetic: it only chooses what to try.
 use super::reshape::may_join;
 use super::solid::Solid;
 use crate::error::Error;
@@ -19,7 +19,7 @@ const NEAR: usize = 200;
 /// Most tetrahedra of a cavity.
 const MOST: usize = 60;
 
-/// How many of the apexes with the best tetrahedra are looked at, and how many of these with the smallest cavities are tried.
+/// How many of the apexes with the best tetrahedra are considered, and how many of these, those with the smallest cavities, are tried.
 const CANDIDATES: usize = 20;
 const TRIES: usize = 8;
 
@@ -152,12 +152,12 @@ impl Approach {
     }
 }
 
-/// Whether no plane of a face seems to part two positive tetrahedra.
+/// Whether no plane of a face seems to separate two positive tetrahedra.
 fn overlap(points: &Points, a: [u32; 4], b: [u32; 4]) -> bool {
     !parts(points, a, b) && !parts(points, b, a)
 }
 
-/// Whether the plane of a face of the first tetrahedron seems to part it from the second.
+/// Whether the plane of a face of the first tetrahedron seems to separate it from the second.
 fn parts(points: &Points, a: [u32; 4], b: [u32; 4]) -> bool {
     FACE.iter().any(|face| {
         let face = face.map(|i| a[i as usize]);

@@ -1,4 +1,4 @@
-//! Where a segment that resists is given a point.
+//! Where to put a point on a segment that resists recovery.
 //!
 //! The point goes into one of the inner tetrahedra of the segment's corridor, so that both pieces cross fewer faces and edges: into
 //! the longest stretch among those of the middle half. Two points on both sides of one face are joined by a flip; two on both sides of
@@ -13,7 +13,7 @@ use crate::vector::{cross, dot, sub};
 /// How much nearer to its only edge a piece gets its point.
 const BESIDE: f64 = 0.125;
 
-/// The part of the way from `a` to `b` at which the piece is divided.
+/// The parameter between `a` and `b` at which the piece is divided.
 pub fn breakpoint(points: &Points, [a, b]: [u32; 2], features: &[Feature], places: &mut Vec<f64>) -> f64 {
     places.clear();
     places.push(0.0);

@@ -1,7 +1,7 @@
-//! Cavities: sets of tetrahedra taken out of a mesh and put back in another way.
+//! Cavities: sets of tetrahedra removed from a mesh and replaced by others.
 //!
 //! Invariants: the faces of the boundary stay; subfaces (faces flagged on both sides) with both sides in the cavity count as boundary
-//! twice, once each way; constrained edges inside are listed, so that whoever fills the cavity keeps them.
+//! twice, once each way; constrained edges inside are listed, so that every filling keeps them.
 use crate::constrain::edge_key;
 use crate::delaunay::Delaunay;
 use crate::error::Error;
@@ -26,12 +26,12 @@ pub struct Cavity {
     pub edges: Vec<[u32; 2]>,
     on_boundary: FxHashSet<[u32; 2]>,
     corners: FxHashSet<u32>,
-    /// What puts it back.
+    /// Replaces it in the mesh.
     pub refill: Refill,
 }
 
 impl Cavity {
-    /// Starts anew.
+    /// Removes everything.
     pub fn clear(&mut self) {
         self.tets.clear();
     }
@@ -118,8 +118,8 @@ impl Cavity {
         Ok(())
     }
 
-    /// Puts other tetrahedra in the place of the cavity's; their slots are then in `refill.fresh`. `subfaces`: faces inside that
-    /// become constrained.
+    /// Replaces the cavity's tetrahedra by others; their slots are then in `refill.fresh`. `subfaces`: faces inside that become
+    /// constrained.
     pub fn replace(
         &mut self,
         delaunay: &mut Delaunay,

@@ -1,7 +1,7 @@
 //! The point of a star-shaped polyhedron that is farthest from the planes of its faces.
 //!
 //! A linear program in four unknowns: maximise `r` under `m·p + c >= r` for every face. Solved in the dual by the simplex method with
-//! a basis of four faces (Dantzig 1951), in plain arithmetic: the answer is a proposal that exact signs accept or refuse.
+//! a basis of four faces (Dantzig 1951), in floating-point arithmetic: the result is a candidate that exact signs accept or reject.
 
 use crate::vector::dot;
 

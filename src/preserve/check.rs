@@ -6,7 +6,7 @@ use crate::mesh::{flag, NONE};
 use crate::predicates::{Points, Sign};
 use rustc_hash::FxHashSet;
 
-/// What is wrong, in words, or nothing.
+/// `Ok`, or a description of what is wrong.
 pub fn check_solid(solid: &Solid, points: &Points) -> Result<(), String> {
     check_topology(&solid.mesh)?;
     let mut faces = FxHashSet::default();

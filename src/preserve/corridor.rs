@@ -2,7 +2,7 @@
 //!
 //! A walk from one end to the other, from feature to feature: through the inside of a face, or across an edge (then the whole ring
 //! round that edge belongs to the corridor). Exact signs only, so coplanar points, as on the flat sides of parts, are no special
-//! case. A vertex in the way ends the walk: a valid PLC has none.
+//! case. A vertex on the segment ends the walk: a valid PLC has none there.
 use super::cavity::Cavity;
 use crate::delaunay::Delaunay;
 use crate::error::Error;
@@ -26,7 +26,7 @@ enum Step {
     Edge(u32, u32, u32),
 }
 
-/// What the walk came to.
+/// The result of the walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// The corridor is in the cavity (marked).

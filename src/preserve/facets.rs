@@ -1,14 +1,14 @@
-//! Which facet faces belong to that a patch has in the place of triangles of the surface.
+//! Finds the facets of faces that replace triangles of the surface in a patch.
 //!
-//! Polygons keep their edges, and get diagonals of their own. So the faces of one polygon cover what its triangles covered, and
-//! are bounded by the same edges: a face at such an edge, on the same side of it, is the polygon's, and so are all that are joined with it
-//! by other edges.
+//! Polygons keep their edges, but may get other diagonals. So the faces of a polygon cover what its triangles covered, and are bounded by
+//! the same edges: a face at such an edge, on the same side of it, belongs to the polygon, and so do all faces connected to it through
+//! other edges.
 use super::unsplit::axis_of;
 use crate::error::{Error, Status};
 use crate::predicates::{Points, Sign};
 use rustc_hash::FxHashMap;
 
-/// A triangle of the surface that is no face any more.
+/// A triangle of the surface that is no longer a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Gone {
     /// Its patch.
@@ -19,8 +19,8 @@ pub struct Gone {
     pub facet: u32,
 }
 
-/// Appends the faces (patch and corners, sorted) that have taken the place of triangles, each with its facet. A face that no edge
-/// tells apart gets a facet of its patch: all of these have one marker.
+/// Appends the faces (patch and corners, sorted) that replace triangles, each with its facet. A face that no edge assigns to a facet gets
+/// any facet of its patch: all of these have one marker.
 ///
 /// # Errors
 /// `OutOfMemory`, `Internal`.

@@ -1,11 +1,11 @@
-//! Removal of edges by flips: of an edge, or of others first that are in its way.
+//! Removal of edges by flips: of an edge itself, or first of others that obstruct it.
 //!
-//! An edge goes if a sheet fills its ring ([`sheet`](crate::reconnect::sheet)). If none does, the ring is made smaller: an edge from an end
-//! to a vertex of the link is removed in the same way, which takes that vertex from the ring, and so on to a limited depth (George,
-//! Hecht & Saltel 1991; Liu & Baida 2000, "Applications of flips in boundary recovery"; here with an explicit stack). What does not
-//! lead to the removal of the edge itself is taken back from a log.
+//! An edge is removed if a sheet fills its ring ([`sheet`](crate::reconnect::sheet)). If none does, the ring is made smaller: an edge from
+//! an end to a vertex of the link is removed in the same way, which takes that vertex from the ring, and so on to a limited depth (George,
+//! Hecht & Saltel 1991; Liu & Baida 2000, "Applications of flips in boundary recovery"; here with an explicit stack). Flips that do not
+//! lead to the removal of the edge itself are undone from a log.
 //!
-//! Where an edge is removed to make way for another, of the sheets that replace it the one is taken that leaves most of the way clear.
+//! If an edge is removed to make way for another, the replacing sheet is the one that obstructs the other edge least.
 //!
 //! Invariants: constrained edges and subfaces stay; the mesh is valid after every step.
 use super::cavity::{Cavity, Edges};
@@ -18,13 +18,13 @@ use crate::mesh::{flag, NONE};
 use crate::predicates::{Points, Sign};
 use crate::reconnect::sheet::{Sheets, MOST_IN_RING};
 
-/// Most tetrahedra round an edge that is removed to make way for another.
+/// The most tetrahedra around an edge that is removed to make way for another.
 const USUAL_RING: usize = 16;
 
 /// How far to go.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Levels of edges in the way of others.
+    /// Levels of obstructing edges.
     pub depth: usize,
     /// Rings looked at for one edge.
     pub rings: u32,
@@ -35,16 +35,16 @@ struct Frame {
     edge: [u32; 2],
     /// The vertex that is to get an ear.
     ear: Option<u32>,
-    /// Edges in its way that are still to be tried, the last first.
+    /// Obstructing edges still to be tried, the last first.
     obstacles: Vec<Obstacle>,
-    /// Tetrahedra round it.
+    /// Number of tetrahedra around it.
     ring: usize,
     /// Length of the log when it was first tried, and before the last obstacle.
     start: usize,
     kept: usize,
 }
 
-/// An edge in the way.
+/// An obstructing edge.
 #[derive(Clone, Copy)]
 struct Obstacle {
     edge: [u32; 2],
@@ -83,7 +83,7 @@ pub struct Flips {
     tets: Vec<[u32; 4]>,
     frames: Vec<Frame>,
     log: Journal,
-    /// The edge that is made way for.
+    /// The edge to make way for, if any.
     way: Option<[u32; 2]>,
 }
 
@@ -136,7 +136,7 @@ impl Flips {
         Ok(true)
     }
 
-    /// Takes the last removal back.
+    /// Undoes the last removal.
     pub fn take_back(&mut self, site: &mut Site) -> Result<(), Error> {
         self.undo(site, 0)
     }
@@ -184,7 +184,7 @@ impl Flips {
         }
     }
 
-    /// An obstacle of the topmost frame is gone: tries its edge again.
+    /// Called when an obstacle of the topmost frame was removed: tries its edge again.
     fn resume(&mut self, site: &mut Site) -> Result<Next, Error> {
         let Some(&Frame { edge, ear, ring, kept, .. }) = self.frames.last() else {
             return Ok(Next::Done(true));
@@ -271,7 +271,7 @@ impl Flips {
         Ok(found)
     }
 
-    /// Puts the filling at hand in the place of the ring.
+    /// Replaces the ring by the current filling.
     fn put(&mut self, site: &mut Site) -> Result<(), Error> {
         self.log.begin(&site.delaunay.mesh, &self.ring)?;
         site.cavity.tets.clear();
@@ -281,8 +281,8 @@ impl Flips {
         self.log.end(&site.cavity.refill.fresh)
     }
 
-    /// The edges whose removal would make the ring smaller: where the ear at a vertex of the link is seen from one end only, the edge to
-    /// the other end is in the way.
+    /// The edges whose removal would make the ring smaller: if the ear at a vertex of the link is visible from only one end, the edge to
+    /// the other end obstructs it.
     fn obstacles(&self, site: &Site, [p, q]: [u32; 2]) -> Result<Vec<Obstacle>, Error> {
         let n = self.link.len();
         let mut out = Vec::new();
@@ -300,7 +300,7 @@ impl Flips {
         Ok(out)
     }
 
-    /// Takes fillings back until the log has this length.
+    /// Undoes fillings until the log has this length.
     fn undo(&mut self, site: &mut Site, length: usize) -> Result<(), Error> {
         let Delaunay { mesh, vertex_tet, .. } = &mut *site.delaunay;
         while self.log.len() > length {

@@ -1,4 +1,4 @@
-//! Flips on random meshes: what is removed is gone, what is taken back is as it was, and the mesh is valid at all times.
+//! Flips on random meshes: removed edges are absent, undone flips restore the mesh, and the mesh is always valid.
 use super::breakpoint::breakpoint;
 use super::cavity::{Cavity, Edges};
 use super::corridor::Feature;
@@ -10,7 +10,7 @@ use crate::delaunay::Delaunay;
 use crate::mesh::check::check_topology;
 use crate::predicates::{Points, Sign};
 
-/// Points on a small grid, in a fixed disorder: many are coplanar.
+/// Points on a small grid, in a fixed random order: many are coplanar.
 fn mesh(seed: u64, count: usize, side: u64) -> (Delaunay, Points) {
     let mut state = seed;
     let mut next = || {

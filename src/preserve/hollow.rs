@@ -1,7 +1,7 @@
 //! A polyhedron hollowed out of the mesh on one side of new walls, and its growth.
 //!
-//! What cannot be filled as it is often can when one of its edges is opened: all tetrahedra round it are added, so that the edge need
-//! not be there any more. Reflex edges and flat ones are what blocks (the twisted diagonals of a prism, for one).
+//! A hollow that cannot be filled often can be after opening one of its edges: all tetrahedra around it are added, so that the edge is no
+//! longer required. Reflex and flat edges are what obstructs a filling (the twisted diagonals of a prism, for example).
 use super::solid::{Sector, Solid};
 use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
@@ -161,7 +161,7 @@ impl Hollow {
             self.read.try_reserve(self.tets.len())?;
             self.read.extend_from_slice(&self.tets);
             self.bound(solid, start, isolated)?;
-            // The start itself was tried by whoever asks to grow.
+            // The caller has already tried the start itself.
             if next > 0 && self.fill(reconnect, points, growth.budget, &mut new)? {
                 return Ok(Some(new));
             }
@@ -209,7 +209,7 @@ impl Hollow {
             ranked.push((sign, ring.len(), edge, ring));
         }
         ranked.sort_unstable();
-        // Convex edges are hardly ever in the way.
+        // Convex edges hardly ever obstruct a filling.
         let blocking = ranked.iter().filter(|r| r.0 != Sign::Positive).count();
         ranked.truncate(blocking.max(2));
         Ok(ranked.into_iter().map(|r| r.3).collect())

@@ -18,14 +18,14 @@ use std::collections::BinaryHeap;
 /// Tetrahedra below are improved: a dihedral angle of less than a degree, a circumradius of more than twenty edges.
 const BAD: Shape = Shape { angle: 0.0175, ratio: 0.05 };
 
-/// May be lost by one measure to gain by the other.
+/// Above this, one measure may be lowered to improve the other.
 const ENOUGH: Shape = Shape { angle: 0.02, ratio: 0.25 };
 
 /// One stage of the improvement.
 struct Stage {
     measure: Measure,
     effort: Effort,
-    /// It ends when so many tetrahedra could not be improved, and one more for each so many tetrahedra of the mesh.
+    /// It ends when this many tetrahedra could not be improved, plus one per this many tetrahedra of the mesh.
     failures: [usize; 2],
 }
 
@@ -156,7 +156,7 @@ impl Improve {
                 stuck.push(entry);
                 continue;
             }
-            // What has failed beside may succeed now.
+            // Neighbours that failed before may succeed now.
             for i in 0..solid.fresh.len() {
                 let t = solid.fresh[i];
                 self.push(solid, points, t)?;

@@ -1,4 +1,4 @@
-//! The points inside: made where the boundary cannot be kept without, explicit, in doubles.
+//! The points inside: added where the boundary cannot be kept without them, explicit, in doubles.
 use super::solid::Solid;
 use crate::error::Error;
 use crate::mesh::NONE;

@@ -1,9 +1,9 @@
-//! What is inside the domain: patches and segments with the mesh all round. Where only the outer boundary is kept
-//! ([`Preserve::Outer`]), points may stay on them.
+//! Internal patches and segments: those with the mesh on all sides. If only the outer boundary is kept ([`Preserve::Outer`]), points may
+//! stay on them.
 //!
-//! A patch has the outside on one side everywhere or nowhere, for where that changes another facet meets it, at segments, and these
-//! bound patches. A segment is a segment of the outer boundary if a boundary face has one of its pieces: its ends are the only
-//! vertices of other facets on it, so all pieces are alike.
+//! A patch has the outside on one side everywhere or nowhere: where that changes, another facet meets it at segments, which bound patches.
+//! A segment is a segment of the outer boundary if a boundary face has one of its pieces: its ends are the only vertices of other facets on
+//! it, so all pieces are alike.
 use super::solid::Solid;
 use crate::constrain::segment::Segments;
 use crate::constrain::{edge_key, face_key};
@@ -11,18 +11,18 @@ use crate::error::Error;
 use crate::options::Preserve;
 use rustc_hash::FxHashSet;
 
-/// Patches, and points on segments, with the mesh all round. Nothing if all is to be kept.
+/// Internal patches and points on internal segments. Empty if everything is to be kept.
 #[derive(Clone, Debug, Default)]
 pub struct Internal {
     /// The patches.
     pub patches: FxHashSet<u32>,
-    /// Per Steiner point whether it is on such a segment.
+    /// For each Steiner point whether it is on such a segment.
     points: Vec<bool>,
     first: u32,
 }
 
 impl Internal {
-    /// What may get other triangles and points than the surface's, at this strength.
+    /// Finds what may get triangles and points other than the surface's, by `preserve`.
     pub fn find(preserve: Preserve, solid: &Solid, segments: &Segments) -> Result<Internal, Error> {
         let mut internal = Internal { first: segments.first_steiner, ..Internal::default() };
         if preserve == Preserve::All {
@@ -62,7 +62,7 @@ impl Internal {
         self.points.contains(&true)
     }
 
-    /// These may stay no longer.
+    /// These points may no longer stay.
     pub fn forbid(&mut self, list: &[u32]) {
         for v in list {
             self.points[(v - self.first) as usize] = false;

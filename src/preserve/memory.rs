@@ -1,7 +1,7 @@
-//! Attempts that failed, so that none is made again in vain.
+//! Failed attempts, so that none is repeated in vain.
 //!
-//! An attempt is a function of the tetrahedra that it looks at. While none of them has been replaced it would end as before, so
-//! leaving it out changes no result: invariant of everything that uses this.
+//! An attempt is a function of the tetrahedra that it reads. As long as none of them has been replaced, it would end as before, so skipping
+//! it changes no result. Every user of this module must satisfy that.
 use super::solid::Solid;
 use crate::error::{Error, Status};
 use rustc_hash::FxHashMap;

@@ -1,14 +1,14 @@
 //! Keeping the surface as it is: a tetrahedralization without points on it.
 //!
-//! First edges and faces that the Delaunay tetrahedralization lacks are recovered by reconnecting tetrahedra ([`recover`], [`regions`]),
-//! with points on the edges that resist; where that is given up, the constrained Delaunay tetrahedralization takes its place.
-//! Then what lies on the surface goes ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are taken away
-//! ([`unsplit`]), patches get the surface's triangles again ([`retarget`]), points inside that are not needed go ([`thin`]), and
-//! the others move to better places ([`smooth`]). At last bad tetrahedra are reconnected ([`mod@improve`]).
+//! First, edges and faces missing from the Delaunay tetrahedralization are recovered by reconnecting tetrahedra ([`recover`], [`regions`]),
+//! with points on the edges that resist; if that is given up, the constrained Delaunay tetrahedralization is used instead. Then points on
+//! the surface are removed ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are removed ([`unsplit`]),
+//! patches get the surface's triangles again ([`retarget`]), unneeded points inside are removed ([`thin`]), and the others move to better
+//! positions ([`smooth`]). Finally bad tetrahedra are reconnected ([`mod@improve`]).
 //!
-//! Where only the outer boundary is kept, points on segments inside ([`internal`]) may stay, and patches inside keep what triangles they
-//! have where the surface's would take points. They get positions in doubles ([`mod@settle`]) when all else is done: until then they are
-//! exactly on their segments, and every step tests them there.
+//! If only the outer boundary is kept, points on segments inside ([`internal`]) may stay, and patches inside keep their triangles where the
+//! surface's would need points. Such points get positions in doubles ([`mod@settle`]) at the very end: until then they are exactly on their
+//! segments, and every step tests them there.
 pub mod approach;
 pub mod breakpoint;
 pub mod cavity;
@@ -54,7 +54,7 @@ use settle::Settled;
 use solid::Solid;
 use thin::Thin;
 
-/// Steps per search where nothing else is said.
+/// Default number of steps per search.
 const BUDGET: u32 = 200;
 
 /// How far the surroundings of a point grow before points inside are used, and how far those of a flip.
@@ -129,13 +129,13 @@ pub fn from_constrained(
             freed.settled = settled;
             return Ok(freed);
         };
-        // These have no doubles where they are: they must go as well.
+        // These have no valid position in doubles, so they must be removed as well.
         internal.forbid(&crowded);
         (*solid, *points, inside, *statistics) = start;
     }
 }
 
-/// What a surface is to be like when its Steiner points have gone.
+/// The requirements on the surface after its Steiner points are removed.
 #[derive(Clone, Copy)]
 struct Terms<'a> {
     segments: &'a Segments,
@@ -144,8 +144,8 @@ struct Terms<'a> {
     internal: &'a Internal,
 }
 
-/// Takes off what must go; also returns the points that stay, which are exactly on their segments still: so every tetrahedron is
-/// positive there, and stays so while others get doubles.
+/// Removes the points that must go; also returns those that stay, still exactly on their segments, so that every tetrahedron is positive
+/// there and stays so while others get doubles.
 fn free(
     solid: &mut Solid,
     points: &mut Points,
@@ -195,7 +195,7 @@ fn free(
     Ok((Freed { inside, settled: Vec::new(), subfaces }, removal.staying))
 }
 
-/// The surface's faces: its triangles, but for those in whose place polygons and internal patches have others.
+/// The surface's faces: its triangles, except those that polygons and internal patches have replaced.
 fn subfaces(
     solid: &Solid,
     points: &Points,

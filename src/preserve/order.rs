@@ -2,8 +2,8 @@
 //!
 //! On flat sides of parts four points often lie on a circle, and the surface has one diagonal or the other. The perturbation gives the
 //! diagonal to the point with the lowest id (its lift is lowered most), so numbering the points well makes it choose the
-//! surface's: for every such pair of triangles the lowest id of the four is to be an end of the common edge. Points are numbered
-//! greedily: next comes one that is the apex of no pair that is still open. Where there is none, the one that spoils fewest.
+//! surface's: for every such pair of triangles the lowest id of the four is to be an end of the common edge. Points are numbered greedily:
+//! the next one is the apex of no open pair or, if there is none, of the fewest.
 use crate::constrain::edge_key;
 use crate::error::Error;
 use crate::plc::surface::Surface;

@@ -1,7 +1,7 @@
 //! Positions for interior points, in doubles: strictly on the inner side of all faces of a polyhedron.
 //!
-//! Proposals come from plain arithmetic: the point farthest from all planes, then points between it and a point `from` at which the polyhedron
-//! is known to be open, halving the distance down to the last bit, then the neighbours of `from` among doubles. Exact
+//! Candidates come from floating-point arithmetic: the point farthest from all planes, then points between it and a point `from` at which
+//! the polyhedron is known to be open, halving the distance down to the last bit, then the neighbours of `from` among doubles. Exact
 //! orientation accepts the first that sees every face.
 use super::center::{center, Plane};
 use crate::error::Error;
@@ -111,7 +111,7 @@ fn accept(points: &mut Points, p: u32, q: [f64; 3], faces: &[[u32; 3]]) -> Resul
     Ok(sees_all(points, p, faces))
 }
 
-/// The double that many places above.
+/// The double this many units in the last place above.
 pub(super) fn step(mut x: f64, count: i32) -> f64 {
     for _ in 0..count.abs() {
         x = if count > 0 { x.next_up() } else { x.next_down() };

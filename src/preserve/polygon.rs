@@ -1,14 +1,13 @@
 //! Triangulations of small planar polygons, by dynamic programming (Klincsek 1980).
 //!
-//! A combinatorial triangulation of a simple polygon whose triangles all turn the polygon's way is a triangulation of it: its
-//! boundary winds round inner points once and round outer points never. So orientations are the only exact signs needed; costs
-//! merely choose.
+//! A combinatorial triangulation of a simple polygon whose triangles all have the polygon's orientation is a triangulation of it: its
+//! boundary winds once around inner points and never around outer ones. So orientations are the only exact signs needed; costs only choose.
 
 use crate::error::Error;
 use crate::predicates::{Points, Sign};
 use crate::vector::dot;
 
-/// Largest polygon for the dynamic program, which is cubic; larger ones lose ears.
+/// The largest polygon for the dynamic program, which is cubic; larger ones are triangulated by clipping ears.
 const MOST_CORNERS: usize = 48;
 
 /// What an edge that is wanted is worth, in costs of triangles.
@@ -23,8 +22,8 @@ pub struct Polygons {
 }
 
 impl Polygons {
-    /// Triangulations of the polygon, turned as it is, without repetition: the cheapest first, then the cheapest for each apex over the edge
-    /// from the last corner to the first.
+    /// The triangulations of the polygon, oriented like it, without repetition: the cheapest first, then the cheapest for each apex
+    /// over the edge from the last corner to the first.
     pub fn triangulations(
         &mut self,
         points: &Points,

@@ -1,10 +1,10 @@
 //! Recovery of edges and faces by flips and reconnection, with points only on segments that resist.
 //!
-//! First flips ([`flips`](super::flips)): an edge in the way of a missing one is removed if fewer tetrahedra are in its way then. Those near
-//! the ends come first, and only a few are tried: what can be removed at all mostly can be there. Where no flip helps, a search fills the whole corridor anew with the edge in it (Liu, Chen & Chen 2007); a missing triangle, whose edges are
-//! there, is opened by the tetrahedra that cross it, cut in two halves by the triangle. What fails is tried again after the
-//! others, with more steps. A segment that resists to the end gets points ([`breakpoint`](super::breakpoint)), each of which makes the
-//! corridors shorter, so that this ends.
+//! First by flips ([`flips`](super::flips)): an edge that obstructs a missing one is removed if fewer tetrahedra then obstruct it. Edges
+//! near the ends come first, and only a few are tried, since most removable edges are there. If no flip helps, a search fills the whole
+//! corridor with the edge in it (Liu, Chen & Chen 2007); for a missing triangle whose edges exist, the tetrahedra that cross it are
+//! removed, and both halves of the cavity are filled. What fails is tried again after the others, with more steps. A segment that resists
+//! to the end gets points ([`breakpoint`](super::breakpoint)), each of which makes the corridors shorter, so that this ends.
 //!
 //! Invariants: `edges` holds the surface's edges that the mesh has, flags the faces; neither is ever lost.
 use super::breakpoint::breakpoint;
@@ -22,12 +22,12 @@ use crate::predicates::{Expansion, Points, Sign};
 use crate::reconnect::{Polyhedron, Reconnect};
 use rustc_hash::FxHashMap;
 
-/// How hard edges are tried for once.
+/// The effort for edges in one round.
 #[derive(Clone, Copy, Debug)]
 pub struct Round {
-    /// For each edge in the way.
+    /// Limits for each obstructing edge.
     pub limits: Limits,
-    /// Most edges in the way that are tried before the corridor is filled.
+    /// The most obstructing edges tried before the corridor is filled.
     pub tried: usize,
     /// Search steps for the corridor.
     pub budget: u32,
@@ -44,7 +44,7 @@ pub const ROUNDS: [&[Round]; 2] = [
     &[round(4, 200, 50, 0), round(6, 1000, 50, 200), round(6, 1000, 50, 200), round(7, 2000, 50, 200)],
 ];
 
-/// Search steps per cavity of a face in each round, and how far edges that pierce it are tried for.
+/// Search steps per cavity of a face in each round, and the limits for edges that pierce it.
 pub(super) const BUDGETS: [u32; 3] = [50, 200, 200];
 pub(super) const PIERCING: Limits = Limits { depth: 4, rings: 1000 };
 
@@ -232,8 +232,8 @@ impl<'a> Recovery<'a> {
         start != NONE && self.search.find_edge(&mut self.delaunay.mesh, a, b, start).is_some()
     }
 
-    /// Makes `a b` an edge of the mesh, if it can: edges in its way are flipped away while that makes its corridor shorter, then the
-    /// corridor is filled anew.
+    /// Makes `a b` an edge of the mesh, if possible: obstructing edges are flipped away as long as that shortens its corridor, then the
+    /// corridor is filled. Returns whether the edge exists.
     pub(super) fn recover_edge(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
         loop {
             match self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? {
@@ -286,7 +286,7 @@ impl<'a> Recovery<'a> {
         Ok(true)
     }
 
-    /// Removes one of the edges in the way of `edge` such that fewer are left.
+    /// Removes one of the edges that obstruct `edge` so that fewer are left.
     fn clear_way(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
         self.choose_obstacles(edge, round.tried)?;
         let before = self.cavity.tets.len();
@@ -310,7 +310,7 @@ impl<'a> Recovery<'a> {
         Ok(false)
     }
 
-    /// The edges in the way of `edge` that may go, from both ends by turns, as many as are tried.
+    /// The removable edges that obstruct `edge`, alternating from both ends, at most as many as are tried.
     fn choose_obstacles(&mut self, edge: [u32; 2], most: usize) -> Result<(), Error> {
         let Recovery { corridor, obstacles, edges, .. } = self;
         obstacles.clear();

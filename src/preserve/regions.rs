@@ -1,11 +1,11 @@
-//! Recovery of faces: regions of subfaces that the mesh lacks.
+//! Recovery of faces: regions of missing subfaces.
 //!
 //! A region is a set of missing subfaces of one patch joined by edges that the mesh lacks. Its boundary edges are in the mesh. The
 //! tetrahedra that cross it are cut in two halves by the region, and each half is filled by search. What cannot be filled is
 //! tried again when edges that pierce the region are gone, and at last with a point inside that sees the whole half.
 //!
-//! The subfaces are made to have all edges that the mesh has in their plane first: else tetrahedra with a face in the plane would
-//! hide from the search for those that cross the region.
+//! First the subfaces get all edges that the mesh has in their plane: otherwise the search for tetrahedra that cross the region would miss
+//! those with a face in the plane.
 use super::place::place;
 use super::recover::{Recovery, BUDGETS, PIERCING};
 use crate::constrain::cavity::Opening;
@@ -147,7 +147,7 @@ impl Recovery<'_> {
         Ok(any)
     }
 
-    /// The missing subfaces connected to `s` through edges that the mesh lacks.
+    /// Collects the missing subfaces connected to `s` through edges missing from the mesh.
     fn collect_region(
         &mut self,
         subfaces: &Subfaces,
@@ -281,7 +281,7 @@ impl Recovery<'_> {
         Ok(true)
     }
 
-    /// Takes the newest points inside away again: they are in no tetrahedron yet.
+    /// Removes the newest points inside again, which are in no tetrahedron yet.
     fn forget_points(&mut self, known: usize) -> Result<bool, Error> {
         for _ in known..self.inside.len() {
             self.inside.pop();
@@ -350,7 +350,7 @@ mod tests {
         let tetrahedron = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
         assert!(is_closed(&tetrahedron).unwrap());
         assert!(!is_closed(&tetrahedron[1..]).unwrap());
-        // A face the wrong way round.
+        // A face with the wrong orientation.
         assert!(!is_closed(&[[1, 3, 2], [0, 3, 2], [0, 1, 3], [0, 2, 1]]).unwrap());
         // Both sides of one triangle, as of a dangling facet.
         assert!(is_closed(&[[0, 1, 2], [0, 2, 1]]).unwrap());

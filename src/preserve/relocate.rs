@@ -1,8 +1,8 @@
 //! Points inside that replace a point on a segment: one per sector, where the sector cannot be filled.
 //!
 //! A sector between two walls gets one that sees all of it (Si & Gärtner 2011, section 8.1), near the old point or, where no double
-//! does, farther away and with surroundings of the sector ([`widen`](super::widen)). A sector that goes all round has no such
-//! position: it gets two to four points round the segment.
+//! does, farther away and with surroundings of the sector ([`widen`](super::widen)). A sector all around the segment has no such position:
+//! it gets two to four points around the segment.
 use super::hollow::Start;
 use super::place::place;
 use super::solid::Sector;
@@ -78,7 +78,7 @@ impl Unsplit<'_> {
         Ok(new)
     }
 
-    /// The sector has two different walls: it goes less than all round.
+    /// Whether the sector has two different walls, so that it is not all around the segment.
     fn convex(&self, s: usize) -> bool {
         let count = self.star.walls.iter().filter(|w| w.sides.iter().any(|side| side.0 == s)).count();
         count == 2
@@ -118,8 +118,8 @@ impl Unsplit<'_> {
         self.inside.shorten(count);
     }
 
-    /// A sector that goes all round, or all round from one side of a wall to the other: two or three points inside near the segment, joined
-    /// by reconnection.
+    /// Fills a sector all around the segment, possibly from one side of a wall to the other, with two or three points inside near the
+    /// segment, joined by reconnection.
     fn fill_around(
         &mut self,
         v: u32,

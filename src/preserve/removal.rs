@@ -1,4 +1,4 @@
-//! All points off the segments: those that go easily first, the last made first; relocation comes last.
+//! Removal of all points from segments: easy ones first, the last added before earlier ones; relocation comes last.
 //!
 //! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place.
 use super::inside::Inside;
@@ -22,7 +22,7 @@ const EFFORTS: [Effort; 4] = [
     Effort { budget: BUDGET, walls: 3, growth: Some(SOME), relocate: true },
 ];
 
-/// What became of the points on segments.
+/// The outcome for the points on segments.
 #[derive(Clone, Debug, Default)]
 pub struct Removal {
     /// Points that went without a replacement.

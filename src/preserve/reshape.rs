@@ -1,8 +1,8 @@
 //! Steps that improve a mesh of tetrahedra: an edge removed with the best sheet in its ring, a cavity filled in the best way found,
 //! another apex for the walls of a tetrahedron ([`mod@approach`](super::approach)).
 //!
-//! All replace tetrahedra by others of which the worst is better by one measure, and no worse by the other than allowed. Qualities
-//! are plain arithmetic and only choose among fillings whose tetrahedra are positive by exact signs.
+//! Each step replaces tetrahedra by others whose worst is better in one measure, and no worse in the other than allowed. Qualities are
+//! floating-point and only choose among fillings whose tetrahedra are positive by exact signs.
 //!
 //! Invariants: subfaces, edges on no facet, regions and vertices stay.
 use super::approach::Approach;
@@ -26,7 +26,7 @@ const MOST_IN_RING: usize = 20;
 const MOST_AT_WALL: usize = 30;
 const BUDGET_AT_WALL: u32 = 200;
 
-/// How hard a tetrahedron is tried for.
+/// The effort to improve a tetrahedron.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
     /// Most vertices of the cavities, and search steps for each.
@@ -47,8 +47,8 @@ pub struct Aim {
 }
 
 impl Aim {
-    /// What is to be reached in the place of tetrahedra. Half of what they are by the other measure may be lost: else most slivers
-    /// would stay for a hundredth of it.
+    /// The goal for the replacement of tetrahedra. Half of their value in the other measure may be lost; otherwise most slivers would stay
+    /// because of a hundredth of it.
     fn goal(&self, solid: &Solid, points: &Points, old: &[u32]) -> Goal {
         let worst = old.iter().map(|&t| shape(solid, points, t)).fold(Shape::BEST, Shape::worse);
         let other = if self.measure == Measure::Angle { Measure::Ratio } else { Measure::Angle };
@@ -204,7 +204,7 @@ impl Reshape {
         Ok(true)
     }
 
-    /// Collects tetrahedra round one, up to a number of vertices: always the one with the nearest new vertex, or none new.
+    /// Collects tetrahedra around one, up to a number of vertices: always the one with the nearest new vertex, or without any.
     fn grow(
         &mut self,
         solid: &mut Solid,

@@ -1,9 +1,9 @@
-//! From the triangulation that patches have to the one of the surface: flips in the plane, done in space.
+//! From the current triangulation of patches to the surface's: flips in the plane, carried out in space.
 //!
 //! In the plane, missing edges are inserted one by one: the edges that cross one are flipped where their quadrilateral is strictly
 //! convex, until none is left (Sloan 1993). In space a flip of edge `ab` to `cd` empties, on each side of the plane, the
 //! tetrahedra round `ab`, and fills them again under the two new triangles: by reconnection, or from a point inside near the
-//! crossing of `ab` and `cd`, which all the faces see. Diagonals of polygons are not inserted: any others will do.
+//! crossing of `ab` and `cd`, which all the faces see. Diagonals of polygons are not inserted: any others are valid too.
 use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::place::place;
@@ -72,7 +72,7 @@ pub struct Retarget<'a> {
     pub growth: Growth,
     hollow: Hollow,
     widen: Widen,
-    /// Points inside that cavities of the flip at hand swallow.
+    /// Points inside that cavities of the current flip swallow.
     swallowed: Vec<u32>,
     reconnect: Reconnect,
     /// A corner code of each subface.
@@ -230,7 +230,7 @@ impl<'a> Retarget<'a> {
     /// Flips edges that cross `ab` until it is there.
     fn insert_edge(&mut self, patch: u32, [a, b]: [u32; 2]) -> Result<(), Error> {
         let mut crossing = self.crossing(a, b)?;
-        // Flips that fail for want of a point fail again until others have changed the surroundings: one round must do.
+        // Flips that fail without a point fail again until others have changed the surroundings, so one round must suffice.
         let loose = self.loose.contains(&patch);
         let mut tries = if loose { 2 * crossing.len() } else { 4 * crossing.len() * crossing.len() + 16 };
         while let Some([x, y]) = crossing.pop_front() {
@@ -379,7 +379,7 @@ impl<'a> Retarget<'a> {
             let Some(slots) =
                 [a, b, left].map(|v| mesh.slot_of(t, v)).into_iter().collect::<Option<Vec<u32>>>()
             else {
-                return Err(Error::internal("the tetrahedra round a flat edge are no ring"));
+                return Err(Error::internal("the tetrahedra around a flat edge form no ring"));
             };
             if !ghost {
                 side.faces.extend([mesh.face(4 * t + slots[0]), mesh.face(4 * t + slots[1])]);
@@ -392,7 +392,7 @@ impl<'a> Retarget<'a> {
             }
             t = mesh.across(exit) >> 2;
             if side.tets.len() > mesh.slot_count() {
-                return Err(Error::internal("the tetrahedra round a flat edge never end"));
+                return Err(Error::internal("the tetrahedra around a flat edge do not end"));
             }
         }
         if left != d {
@@ -447,7 +447,7 @@ impl<'a> Retarget<'a> {
             new.extend(side.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
             return Ok(Some(new));
         }
-        // Straight up, and leaning to the quadrilateral's middle: beside its edges other facets may rise.
+        // Straight up, and tilted towards the quadrilateral's centre, since other facets may rise next to its edges.
         let up = unit(normal);
         let middle = unit([0, 1, 2].map(|k| 0.25 * (pa[k] + pb[k] + pc[k] + pd[k]) - from[k]));
         let lean = |s: f64, m: f64| unit([0, 1, 2].map(|k| s * up[k] + m * middle[k]));

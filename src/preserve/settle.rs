@@ -1,8 +1,8 @@
 //! Positions in doubles for points that stay on internal segments.
 //!
-//! Each goes to the doubles nearest to it, or a few units in the last place away, where it sees all faces of its star; the others
-//! are where they were put before, or exactly on their segments still. So every tetrahedron is positive after every step, and in
-//! doubles when all are settled.
+//! Each goes to the doubles nearest to it, or a few units in the last place away, where it sees all faces of its star; the others are where
+//! they were moved before, or still exactly on their segments. So every tetrahedron is positive after every step, and positive in doubles
+//! when all are settled.
 use super::place::{sees_all, step};
 use super::solid::Solid;
 use crate::constrain::segment::Segments;

@@ -1,7 +1,7 @@
 //! Smoothing: points inside move to where their worst tetrahedron is best.
 //!
-//! A compass search (Hooke & Jeeves 1961) from where the point is and from the point farthest from the planes of its star. Quality is plain
-//! arithmetic and only compared; a position counts only if it sees all faces of the star exactly.
+//! A compass search (Hooke & Jeeves 1961) from where the point is and from the point farthest from the planes of its star. Quality is
+//! floating-point and only compared; a position counts only if it sees all faces of the star exactly.
 use super::inside::Inside;
 use super::place::{place_at_center, sees_all};
 use super::solid::Solid;

@@ -1,10 +1,10 @@
-//! The mesh of the domain alone, closed by ghosts: what the removal of boundary points works on.
+//! The mesh of the domain alone, closed by ghosts, on which the removal of boundary points works.
 //!
 //! Made by carving the constrained mesh ([`Solid::carve`]): every component that does not stay is contracted to the vertex at infinity.
-//! A boundary face has a ghost tetrahedron beyond, as a hull face has in the kernel; round a boundary edge two ghosts are
-//! neighbours if nothing but carved space lies between them. So every face has two sides, every edge a closed ring, and the star of
-//! a point inside a segment is connected, also where domains touch along that segment only. (The star of a vertex at which
-//! domains touch in that point alone is not: nothing here walks round such a vertex.)
+//! A boundary face has a ghost tetrahedron beyond it, like a hull face in the engine's mesh; around a boundary edge two ghosts are
+//! neighbours if only carved space lies between them. So every face has two sides, every edge a closed ring, and the star of a point inside
+//! a segment is connected, even where domains touch only along that segment. (The star of a vertex at which domains touch only in that
+//! point is not connected: nothing here walks around such a vertex.)
 //!
 //! Invariants between operations: those of [`Tetrahedra`]; all tetrahedra but ghosts are positive; a face is flagged on both sides
 //! if and only if it is in `patch_of`; each tetrahedron has a region, ghosts have `NONE`.
@@ -53,7 +53,7 @@ pub fn ghost_at([x, y, z]: [u32; 3]) -> [u32; 4] {
     [x, z, y, GHOST]
 }
 
-/// The face turned round.
+/// The face with the opposite orientation.
 pub fn reversed([x, y, z]: [u32; 3]) -> [u32; 3] {
     [x, z, y]
 }
@@ -164,7 +164,7 @@ impl Solid {
         Ok(())
     }
 
-    /// From the boundary face of a corner round one of its edges through what goes, to the next boundary face's corner.
+    /// From the boundary face of a corner around one of its edges, through what is removed, to the next boundary face's corner.
     fn turn_through_void(&self, code: u32, edge: [u32; 2], slots: usize) -> u32 {
         let mut entered = self.mesh.across(code);
         let mut left = self.mesh.face(code).into_iter().find(|v| !edge.contains(v)).unwrap_or(GHOST);

@@ -1,8 +1,8 @@
-//! The star of a point inside a segment, taken apart: walls and the sectors between them.
+//! The star of a point inside a segment, decomposed into walls and the sectors between them.
 //!
 //! A *wall* is the fan of subfaces (or of boundary faces) at the point in one half-plane bounded by the segment's line: a planar
 //! polygon that is star-shaped from the point on one of its edges. A *sector* is what lies between walls: tetrahedra of the domain, or
-//! ghosts. Without the point, each wall is triangulated anew and each sector filled on its own.
+//! ghosts. Without the point, each wall is retriangulated and each sector filled on its own.
 use super::solid::{reversed, Solid};
 use crate::constrain::face_key;
 use crate::error::Error;
@@ -13,7 +13,7 @@ use rustc_hash::FxHashMap;
 /// A fan of subfaces from the point.
 #[derive(Clone, Debug, Default)]
 pub struct Wall {
-    /// The polygon without the point: from one neighbour on the segment round to the other.
+    /// The polygon without the point: from one neighbour on the segment around to the other.
     pub polygon: Vec<u32>,
     /// Its subfaces' patch, `NONE` for boundary faces that are none.
     pub patch: u32,

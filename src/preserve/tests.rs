@@ -1,4 +1,4 @@
-//! Invariants after every step, on small models of their own.
+//! Invariants after every step, on small models.
 use super::center::{center, Plane};
 use super::check::check_solid;
 use super::hollow::Start;
@@ -74,7 +74,7 @@ impl Model {
         (solid, points, segments)
     }
 
-    /// Takes all points off the surface and checks what is left; returns the statistics.
+    /// Removes all points from the surface and checks the result; returns the statistics.
     fn free(&self) -> PreserveStatistics {
         let (mut solid, mut points, segments) = self.carve();
         let before = volume(&solid, &points);
@@ -314,7 +314,7 @@ fn sorted(mut tet: [u32; 4]) -> [u32; 4] {
     tet
 }
 
-/// Where no edge can go, walls get another apex: all that comes is better than what goes, and the surface stays.
+/// If no edge can be removed, walls get another apex: all new tetrahedra are better than the removed ones, and the surface stays.
 #[test]
 fn walls_get_better_apexes() {
     use crate::reconnect::shape::{Measure, Shape};
@@ -348,7 +348,7 @@ fn walls_get_better_apexes() {
             }
             assert!(walled);
             lifted += 1;
-            // What went: tetrahedra of the mesh before that are no more there.
+            // The removed tetrahedra: those of the previous mesh that no longer exist.
             let now: FxHashSet<[u32; 4]> = (0..solid.mesh.slot_count())
                 .filter(|&t| solid.mesh.is_live(t as u32))
                 .map(|t| sorted(solid.mesh.verts[t]))
@@ -393,7 +393,7 @@ fn improvement_can_be_cancelled() {
     check_solid(&solid, &points).unwrap();
 }
 
-/// A cavity grown for a position is star-shaped from it, swallows points only where it may, and fits into the mesh.
+/// A cavity grown for a position is star-shaped from it, swallows only allowed points, and fits into the mesh.
 #[test]
 fn cavities_grow_round_a_position() {
     let mut model = cube(2, false);

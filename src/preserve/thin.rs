@@ -1,5 +1,5 @@
-//! Taking points inside away: the star of each is filled without it, where small polyhedron reconnection finds a way (contraction to
-//! a neighbour included: that is a filling with a common apex).
+//! Removal of points inside: the star of each is filled without it, if small polyhedron reconnection finds a filling (this includes
+//! contraction to a neighbour, which is a filling with a common apex).
 use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::memory::Memory;
@@ -19,12 +19,12 @@ pub struct Thin {
     search: StarSearch,
     faces: Vec<[u32; 3]>,
     hollow: Hollow,
-    /// What the attempt at hand has looked at.
+    /// The tetrahedra that the current attempt has read.
     read: Vec<u32>,
 }
 
 impl Thin {
-    /// Tries each point with the given budget until none goes any more; returns how many went.
+    /// Tries to remove each point with the given budget until none can be removed; returns the number removed.
     pub fn run(
         &mut self,
         solid: &mut Solid,
@@ -119,7 +119,8 @@ impl Thin {
         Ok(true)
     }
 
-    /// Takes `p` and a neighbour of its kind away together: by a filling without both, or with `p` alone at another place.
+    /// Removes `p` together with a neighbour that is also a point inside, by a filling without both, or replaces both by `p` at another
+    /// position.
     fn merge(
         &mut self,
         solid: &mut Solid,

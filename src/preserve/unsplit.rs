@@ -1,9 +1,9 @@
-//! Taking boundary points away: Si & Gärtner 2011, section 8, for points on segments.
+//! Removal of boundary points: Si & Gärtner 2011, section 8, for points on segments.
 //!
-//! Without the point its walls are triangulated anew and its sectors filled by small polyhedron reconnection; where this works for all
-//! sectors, the point is *deleted*. Where it does not, a sector gets a point inside in its stead, which sees all of the sector's
-//! faces; the point is *relocated*. Such a position exists by the half-ball argument (section 8.1): the faces opposite the point
-//! are seen from all positions near it, and the walls from those between their planes.
+//! Without the point its walls are retriangulated and its sectors filled by small polyhedron reconnection; if this works for all sectors,
+//! the point is *deleted*. A sector for which it does not gets a point inside instead, which sees all of the sector's faces; the point is
+//! then *relocated*. Such a position exists by the half-ball argument (section 8.1): the faces opposite the point are seen from all
+//! positions near it, and the walls from those between their planes.
 use super::hollow::{Growth, Hollow, Start};
 use super::inside::Inside;
 use super::polygon::Polygons;
@@ -41,11 +41,11 @@ pub struct Effort {
 /// What became of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// It is gone.
+    /// It was deleted.
     Deleted,
-    /// It is gone, points inside are there instead.
+    /// It was replaced by points inside.
     Relocated,
-    /// It is still there.
+    /// It is still in the mesh.
     Kept,
 }
 
@@ -64,7 +64,7 @@ pub struct Unsplit<'a> {
     pub(super) reconnect: Reconnect,
     hollow: Hollow,
     pub(super) widen: Widen,
-    /// Points inside that cavities of the attempt at hand swallow.
+    /// Points inside that cavities of the current attempt swallow.
     pub(super) swallowed: Vec<u32>,
     polygons: Polygons,
     pub(super) star: Star,
@@ -106,7 +106,7 @@ impl<'a> Unsplit<'a> {
         }
     }
 
-    /// Tries to take `v` away; `ends` are its neighbours on its segment.
+    /// Tries to remove `v`; `ends` are its neighbours on its segment.
     pub fn remove(&mut self, v: u32, ends: [u32; 2], effort: Effort) -> Result<Outcome, Error> {
         if self.solid.vertex_tet[v as usize] == NONE {
             return Ok(Outcome::Deleted);

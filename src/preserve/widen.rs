@@ -1,12 +1,12 @@
-//! Cavities grown until one position sees all their faces: where the star of a point leaves no room.
+//! Cavities grown until one position sees all their faces, for points whose stars leave no room.
 //!
-//! Where triangles of the surface are almost coplanar, tetrahedra between them are as thin as the last bits of coordinates, and no
-//! double lies between their faces. A position clearly above the surface sees all its triangles, but not the faces of the thin
-//! tetrahedra that are turned away from it. So the position comes first: every tetrahedron behind a face that it does not see is
-//! added, until it sees all faces or one that it does not see must stay. The cavity is the smallest that holds the start and is
-//! star-shaped from the position; which tetrahedra it has does not depend on the order of the work.
+//! If triangles of the surface are nearly coplanar, tetrahedra between them are as thin as the last bits of coordinates, and no double lies
+//! between their faces. A position clearly above the surface sees all its triangles, but not the faces of the thin tetrahedra that are
+//! turned away from it. So the position comes first: every tetrahedron behind a face that it does not see is added, until it sees all faces
+//! or one that it does not see must stay. The cavity is the smallest that holds the start and is star-shaped from the position; which
+//! tetrahedra it has does not depend on the order of the work.
 //!
-//! Points inside that the cavity swallows are not needed any more; other vertices must stay on its boundary.
+//! Points inside that the cavity swallows are no longer needed; other vertices must stay on its boundary.
 use super::hollow::Start;
 use super::solid::Solid;
 use crate::constrain::{edge_key, face_key};
@@ -28,7 +28,7 @@ const QUARTERINGS: i32 = 28;
 pub struct Widen {
     /// Tetrahedra taken out.
     pub tets: Vec<u32>,
-    /// Points inside that no tetrahedron has any more.
+    /// Points inside that no longer belong to any tetrahedron.
     pub swallowed: Vec<u32>,
     /// What the last search looked at, with repetitions.
     pub read: Vec<u32>,

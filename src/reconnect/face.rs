@@ -2,7 +2,7 @@
 use super::MOST_VERTICES;
 use crate::error::Error;
 
-/// A face, its three numbers in one word: the vertex with the smallest id first, turned so that the side to be filled is positive.
+/// A face, with its three numbers in one word: the vertex with the smallest id first, oriented so that the side to be filled is positive.
 /// Equal faces are equal words.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Face(u32);
@@ -42,8 +42,8 @@ impl Face {
         1 << x | 1 << y | 1 << z
     }
 
-    /// The three faces of the tetrahedron `(w, self)` other than `self`, as seen from inside it; each opposite the corner of `self` at
-    /// its place.
+    /// The three faces of the tetrahedron `(w, self)` other than `self`, as seen from inside it; each opposite the corresponding corner of
+    /// `self`.
     #[inline(always)]
     pub fn others(self, w: u8, ids: &[u32]) -> [Face; 3] {
         let [x, y, z] = self.corners();
@@ -51,7 +51,7 @@ impl Face {
     }
 }
 
-/// Which vertices are on which side of a face's plane, as sets of bits. Those in the plane are on neither.
+/// The vertices on each side of a face's plane, as bit sets. Those in the plane are in neither.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Sides {
     /// On the side to be filled.
@@ -61,7 +61,7 @@ pub struct Sides {
 }
 
 impl Sides {
-    /// The ends are on different sides.
+    /// Whether two points are on different sides.
     pub fn part(self, [p, q]: [u8; 2]) -> bool {
         let (p, q) = (1 << p, 1 << q);
         (self.ahead & p != 0 && self.behind & q != 0) || (self.ahead & q != 0 && self.behind & p != 0)
@@ -73,7 +73,7 @@ impl Sides {
     }
 }
 
-/// The lowest number of a set, which is taken out.
+/// Removes the lowest number from a set and returns it; `None` if the set is empty.
 #[inline(always)]
 pub fn take_lowest(set: &mut u64) -> Option<u8> {
     let lowest = set.trailing_zeros() as u8;
@@ -82,12 +82,12 @@ pub fn take_lowest(set: &mut u64) -> Option<u8> {
     some.then_some(lowest)
 }
 
-/// Faces whose inner side is open. They are a closed surface: each edge is used as often in one direction as in the other.
+/// Faces whose inner side is open. They form a closed surface: each edge is used equally often in both directions.
 #[derive(Default)]
 pub struct Front {
     /// The faces.
     pub faces: Vec<Face>,
-    /// Their sides; where all are empty they are not known.
+    /// Their sides; unknown if both sets are empty.
     pub sides: Vec<Sides>,
 }
 
@@ -112,17 +112,17 @@ impl Front {
         self.sides.push(sides);
     }
 
-    /// Removes the face at a place; the last one takes it.
+    /// Removes the face at an index; the last one moves there.
     pub fn swap_remove(&mut self, at: usize) -> (Face, Sides) {
         (self.faces.swap_remove(at), self.sides.swap_remove(at))
     }
 
-    /// Per vertex those to which an edge leads.
+    /// Collects for each vertex the vertices joined to it by an edge.
     pub fn collect_neighbours(&self, neighbours: &mut [u64; MOST_VERTICES]) {
         *neighbours = [0; MOST_VERTICES];
         for face in &self.faces {
             let [x, y, z] = face.corners();
-            // The other directions come with the other faces.
+            // The other faces contribute the other directions.
             neighbours[x as usize] |= 1 << y;
             neighbours[y as usize] |= 1 << z;
             neighbours[z as usize] |= 1 << x;

@@ -1,7 +1,7 @@
-//! Which tetrahedra fit in front of the front.
+//! Which tetrahedra fit on the front.
 //!
-//! Most do not, and mostly because an edge of the front pierces one of their faces. That is so for as long as the edge is on the front:
-//! which one it was is kept.
+//! Most do not, usually because an edge of the front pierces one of their faces. That holds as long as the edge is on the front, so the
+//! edge is remembered.
 use super::face::{take_lowest, Face};
 use super::search::Search;
 use super::signs::{choose4, combination};
@@ -11,18 +11,18 @@ use crate::predicates::Points;
 /// Edges that pierce faces of tetrahedra.
 #[derive(Default)]
 pub struct Blocks {
-    /// Per combination of four vertices an edge and the place of the corner opposite the face that it pierces, as
-    /// `a + 64 b + 4096 place`; zero where none is known.
+    /// For each combination of four vertices an edge and the position of the corner opposite the face that it pierces, as `a + 64 b + 4096
+    /// position`; zero if none is known.
     table: Vec<u16>,
 }
 
 impl Blocks {
-    /// Forgets all.
+    /// Forgets all entries.
     pub fn clear(&mut self) {
         self.table.clear();
     }
 
-    /// Makes room for so many vertices.
+    /// Makes room for `count` vertices.
     pub fn set_count(&mut self, count: usize) -> Result<(), Error> {
         let most = choose4(count);
         if self.table.len() < most {
@@ -34,8 +34,8 @@ impl Blocks {
 }
 
 impl Search {
-    /// The tetrahedron holds no vertex, its new edges pierce no front face, and no front or required edge pierces its new faces.
-    /// `self.neighbours` and the sides of all front faces are known.
+    /// Whether the tetrahedron contains no vertex, its new edges pierce no front face, and no front or required edge pierces its new faces.
+    /// `self.neighbours` and the sides of all front faces must be known.
     pub(super) fn is_free(&mut self, points: &Points, w: u8, face: Face, on_front: u64) -> bool {
         let corners = face.corners();
         let [x, y, z] = corners;
@@ -75,7 +75,7 @@ impl Search {
         self.reaches_all(points, w, face)
     }
 
-    /// No edge from a vertex to a corner of a face pierces a front face.
+    /// Whether no edge from a vertex to a corner of a face pierces a front face.
     fn reaches_all(&mut self, points: &Points, w: u8, face: Face) -> bool {
         let base = face.mask();
         for i in 0..self.front.faces.len() {
@@ -92,7 +92,7 @@ impl Search {
         true
     }
 
-    /// The line through two vertices on different sides of a face meets the closed face.
+    /// Whether the line through two vertices on different sides of a face meets the closed face.
     fn meets(&mut self, points: &Points, [p, q]: [u8; 2], face: Face) -> bool {
         let [x, y, z] = face.corners();
         let first = self.signs.of(points, p, q, x, y);

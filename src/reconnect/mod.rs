@@ -1,14 +1,14 @@
-//! Small polyhedron reconnection: a tetrahedralization of a polyhedron without further points, by search.
+//! Small polyhedron reconnection: a search for a tetrahedralization of a polyhedron without additional points.
 //!
 //! After Liu, Chen & Chen 2007 (boundary recovery by small polyhedron reconnection) and Marot, Verhetsel & Remacle 2020
 //! (branch and bound over the faces that are still open). The state is the *front*: the oriented faces that still lack
 //! a tetrahedron on their inner side. A step takes the front face with the fewest possible apexes and joins it to one; the faces
 //! of the new tetrahedron close front faces or become new ones. An empty front is a solution.
 //!
-//! Why a solution is valid: all its tetrahedra are positive and the boundaries of all of them add up, face by face, to the
-//! boundary of the polyhedron. So every point that is on no face is covered as often as the boundary winds round it: once inside,
-//! never outside. Only orientations decide; all other tests (crossings, contained vertices) prune the search. They use exact
-//! signs too, from one table: a polyhedron of 20 vertices has 4,845 of them and asks for each many times.
+//! Why a solution is valid: all its tetrahedra are positive, and their boundaries add up, face by face, to the boundary of the polyhedron.
+//! So every point on no face is covered as many times as the boundary winds around it: once inside, never outside. Only orientations
+//! decide; all other tests (crossings, contained vertices) prune the search. They use exact signs too, from one table: a polyhedron of 20
+//! vertices has 4,845 of them and needs each many times.
 //!
 //! The search is deterministic and bounded by a number of steps, never by time.
 mod face;
@@ -27,15 +27,15 @@ use crate::predicates::Points;
 use search::Search;
 use shape::Goal;
 
-/// Most vertices that a polyhedron may have: sets of vertices are bits of one word.
+/// The most vertices of a polyhedron: sets of vertices are bits of one word.
 pub const MOST_VERTICES: usize = 64;
 
-/// What is to be filled.
+/// The polyhedron to be filled.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Polyhedron<'a> {
     /// Boundary triangles `(x, y, z)` such that `(p, x, y, z)` is positive for `p` inside.
     pub faces: &'a [[u32; 3]],
-    /// Vertices inside, which no boundary face has. Each becomes a vertex of a tetrahedron.
+    /// Vertices inside, on no boundary face. Each becomes a vertex of a tetrahedron.
     pub inner: &'a [u32],
     /// Pairs of vertices that must be edges.
     pub edges: &'a [[u32; 2]],
@@ -48,8 +48,8 @@ pub struct Reconnect {
 }
 
 impl Reconnect {
-    /// Appends the tetrahedra of a filling to `tets` and returns true, or appends nothing and returns false: there is none, or none
-    /// was found within `budget` steps, or there are more than [`MOST_VERTICES`] vertices.
+    /// Appends the tetrahedra of a filling to `tets` and returns true. Appends nothing and returns false if there is none, none was found
+    /// within `budget` steps, or there are more than [`MOST_VERTICES`] vertices.
     pub fn fill(
         &mut self,
         points: &Points,
@@ -61,7 +61,7 @@ impl Reconnect {
         self.fill_another(points, polyhedron, budget, tets)
     }
 
-    /// How many steps the last search took.
+    /// The number of steps of the last search.
     pub fn steps(&self) -> u32 {
         self.search.steps
     }
@@ -71,8 +71,8 @@ impl Reconnect {
         self.search.forget();
     }
 
-    /// As [`Reconnect::fill`], for one of several polyhedra that have many vertices in common: what is known of these is used again.
-    /// So none may have moved since the last [`Reconnect::fill`] or [`Reconnect::forget`].
+    /// Like [`Reconnect::fill`], for one of several polyhedra that share many vertices: signs already computed are reused. So no vertex may
+    /// have moved since the last [`Reconnect::fill`] or [`Reconnect::forget`].
     pub fn fill_another(
         &mut self,
         points: &Points,
@@ -89,7 +89,7 @@ impl Reconnect {
         self.search.run(points, budget, tets)
     }
 
-    /// As [`Reconnect::fill`], but the tetrahedra must reach a goal; of the fillings found within the budget the best one is taken.
+    /// Like [`Reconnect::fill`], but the tetrahedra must reach a goal; takes the best filling found within the budget.
     pub fn improve(
         &mut self,
         points: &Points,
@@ -101,7 +101,7 @@ impl Reconnect {
         self.optimise(points, polyhedron, goal, false, budget, tets)
     }
 
-    /// As [`Reconnect::improve`], but the first filling found that reaches the goal is taken.
+    /// Like [`Reconnect::improve`], but takes the first filling found that reaches the goal.
     pub fn reach(
         &mut self,
         points: &Points,

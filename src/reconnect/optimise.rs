@@ -1,7 +1,7 @@
 //! The best filling of a polyhedron that the search finds: branch and bound (Marot, Verhetsel & Remacle 2020).
 //!
-//! As the search for any filling, but a tetrahedron must be better than a bound. A filling raises the bound to its worst
-//! tetrahedron, and the search goes on from before that one.
+//! Like the search for any filling, but every tetrahedron must be better than a bound. A filling raises the bound to its worst tetrahedron,
+//! and the search continues from before that one.
 use super::face::{take_lowest, Face};
 use super::search::Search;
 use super::shape::{Goal, Shape};
@@ -60,7 +60,7 @@ impl Search {
         Ok(!best.is_empty())
     }
 
-    /// Keeps the filling at hand; returns the worth of its worst tetrahedron.
+    /// Keeps the current filling; returns the worth of its worst tetrahedron.
     fn keep(&mut self, points: &Points, goal: &Goal) -> Result<f64, Error> {
         self.best.clear();
         self.best.try_reserve(self.tets.len())?;
@@ -73,7 +73,7 @@ impl Search {
         self.worth_at(points, goal, [w, x, y, z])
     }
 
-    /// How good the positive tetrahedron of an apex and a face is.
+    /// The worth of the positive tetrahedron of an apex and a face.
     fn worth(&mut self, points: &Points, goal: &Goal, w: u8, face: Face) -> f64 {
         let [x, y, z] = face.corners();
         self.worth_at(points, goal, [w, x, y, z])
@@ -84,7 +84,7 @@ impl Search {
         self.worths.of(tet, || goal.worth(Shape::of(points, tet.map(id))))
     }
 
-    /// Puts the front face with the fewest apexes above the bound on the stack; false if one has none.
+    /// Pushes the front face with the fewest apexes above the bound; returns false if one has none.
     fn descend_above(&mut self, points: &Points, goal: &Goal, bound: f64) -> Result<bool, Error> {
         let on_front = self.vertices_on_front();
         let mut fewest: Option<(u32, usize, u64)> = None;

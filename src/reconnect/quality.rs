@@ -1,4 +1,4 @@
-//! The quality of a tetrahedron in plain arithmetic: it orders searches and chooses among valid fillings.
+//! The quality of a tetrahedron in floating-point arithmetic: it orders searches and chooses among valid fillings.
 
 use crate::vector::{cross, dot, sub};
 

@@ -1,5 +1,5 @@
-//! The sides of faces: per three vertices, on which side of their plane each other vertex is. A row of the table of signs, so to say;
-//! rows are made when first asked for, and completed when vertices have come since.
+//! The sides of faces: for each three vertices, the side of their plane on which each other vertex is. A row of the table of signs, so to
+//! speak; rows are computed on demand, and completed when vertices have been added.
 use super::face::{Face, Sides};
 use super::signs::{choose3, triple, Signs};
 use super::MOST_VERTICES;
@@ -9,16 +9,16 @@ use crate::predicates::{Points, Sign};
 /// One row.
 #[derive(Clone, Copy, Default)]
 struct Row {
-    /// For the corners in ascending order.
+    /// The sides for the corners in ascending order.
     sides: Sides,
-    /// Whose side is known.
+    /// The vertices whose side is known.
     known: u64,
 }
 
 /// All rows, kept until they are forgotten.
 #[derive(Default)]
 pub struct Rows {
-    /// Per combination of three its row plus one, or zero.
+    /// For each combination of three its row plus one, or zero.
     slots: Vec<u16>,
     rows: Vec<Row>,
 }
@@ -33,7 +33,7 @@ impl Rows {
         self.rows.clear();
     }
 
-    /// Makes room for the rows of so many vertices.
+    /// Makes room for the rows of `count` vertices.
     pub fn set_count(&mut self, count: usize) -> Result<(), Error> {
         let most = choose3(count);
         if self.slots.len() < most {
@@ -44,7 +44,7 @@ impl Rows {
         Ok(())
     }
 
-    /// Which of the vertices `asked` (and maybe others) are on which side of a face.
+    /// The sides of a face on which the vertices `asked` (and possibly others) are.
     #[inline]
     pub fn of(&mut self, points: &Points, signs: &mut Signs, face: Face, asked: u64) -> Sides {
         let corners = face.corners();
@@ -71,7 +71,7 @@ impl Rows {
     }
 }
 
-/// Which vertices of a set, none of them a corner, are on which side.
+/// The sides on which the vertices of a set, none of them a corner, are.
 #[inline(never)]
 fn compute(points: &Points, signs: &mut Signs, corners: [u8; 3], set: u64) -> Sides {
     let [b, c, d] = corners.map(|i| signs.vertices[i as usize]);

@@ -13,7 +13,7 @@ use crate::predicates::Points;
 #[derive(Clone, Default)]
 pub(super) struct Level {
     pub(super) face: Face,
-    /// Apexes not tried yet, the best last.
+    /// Apexes not yet tried, the best last.
     pub(super) apexes: Vec<u8>,
     closed: Vec<(Face, Sides)>,
     opened: Vec<Face>,
@@ -25,29 +25,29 @@ pub struct Search {
     pub(super) rows: Rows,
     /// Tetrahedra that were not free.
     pub(super) blocks: Blocks,
-    /// How good tetrahedra are, where that is asked.
+    /// The worths of tetrahedra, if needed.
     pub(super) worths: Worths,
     /// The best filling so far.
     pub(super) best: Vec<[u8; 4]>,
     /// Faces whose inner side is open.
     pub(super) front: Front,
-    /// Per vertex its neighbours on the front.
+    /// For each vertex its neighbours on the front.
     pub(super) neighbours: [u64; MOST_VERTICES],
     /// Boundary faces, as given.
     boundary: Vec<Face>,
     /// The polyhedron's vertices.
     pub(super) present: u64,
-    /// Edges that must be.
+    /// Required edges.
     pub(super) edges: Vec<[u8; 2]>,
     inner: Vec<u8>,
     pub(super) levels: Vec<Level>,
     pub(super) depth: usize,
     pub(super) tets: Vec<[u8; 4]>,
-    /// Apexes of the face at hand, and what each is worth.
+    /// Apexes of the current face, and the worth of each.
     pub(super) apexes: Vec<(f64, u8)>,
-    /// How many apexes the last search tried.
+    /// The number of apexes that the last search tried.
     pub(super) steps: u32,
-    /// Per pair of vertices how much more often it is used in one direction; zero between uses.
+    /// For each pair of vertices how much more often it is used in one direction; zero between uses.
     balance: Vec<i16>,
 }
 
@@ -76,14 +76,14 @@ impl Default for Search {
 }
 
 impl Search {
-    /// Forgets what is known of all vertices.
+    /// Forgets all vertices and their signs.
     pub fn forget(&mut self) {
         self.signs.clear();
         self.rows.clear();
         self.blocks.clear();
     }
 
-    /// Sets the front; false if the polyhedron is too large or not closed. What is known of vertices is kept, as far as there is room.
+    /// Sets the front; returns false if the polyhedron is too large or not closed. Known signs are kept as far as there is room.
     pub fn begin(&mut self, points: &Points, polyhedron: &Polyhedron) -> Result<bool, Error> {
         self.steps = 0;
         if !self.number(points, polyhedron)? {
@@ -98,7 +98,7 @@ impl Search {
         self.edges.clear();
         self.edges.try_reserve(polyhedron.edges.len())?;
         for edge in polyhedron.edges {
-            // An edge that leaves the polyhedron's vertices cannot be asked for.
+            // An edge to a vertex not of the polyhedron cannot be required.
             let number = |v: u32| self.signs.number(v).filter(|n| self.present >> n & 1 == 1);
             let [Some(a), Some(b)] = edge.map(number) else { return Ok(false) };
             self.edges.push([a, b]);
@@ -112,7 +112,7 @@ impl Search {
         Ok(true)
     }
 
-    /// Numbers the vertices, and sets the boundary by their numbers; false if there is no room for all.
+    /// Numbers the vertices, and sets the boundary by their numbers; returns false if there is no room for all.
     fn number(&mut self, points: &Points, polyhedron: &Polyhedron) -> Result<bool, Error> {
         self.present = 0;
         self.boundary.clear();
@@ -138,7 +138,7 @@ impl Search {
         Ok(true)
     }
 
-    /// Every edge of the boundary is used as often in one direction as in the other.
+    /// Whether every edge of the boundary is used equally often in both directions.
     fn is_closed(&mut self) -> Result<bool, Error> {
         let Search { balance, boundary, .. } = self;
         if balance.is_empty() {
@@ -163,17 +163,17 @@ impl Search {
         Ok(closed)
     }
 
-    /// A vertex from which all boundary faces without it are seen from inside: the one with the best worst tetrahedron.
+    /// A vertex that sees all boundary faces without it from inside: the one whose worst tetrahedron is best; `None` if there is none.
     pub fn cone(&mut self, points: &Points) -> Option<u8> {
         let bit = |&w: &u8| 1u64 << w;
-        // All that is inside the cone is the apex itself and edges from it.
+        // The cone contains nothing but the apex itself and edges from it.
         let mut apexes = self.inner.iter().map(bit).fold(self.present, |all, w| all & w);
         apexes = self.edges.iter().fold(apexes, |all, e| all & (bit(&e[0]) | bit(&e[1])));
         for i in 0..self.boundary.len() {
             let face = self.boundary[i];
             let mut seen = self.front_sides(points, i).ahead;
             let corners = face.mask();
-            // A face with the inside on both sides cancels in the sum of boundaries: the cone may lack it.
+            // A face with the inside on both sides cancels in the sum of boundaries, so the cone may omit it.
             if apexes & corners != 0 && !self.boundary.contains(&face.reversed()) {
                 seen |= corners;
             }
@@ -183,7 +183,7 @@ impl Search {
             }
         }
         let mut best: Option<(f64, u8)> = None;
-        // In the order of ids: the first of equal ones is taken.
+        // In the order of ids, so that the first of equal ones is taken.
         let mut list: Vec<u8> = (0..MOST_VERTICES as u8).filter(|w| apexes & bit(w) != 0).collect();
         list.sort_unstable_by_key(|&w| self.signs.vertices[w as usize]);
         for w in list {
@@ -208,7 +208,7 @@ impl Search {
         Ok(true)
     }
 
-    /// Searches; appends the first solution.
+    /// Searches; appends the first solution and returns whether there is one.
     pub fn run(&mut self, points: &Points, budget: u32, tets: &mut Vec<[u32; 4]>) -> Result<bool, Error> {
         if !self.descend(points)? {
             return Ok(false);
@@ -243,13 +243,13 @@ impl Search {
         Ok(false)
     }
 
-    /// Which vertices are on which side of a face.
+    /// The sides of a face on which vertices are.
     #[inline(always)]
     pub(super) fn sides(&mut self, points: &Points, face: Face) -> Sides {
         self.rows.of(points, &mut self.signs, face, self.present)
     }
 
-    /// Which vertices are on which side of a front face.
+    /// The sides of a front face on which vertices are.
     #[inline(always)]
     pub(super) fn front_sides(&mut self, points: &Points, i: usize) -> Sides {
         let mut sides = self.front.sides[i];
@@ -260,7 +260,7 @@ impl Search {
         sides
     }
 
-    /// Puts the most constrained front face on the stack; false if a front face has no apex at all.
+    /// Pushes the most constrained front face; returns false if a front face has no apex at all.
     fn descend(&mut self, points: &Points) -> Result<bool, Error> {
         let on_front = self.vertices_on_front();
         let mut best: Option<(u32, usize, u64)> = None;
@@ -289,7 +289,7 @@ impl Search {
         self.push_level(face)
     }
 
-    /// Puts a face with the apexes at hand on the stack; false if there are none.
+    /// Pushes a face with the current apexes; returns false if there are none.
     pub(super) fn push_level(&mut self, face: Face) -> Result<bool, Error> {
         if self.apexes.is_empty() {
             return Ok(false);
@@ -318,7 +318,7 @@ impl Search {
         }
     }
 
-    /// Vertices of front faces, and inner ones that no tetrahedron has yet.
+    /// Vertices of front faces, and inner vertices of no tetrahedron so far.
     pub(super) fn vertices_on_front(&self) -> u64 {
         let mut set = 0u64;
         for face in &self.front.faces {
@@ -332,7 +332,7 @@ impl Search {
         set
     }
 
-    /// Joins a front face to an apex; false (and nothing changed) if a face would get a second tetrahedron on one side.
+    /// Joins a front face to an apex; returns false and changes nothing if a face would get a second tetrahedron on one side.
     pub(super) fn apply(&mut self, level: usize, face: Face, apex: u8) -> Result<bool, Error> {
         let others = face.others(apex, &self.signs.vertices);
         let faces = &self.front.faces;
@@ -367,7 +367,7 @@ impl Search {
         Ok(true)
     }
 
-    /// Takes the current apex of a level back.
+    /// Undoes the current apex of a level.
     pub(super) fn undo(&mut self, level: usize) {
         let Search { front, levels, .. } = self;
         let level = &levels[level];
@@ -382,13 +382,13 @@ impl Search {
         self.tets.pop();
     }
 
-    /// The tetrahedra have all required edges and inner vertices.
+    /// Whether the tetrahedra have all required edges and inner vertices.
     pub(super) fn complete(&self) -> bool {
         let has = |a: u8, b: u8| self.tets.iter().any(|t| t.contains(&a) && t.contains(&b));
         self.edges.iter().all(|&[a, b]| has(a, b)) && self.inner.iter().all(|&v| has(v, v))
     }
 
-    /// Volume over the cube of the mean edge length, in plain arithmetic: it only orders the search.
+    /// Volume over the cube of the mean edge length, in floating-point arithmetic: it only orders the search.
     fn quality(&self, w: u8, face: Face) -> f64 {
         let at = |i: u8| &self.signs.xyz[i as usize];
         let [x, y, z] = face.corners();

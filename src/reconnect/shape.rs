@@ -1,9 +1,9 @@
-//! The shape of a tetrahedron by the two measures that matter for refinement, in plain arithmetic: it orders work and chooses among
-//! valid fillings, it never decides validity.
+//! The shape of a tetrahedron by the two measures that matter for refinement, in floating-point arithmetic: it orders work and chooses
+//! among valid fillings, but never decides validity.
 //!
-//! Of the six dihedral angles the smallest one, by its sine: `sin = 6 V l / (4 A B)` at an edge of length `l` between faces of areas
-//! `A` and `B`. A flat tetrahedron always has a small one. And the ratio of the shortest edge to the circumradius: it bounds what a
-//! Delaunay refinement makes of the mesh (Miller et al. 1995; Shewchuk 1998).
+//! One is the smallest of the six dihedral angles, by its sine: `sin = 6 V l / (4 A B)` at an edge of length `l` between faces of areas `A`
+//! and `B`. A flat tetrahedron always has a small one. The other is the ratio of the shortest edge to the circumradius, which bounds the
+//! result of a Delaunay refinement of the mesh (Miller et al. 1995; Shewchuk 1998).
 use crate::predicates::Points;
 use crate::vector::{cross, dot, sub};
 
@@ -16,7 +16,7 @@ pub struct Shape {
     pub ratio: f64,
 }
 
-/// Which of the two.
+/// One of the two measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// The smallest dihedral angle.
@@ -29,7 +29,8 @@ impl Shape {
     /// Better than any tetrahedron.
     pub const BEST: Shape = Shape { angle: f64::INFINITY, ratio: f64::INFINITY };
 
-    /// That of a positive tetrahedron, however its vertices are ordered: hill climbing relies on equal tetrahedra being equally good.
+    /// The shape of a positive tetrahedron, independent of the order of its vertices: hill climbing relies on equal tetrahedra having equal
+    /// shapes.
     pub fn of(points: &Points, mut v: [u32; 4]) -> Shape {
         let mut odd = false;
         for (i, j) in [(0, 1), (2, 3), (0, 2), (1, 3), (1, 2)] {
@@ -44,12 +45,12 @@ impl Shape {
         Shape::at(v.map(|i| points.xyz(i)))
     }
 
-    /// That of a tetrahedron which is positive; zero if plain arithmetic does not see that.
+    /// The shape of a positive tetrahedron; zero if floating-point arithmetic does not find it positive.
     pub fn at([o, p, q, r]: [&[f64; 3]; 4]) -> Shape {
-        // Written out where closures over arrays of arrays would become calls: every tetrahedron of a mesh gets here.
+        // Written out, since closures over arrays of arrays would become calls, and this runs for every tetrahedron of a mesh.
         let [u, v, w] = [sub(p, o), sub(q, o), sub(r, o)];
         let size = [u, v, w].iter().flatten().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
-        // All numbers near one: nothing over- or underflows that matters.
+        // All numbers are near one, so no relevant value over- or underflows.
         let scaled = |x: [f64; 3]| [x[0] / size, x[1] / size, x[2] / size];
         let [u, v, w] = [scaled(u), scaled(v), scaled(w)];
         let [vu, wu, wv] = [sub(&v, &u), sub(&w, &u), sub(&w, &v)];
@@ -84,7 +85,7 @@ impl Shape {
         }
     }
 
-    /// The worse of both, by either measure.
+    /// The worse of both in each measure.
     pub fn worse(self, other: Shape) -> Shape {
         Shape { angle: self.angle.min(other.angle), ratio: self.ratio.min(other.ratio) }
     }
@@ -98,7 +99,7 @@ impl Shape {
     }
 }
 
-/// Shortest edge of a triangle over its circumradius: no tetrahedron on it has a larger ratio.
+/// The shortest edge of a triangle over its circumradius: no tetrahedron on it has a larger ratio.
 pub fn needle([p, q, r]: [&[f64; 3]; 3]) -> f64 {
     let [u, v, w] = [sub(q, p), sub(r, p), sub(r, q)];
     let [a, b, c] = [u, v, w].map(|e| dot(&e, &e).sqrt());
@@ -107,19 +108,19 @@ pub fn needle([p, q, r]: [&[f64; 3]; 3]) -> f64 {
     a.min(b).min(c) * 2.0 * dot(&n, &n).sqrt() / (a * b * c)
 }
 
-/// What a filling must reach: all its tetrahedra better than `above` by one measure, and not worse than `least` by the other.
+/// What a filling must reach: all its tetrahedra are better than `above` in one measure and no worse than `least` in the other.
 #[derive(Clone, Copy, Debug)]
 pub struct Goal {
-    /// What counts.
+    /// The measure to be improved.
     pub measure: Measure,
-    /// What must be exceeded.
+    /// The value that must be exceeded.
     pub above: f64,
-    /// What the other measure must reach.
+    /// The value that the other measure must reach.
     pub least: f64,
 }
 
 impl Goal {
-    /// How good a tetrahedron is; −1 if it must not be.
+    /// The worth of a tetrahedron; −1 if it misses the other measure's bound.
     pub fn worth(&self, shape: Shape) -> f64 {
         let (worth, other) = match self.measure {
             Measure::Angle => (shape.angle, shape.ratio),

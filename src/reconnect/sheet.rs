@@ -2,26 +2,26 @@
 //!
 //! Every triangle of the link polygon's triangulation is joined to `p` and to `q`; both tetrahedra must be positive. The best
 //! triangulation is found by dynamic programming over the polygon (Klincsek 1980; for edges of tetrahedra Shewchuk 2002, "Two
-//! discrete optimization algorithms for the topological improvement of tetrahedral meshes"): best is the one with the best
-//! worst tetrahedron. The flips 3-2 and 4-4 are the cases of three and four tetrahedra. Where the way from one point to another shall become
-//! clear, that comes first: best are the triangulations of which fewest tetrahedra meet it.
+//! discrete optimization algorithms for the topological improvement of tetrahedral meshes"): the best one has the best worst tetrahedron.
+//! The flips 3-2 and 4-4 are the cases of three and four tetrahedra. If the segment between two points is to be cleared, that takes
+//! precedence: the best triangulations are those with the fewest tetrahedra that meet it.
 //!
-//! Signs are exact; quality and what meets the way are plain arithmetic and only choose among valid sheets.
+//! Signs are exact; quality, and which tetrahedra meet the segment, are floating-point and only choose among valid sheets.
 use super::quality::quality;
 use super::shape::{Goal, Shape};
 use crate::error::Error;
 use crate::predicates::{Points, Sign};
 use crate::vector::{cross, dot, sub};
 
-/// Most tetrahedra round an edge: the number of triangles grows with the cube.
+/// The most tetrahedra around an edge: the number of triangles grows with its cube.
 pub const MOST_IN_RING: usize = 64;
 
 /// The best triangulation of a part of the polygon.
 #[derive(Clone, Copy)]
 struct Best {
-    /// Its worst quality; not above what is asked for: there is none.
+    /// Its worst quality; there is no triangulation if this is not above the required one.
     worst: f64,
-    /// How many of its tetrahedra are on the way.
+    /// How many of its tetrahedra meet the segment.
     met: u32,
     /// The apex on its chord.
     apex: u8,
@@ -30,17 +30,16 @@ struct Best {
 /// Finds sheets; keeps its scratch space.
 #[derive(Default)]
 pub struct Sheets {
-    /// Per part `i..=j` of the polygon the apexes on its chord with which it can be triangulated.
+    /// For each part `i..=j` of the polygon the apexes on its chord with which it can be triangulated.
     apexes: Vec<u64>,
-    /// Per part its best triangulation.
+    /// For each part its best triangulation.
     best: Vec<Best>,
     stack: Vec<(u8, u8)>,
 }
 
 impl Sheets {
-    /// Appends the tetrahedra that fill the ring of `p q` without this edge, or returns false: no sheet does. `link`: the polygon
-    /// such that `(p, q, link[i], link[i + 1])` is positive. With `ear`, the sheet must have the triangle of the last vertex and its
-    /// neighbours.
+    /// Appends the tetrahedra that fill the ring of `p q` without this edge; returns false if no sheet does. `link` is the polygon such
+    /// that `(p, q, link[i], link[i + 1])` is positive. With `ear`, the sheet must have the triangle of the last vertex and its neighbours.
     pub fn fill(
         &mut self,
         points: &Points,
@@ -62,7 +61,7 @@ impl Sheets {
         self.plan_valid(points, link, ear, |_| 0, [p, q], tets)
     }
 
-    /// As [`Sheets::fill`] without an ear; as few of the tetrahedra as possible meet the way from `a` to `b`.
+    /// Like [`Sheets::fill`] without an ear, with as few tetrahedra as possible that meet the segment from `a` to `b`.
     pub fn clear(
         &mut self,
         points: &Points,
@@ -106,7 +105,7 @@ impl Sheets {
         found
     }
 
-    /// Finds all triangles that triangulations may have, by signs alone: mostly there are none, and no quality is asked for.
+    /// Finds all triangles that triangulations may have, by signs alone: usually there are none, and no quality is needed.
     fn find_apexes(
         &mut self,
         points: &Points,
@@ -138,7 +137,7 @@ impl Sheets {
         Ok(apexes[n - 1] != 0)
     }
 
-    /// As [`Sheets::fill`], but the tetrahedra must reach a goal.
+    /// Like [`Sheets::fill`], but the tetrahedra must reach a goal.
     pub fn improve(
         &mut self,
         points: &Points,
@@ -155,15 +154,15 @@ impl Sheets {
             } else {
                 above
             };
-            // Signs last: hardly any triangle gets here.
+            // Signs last, since hardly any triangle gets here.
             let valid = worse > goal.above && is_positive(points, [p, q], [a, b, c]);
             (if valid { worse } else { -1.0 }, 0)
         };
         self.plan(link, false, goal.above, worth, [p, q], tets)
     }
 
-    /// Finds the best triangulation of the polygon whose triangles are worth more than `above`, and appends its tetrahedra. `worth`: of
-    /// a triangle, and how many of its tetrahedra are on the way.
+    /// Finds the best triangulation of the polygon whose triangles are worth more than `above`, and appends its tetrahedra. `worth` gives
+    /// the worth of a triangle and how many of its tetrahedra meet the segment.
     fn plan(
         &mut self,
         link: &[u32],
@@ -216,8 +215,8 @@ impl Sheets {
     }
 }
 
-/// The parts `i..=j` of a polygon whose triangulations are to be known, those within others first. With an ear at the last vertex
-/// none but the whole has this vertex.
+/// The parts `i..=j` of a polygon whose triangulations are needed, those within others first. With an ear at the last vertex, only the
+/// whole polygon has this vertex.
 fn chords(n: usize, ear: bool) -> impl Iterator<Item = (usize, usize)> {
     let last = n - usize::from(ear);
     let parts = (2..last).flat_map(move |width| (0..last - width).map(move |i| (i, i + width)));
@@ -233,7 +232,7 @@ fn first_apex(n: usize, ear: bool, [i, j]: [usize; 2]) -> usize {
     }
 }
 
-/// Both tetrahedra at a triangle of a sheet are positive.
+/// Whether both tetrahedra at a triangle of a sheet are positive.
 fn is_positive(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
     points.orient3d(a, b, c, q) == Sign::Positive && points.orient3d(b, a, c, p) == Sign::Positive
 }
@@ -242,11 +241,11 @@ fn is_positive(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
 fn worth(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> f64 {
     let at = |v: u32| points.xyz(v);
     let worse = quality([at(a), at(b), at(c), at(q)]).min(quality([at(b), at(a), at(c), at(p)]));
-    // However flat in plain arithmetic, it is a sheet.
+    // However flat in floating point, it is a valid sheet.
     worse.max(f64::MIN_POSITIVE)
 }
 
-/// Whether the way from one point to another passes through a tetrahedron; in plain arithmetic.
+/// Whether the segment between two points passes through a tetrahedron, in floating-point arithmetic.
 fn meets(points: &Points, [a, b]: [u32; 2], corners: [u32; 4]) -> bool {
     let (mut from, mut to) = (0.0f64, 1.0f64);
     for i in 0..4 {
@@ -259,7 +258,7 @@ fn meets(points: &Points, [a, b]: [u32; 2], corners: [u32; 4]) -> bool {
         if at_a <= 0.0 && at_b <= 0.0 {
             return false;
         }
-        // The signs differ: no division by zero.
+        // The signs differ, so there is no division by zero.
         if at_a < 0.0 {
             from = from.max(at_a / (at_a - at_b));
         } else if at_b < 0.0 {

@@ -1,7 +1,7 @@
-//! The orientations of all quadruples of a small set of vertices, computed when first asked for.
+//! The orientations of all quadruples of a small set of vertices, computed on demand.
 //!
-//! Vertices may come while the table is in use: the combinatorial number system orders quadruples by their largest number first, so
-//! new ones come after all that are there.
+//! Vertices may be added while the table is in use: the combinatorial number system orders quadruples by their largest number first, so new
+//! ones come after all existing ones.
 use super::MOST_VERTICES;
 use crate::error::Error;
 use crate::predicates::{Points, Sign};
@@ -13,13 +13,13 @@ const BUCKETS: usize = 256;
 
 /// Signs by local vertex numbers.
 pub struct Signs {
-    /// Vertex ids by local number, in the order in which they came.
+    /// Vertex ids by local number, in the order of their addition.
     pub vertices: Vec<u32>,
     /// Coordinates by local number.
     pub xyz: Vec<[f64; 3]>,
-    /// Local numbers plus one, zero where there is none; open addressing.
+    /// Local numbers plus one, or zero if there is none; open addressing.
     buckets: [u8; BUCKETS],
-    /// Per combination `i < j < k < l` its sign, or `UNKNOWN`.
+    /// For each combination `i < j < k < l` its sign, or `UNKNOWN`.
     table: Vec<i8>,
 }
 
@@ -100,7 +100,7 @@ impl Signs {
         self.table.clear();
     }
 
-    /// The bucket that has a vertex, or the empty one where it would be.
+    /// The bucket of a vertex, or the empty one where it belongs.
     fn bucket(&self, v: u32) -> usize {
         let mut at = (v.wrapping_mul(0x9e37_79b9) >> 24) as usize;
         loop {
@@ -112,7 +112,7 @@ impl Signs {
         }
     }
 
-    /// The local number of a vertex, which becomes one if it is new; none if there are too many.
+    /// The local number of a vertex, which is added if it is new; `None` if there are too many.
     pub fn add(&mut self, points: &Points, v: u32) -> Result<Option<u8>, Error> {
         let at = self.bucket(v);
         if self.buckets[at] > 0 {
@@ -133,12 +133,12 @@ impl Signs {
         Ok(Some(count as u8))
     }
 
-    /// The local number of a vertex that was added.
+    /// The local number of a vertex, if it was added.
     pub fn number(&self, v: u32) -> Option<u8> {
         self.buckets[self.bucket(v)].checked_sub(1)
     }
 
-    /// How many vertices there are.
+    /// The number of vertices.
     pub fn count(&self) -> usize {
         self.vertices.len()
     }

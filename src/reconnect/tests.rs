@@ -159,7 +159,7 @@ fn stars_of_random_vertices_are_filled_without_them_and_with_them() {
     }
 }
 
-/// What is known of vertices changes nothing, whatever came before: also where it is more than there is room for.
+/// Known signs change no result, whatever was filled before, even if there are more vertices than there is room for.
 #[test]
 fn fillings_do_not_depend_on_what_was_filled_before() {
     let (points, stars) = random_stars();
@@ -303,7 +303,7 @@ fn sheets_are_the_best_of_all_triangulations() {
     assert!(filled.iter().chain(&none).all(|&count| count > 50), "{filled:?} {none:?}");
 }
 
-/// Of the sheets of a ring the one is taken of which fewest tetrahedra meet a way across it.
+/// Among the sheets of a ring, the one with the fewest tetrahedra that meet a segment across it is chosen.
 #[test]
 fn a_sheet_leaves_most_of_a_way_clear() {
     let mut less = 0;
@@ -324,7 +324,7 @@ fn a_sheet_leaves_most_of_a_way_clear() {
             .flat_map(|[a, b]| [[0, b, a], [1, a, b]])
             .collect();
         check(&points, &Polyhedron { faces: &faces, ..Default::default() }, &clear);
-        // Tetrahedra that have one of many places on the way inside.
+        // Tetrahedra that contain one of many positions on the segment.
         let met = |tets: &[[u32; 4]]| {
             let place = |i: u32| {
                 let part = f64::from(i) / 2000.0;
@@ -399,7 +399,7 @@ fn the_best_filling_is_found() {
                 assert!(worst(&some) > above);
             }
         }
-        // What is not reached by the other measure is no filling.
+        // A filling that misses the other measure does not count.
         let goal = Goal { measure, above: 0.0, least: 10.0 };
         assert!(!reconnect.improve(&points, &polyhedron, goal, BUDGET, &mut Vec::new()).unwrap());
     }

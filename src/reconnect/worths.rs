@@ -1,16 +1,16 @@
-//! How good the tetrahedra of all quadruples of a small set of vertices are, computed when first asked for.
+//! The worths of the tetrahedra of all quadruples of a small set of vertices, computed on demand.
 use super::signs::{choose4, combination};
 use crate::error::Error;
 
 /// Worths by local vertex numbers.
 #[derive(Default)]
 pub struct Worths {
-    /// Per combination, NaN where it is unknown.
+    /// For each combination its worth, or NaN if unknown.
     table: Vec<f64>,
 }
 
 impl Worths {
-    /// Forgets all; `count` vertices come.
+    /// Forgets all worths and makes room for `count` vertices.
     pub fn clear(&mut self, count: usize) -> Result<(), Error> {
         self.table.clear();
         self.table.try_reserve(choose4(count))?;
@@ -18,7 +18,7 @@ impl Worths {
         Ok(())
     }
 
-    /// That of a quadruple, which `compute` makes if it is new. Distinct local numbers.
+    /// The worth of a quadruple of distinct local numbers, computed by `compute` if it is unknown.
     pub fn of(&mut self, tet: [u8; 4], compute: impl FnOnce() -> f64) -> f64 {
         let worth = &mut self.table[combination(tet).0];
         if worth.is_nan() {

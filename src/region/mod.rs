@@ -1,7 +1,7 @@
 //! Carving and regions: flooding between subfaces.
 //!
-//! Tetrahedra connected through faces that are no subfaces form a component. The component of the ghosts is outside, those
-//! with a hole seed are holes; the others are regions.
+//! Tetrahedra connected through faces that are not subfaces form a component. The component of the ghosts is the outside, those with a hole
+//! seed are holes, the others are regions.
 use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
 use crate::fallible;
 use crate::mesh::{flag, Tetrahedra, NONE};
@@ -19,11 +19,11 @@ mod tests;
 pub struct Components {
     /// Component of each slot; NONE for free slots.
     pub of: Vec<u32>,
-    /// How many there are. Component 0 holds the ghosts (and what is connected to them).
+    /// The number of components. Component 0 contains the ghosts and everything connected to them.
     pub count: u32,
 }
 
-/// Floods the mesh.
+/// Finds the components by flood fill.
 pub fn components(mesh: &Tetrahedra) -> Result<Components, Error> {
     let mut of: Vec<u32> = Vec::new();
     of.try_reserve(mesh.slot_count())?;
@@ -36,7 +36,7 @@ pub fn components(mesh: &Tetrahedra) -> Result<Components, Error> {
         if !mesh.is_live(seed) || of[seed as usize] != NONE {
             continue;
         }
-        // All ghosts belong together, also where a closed surface is the hull itself.
+        // All ghosts form one component, even if a closed surface is the hull itself.
         let label = if mesh.is_ghost(seed) { 0 } else { count };
         of[seed as usize] = label;
         count = count.max(label + 1);
@@ -58,16 +58,16 @@ pub fn components(mesh: &Tetrahedra) -> Result<Components, Error> {
     Ok(Components { of, count })
 }
 
-/// Which components stay, and what region each is.
+/// Which components stay, and the region of each.
 #[derive(Clone, Debug, Default)]
 pub struct Regions {
-    /// Region of each component; NONE: carved.
+    /// Region of each component; NONE if carved.
     pub of_component: Vec<u32>,
     /// The regions.
     pub regions: Vec<Region>,
     /// Hole seeds that carve nothing, since they lie outside.
     pub holes_outside: Vec<u32>,
-    /// Region seeds in a region that has one, with that one.
+    /// Region seeds in a region that already has a seed, each with that seed.
     pub repeated_seeds: Vec<[u32; 2]>,
 }
 
@@ -77,12 +77,12 @@ pub struct Seeds<'a> {
     pub holes: &'a [[f64; 3]],
     /// Region seeds.
     pub regions: &'a [RegionSeed],
-    /// The mesh's coordinates are the caller's times two to this power.
+    /// The coordinates of the mesh are the caller's times two to this power.
     pub exponent: i32,
 }
 
 impl Seeds<'_> {
-    /// Where all of them lie: the holes, then the regions. Fails if one lies on a facet.
+    /// The components of all seeds: the holes, then the regions. Fails if one lies on a facet.
     fn locate(
         &self,
         mesh: &Tetrahedra,
@@ -123,7 +123,7 @@ fn seed_error(kind: DefectKind, element: Element, at: [f64; 3], message: Message
     Error::with_defect(Status::SeedOutside, message, defect)
 }
 
-/// Decides what is carved and labels the rest. Fails if nothing is left, or a seed is on a facet or outside.
+/// Decides what is carved and labels the rest. Fails if nothing is left, a seed is on a facet, or a region seed is outside.
 pub fn label(
     mesh: &Tetrahedra,
     points: &mut Points,
@@ -185,7 +185,7 @@ pub fn label(
     Ok(found)
 }
 
-/// Gives every remaining component a region of its own, with the smallest attributes 1, 2, … that no seed has.
+/// Gives every remaining component its own region, with the smallest attributes 1, 2, … that no seed has.
 fn number_unseeded(
     mesh: &Tetrahedra,
     components: &Components,

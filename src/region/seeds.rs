@@ -1,11 +1,11 @@
-//! Which component each seed lies in.
+//! Finds the component in which each seed lies.
 //!
 //! First a walk (Devillers, Pion & Teillaud 2002, "Walking in a triangulation") from the tetrahedron of the last seed, in the order of
-//! a k-d tree (Bentley 1975), so that the next one is near. It ends strictly inside a tetrahedron, outside of the hull, or
-//! nowhere: walks may go round in circles, as constraints break the Delaunay property, and a seed may lie on a face, edge or vertex.
-//! For what is left one pass over the tetrahedra asks the tree for the seeds in each one's box: a few comparisons per
-//! tetrahedron whatever the number of seeds. A seed strictly inside a tetrahedron is done and leaves the tree; others wait
-//! for all tetrahedra there. Memory follows the seeds.
+//! a k-d tree (Bentley 1975), so that the next one is near. It ends strictly inside a tetrahedron, outside the hull, or undecided: walks
+//! may cycle, since constraints break the Delaunay property, and a seed may lie on a face, edge or vertex. For the remaining seeds, one
+//! pass over the tetrahedra queries the tree for the seeds in each one's box: a few comparisons per tetrahedron regardless of the number of
+//! seeds. A seed strictly inside a tetrahedron is done and removed from the tree; others wait for all tetrahedra there. Memory is
+//! proportional to the number of seeds.
 use super::Components;
 use crate::error::Error;
 use crate::mesh::{flag, Tetrahedra};
@@ -14,7 +14,7 @@ use crate::predicates::{in_range, scale, Points, Sign};
 /// Where a seed lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
-    /// Outside of the convex hull.
+    /// Outside the convex hull.
     Outside,
     /// In a component, or on a facet that has it on both sides.
     In(u32),
@@ -22,19 +22,18 @@ pub(super) enum Place {
     OnFacet,
 }
 
-/// A seed as the signs see it.
+/// The position of a seed for evaluating signs.
 enum Position {
     /// A vertex of the store.
     Vertex(u32),
-    /// Outside of the exact range of coordinates: the caller's coordinates.
+    /// Outside the exact range of coordinates: the caller's coordinates.
     Fine([f64; 3]),
 }
 
-/// Seeds in a leaf. Fewer make the tree larger, more make leaves slower; from 4 to 16 nothing is to be measured.
+/// Seeds in a leaf. Fewer make the tree larger, more make leaves slower; from 4 to 16 there is no measurable difference.
 const LEAF: usize = 8;
 
-/// Steps of a walk before it is given up. A straight walk through 10^6 tetrahedra takes some 150; more steps only delay the pass that
-/// decides after all.
+/// Limit on the steps of a walk. A straight walk through 10^6 tetrahedra takes about 150; more steps only delay the final pass.
 const MOST_STEPS: u32 = 1000;
 
 struct Node {
@@ -42,7 +41,7 @@ struct Node {
     high: [f64; 3],
     /// Range of the node's seeds in the order of the tree.
     seeds: [u32; 2],
-    /// Seeds that are not done.
+    /// Number of seeds that are not done.
     waiting: u32,
     /// The right child; 0 in a leaf. The left one is the next node.
     right: u32,
@@ -56,12 +55,12 @@ impl Node {
     }
 }
 
-/// A k-d tree of points that are taken out one by one.
+/// A k-d tree of points that are removed one by one.
 struct Tree {
     nodes: Vec<Node>,
-    /// Numbers of the points, such that each node's are a range.
+    /// Indices of the points, ordered so that those of each node form a range.
     order: Vec<u32>,
-    /// Per point its leaf; the root once it is taken out.
+    /// For each point its leaf; the root once it is removed.
     leaf: Vec<u32>,
     stack: Vec<u32>,
 }
@@ -75,10 +74,10 @@ impl Tree {
         order.extend(0..count as u32);
         leaf.try_reserve_exact(count)?;
         leaf.resize(count, 0);
-        // Halving ends at more than LEAF / 2 points a leaf. A path down holds no more than 64 pending halves.
+        // Halving ends with more than LEAF / 2 points per leaf. A path down has no more than 64 pending halves.
         nodes.try_reserve_exact(4 * count / LEAF + 2)?;
         stack.try_reserve_exact(64)?;
-        // Ranges to become nodes, with the parent; right halves wait. The sign bit tells that it is a right half.
+        // Ranges that become nodes, with the parent and whether it is a right half; right halves wait.
         let mut pending: Vec<(usize, usize, u32, bool)> = Vec::new();
         pending.try_reserve_exact(64)?;
         pending.push((0, count, 0, false));
@@ -101,7 +100,7 @@ impl Tree {
                 order[from..to].iter().for_each(|&i| leaf[i as usize] = node);
                 continue;
             }
-            // Halves, so that equal points make no long path.
+            // Split into halves by count, so that equal points make no long path.
             let width = |k: usize| high[k] / 2.0 - low[k] / 2.0;
             let axis = (1..3).fold(0, |best, k| if width(k) > width(best) { k } else { best });
             let middle = (to - from) / 2;
@@ -116,12 +115,12 @@ impl Tree {
         Ok(Tree { nodes, order, leaf, stack })
     }
 
-    /// Whether all points have been taken out.
+    /// Whether all points have been removed.
     fn is_empty(&self) -> bool {
         self.nodes[0].waiting == 0
     }
 
-    /// Replaces `found` by leaves that may hold points in the box.
+    /// Sets `found` to the leaves that may contain points in the box.
     fn leaves(&mut self, low: &[f64; 3], high: &[f64; 3], found: &mut Vec<u32>) -> Result<(), Error> {
         found.clear();
         self.stack.push(0);
@@ -156,8 +155,8 @@ impl Tree {
     }
 }
 
-/// Finds the component of every seed. `exponent`: the mesh's coordinates are the caller's times two to this power. Any finite
-/// coordinates will do.
+/// Finds the component of every seed. The coordinates of the mesh are the caller's times 2^`exponent`. Seeds may have any finite
+/// coordinates.
 pub(super) fn locate(
     mesh: &Tetrahedra,
     points: &mut Points,
@@ -171,7 +170,7 @@ pub(super) fn locate(
     if seeds.is_empty() {
         return Ok(places);
     }
-    // Rounded where they are no doubles. Rounding keeps order: what is outside of a box after it was so before.
+    // Rounded if they are no doubles. Rounding is monotone: what is outside a box afterwards was outside before.
     let mut scaled: Vec<[f64; 3]> = Vec::new();
     scaled.try_reserve_exact(seeds.len())?;
     scaled.extend(seeds.iter().map(|p| p.map(|x| scale(x, exponent))));
@@ -206,7 +205,7 @@ impl Search<'_> {
         let mut from = (0..self.mesh.slot_count() as u32).find(|&t| self.is_solid(t));
         for seed in order {
             let Some(start) = from else { break };
-            // Only a seed inside the box of the mesh becomes a vertex: the filters' bounds hold there.
+            // Only a seed inside the box of the mesh becomes a vertex, since the bounds of the filters hold there.
             let at = self.scaled[seed as usize];
             if (0..3).any(|k| at[k] < low[k] || at[k] > high[k]) {
                 tree.take_out(seed);
@@ -273,8 +272,8 @@ impl Search<'_> {
         self.mesh.is_live(t) && !self.mesh.is_ghost(t)
     }
 
-    /// Walks to a vertex of the store that is no vertex of the mesh, always through a face that has it strictly beyond. Returns the last
-    /// tetrahedron and the place, if that is decided.
+    /// Walks to a vertex of the store that is no vertex of the mesh, always through a face with the vertex strictly beyond it. Returns the
+    /// last tetrahedron, and the place if it is decided.
     fn walk(&self, start: u32, p: u32) -> (u32, Option<Place>) {
         let (mut t, mut entered) = (start, u32::MAX);
         for _ in 0..MOST_STEPS {
@@ -294,7 +293,7 @@ impl Search<'_> {
             match next {
                 None if strictly => return (t, Some(Place::In(self.components.of[t as usize]))),
                 None => return (t, None),
-                // The hull is convex, and so strictly beyond one of its faces is outside.
+                // The hull is convex, so strictly beyond one of its faces is outside.
                 Some(code) if self.mesh.is_ghost(code >> 2) => return (t, Some(Place::Outside)),
                 Some(code) => (t, entered) = (code >> 2, code),
             }
@@ -310,7 +309,7 @@ impl Search<'_> {
         ([0, 1, 2].map(low), [0, 1, 2].map(high))
     }
 
-    /// Only what lies in the exact range becomes a vertex.
+    /// The position of a seed; only one in the exact range becomes a vertex.
     fn position(&mut self, seed: u32) -> Result<Position, Error> {
         let (given, p) = (self.seeds[seed as usize], self.scaled[seed as usize]);
         let exact = p.map(|x| scale(x, -self.exponent)) == given;
@@ -320,7 +319,7 @@ impl Search<'_> {
         Ok(Position::Fine(given))
     }
 
-    /// Looks whether the closed tetrahedron has the seed; true if the seed is done with.
+    /// Tests whether the closed tetrahedron contains the seed; returns true if the seed is done.
     fn visit(&self, t: u32, position: &Position, place: &mut Place) -> bool {
         let own = self.components.of[t as usize];
         let mut strictly = true;

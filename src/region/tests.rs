@@ -1,4 +1,4 @@
-//! Seeds: every one is found where it is, whatever its coordinates.
+//! Seeds: each is located correctly, whatever its coordinates.
 use crate::{tetrahedralize, DefectKind, Element, Error, Facet, Options, Plc, RegionSeed, Silent, Status};
 use crate::{TetMesh, WarningKind};
 
@@ -55,7 +55,7 @@ fn every_seed_of_many_is_found_in_its_cube() {
     assert_eq!(attributes, (0..count).map(|i| f64::from(i) + 1000.0).collect::<Vec<_>>());
 }
 
-/// They were INTERNAL: as vertices they would leave the range in which signs are exact.
+/// They used to cause INTERNAL: as vertices they would leave the range in which signs are exact.
 #[test]
 fn seeds_of_any_finite_coordinates_work() {
     for tiny in [1e-70, -1e-70, 1e-300, f64::from_bits(1), 0.0] {
@@ -87,7 +87,7 @@ fn seeds_of_any_finite_coordinates_work() {
     }
 }
 
-/// The engine scales such inputs; a seed that scaling rounds to the wall is still beside it.
+/// The engine scales such inputs; a seed that scaling rounds to the wall is still next to it.
 #[test]
 fn seeds_that_scaling_would_round_are_exact() {
     let size = 2.0f64.powi(1000);
@@ -144,7 +144,7 @@ fn seeds_without_effect_are_reported() {
     assert_eq!(attributes(&mesh, 1.0), [4.0, 5.0]);
 }
 
-/// Also not that of a seed that has no region of its own.
+/// Not even that of a seed without a region of its own.
 #[test]
 fn an_unseeded_region_never_gets_the_attribute_of_a_seed() {
     let mut plc = row(6, 1.0);

@@ -17,7 +17,7 @@ impl Candidate {
     /// The Steiner point `v`, if it is one.
     pub fn of(points: &Points, segments: &Segments, v: u32) -> Option<Self> {
         let (a, b, t) = points.implicit_parameters(v)?;
-        // A parameter of several doubles is what it has to be.
+        // A parameter of several doubles cannot be changed.
         let [t] = *t.components() else { return None };
         Some(Candidate { ends: [a, b], t, room: segments.neighbors_on_segment(v)? })
     }

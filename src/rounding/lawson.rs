@@ -1,8 +1,8 @@
-//! Flips of tetrahedra that came where rounding had spoiled others, towards the constrained Delaunay tetrahedralization of the doubles.
+//! Flips of the tetrahedra that replaced ones spoiled by rounding, towards the constrained Delaunay tetrahedralization of the doubles.
 //!
-//! Lawson's flips in space (Joe 1989): a face that is not locally Delaunay goes by a flip of its two tetrahedra into three, or, where they
-//! make a reflex edge, by the removal of that edge with a sheet that joins the two apexes. In space flips can get stuck, and with tetrahedra
-//! that must stay they can run in circles: so their number is bounded, and what is not reached is left.
+//! Lawson's flips in space (Joe 1989): a face that is not locally Delaunay is removed by flipping its two tetrahedra to three or, if they
+//! form a reflex edge, by replacing that edge with a sheet that joins the two apexes. In space flips can get stuck, and with tetrahedra
+//! that must stay they can cycle, so their number is bounded, and remaining faces are left as they are.
 //!
 //! Invariants: subfaces and subsegments stay; every tetrahedron is positive in doubles.
 use super::positive;
@@ -14,9 +14,9 @@ use crate::mesh::Tetrahedra;
 use crate::predicates::{Points, Sign};
 use crate::reconnect::sheet::Sheets;
 
-/// Flips per tetrahedron that they start from.
+/// Limit of flips per initial tetrahedron.
 const MOST_FLIPS: usize = 8;
-/// Most tetrahedra round a reflex edge.
+/// The most tetrahedra around a reflex edge.
 const MOST_RING: usize = 6;
 
 /// Flips; keeps its scratch space.

@@ -1,11 +1,11 @@
-//! Handing out doubles: positions of implicit Steiner points, with every tetrahedron strictly positive.
+//! Rounding: positions in doubles for implicit Steiner points, with every tetrahedron strictly positive.
 //!
-//! Engine notes §9. A Steiner point that is no double goes to the nearest one. Where that flattens or inverts a tetrahedron,
-//! one of its implicit vertices is moved: along its segment to a parameter that makes it an exact double, if the
-//! exact mesh stays constrained Delaunay; else to a neighbouring lattice point; else along its segment to a parameter whose
-//! rounding is kinder. Every such move lowers the number of tetrahedra that are not positive. Where none helps, the points at these
-//! tetrahedra go to doubles nearest to the planes that they are close to ([`precise`]), or the tetrahedra are replaced ([`untangle`]),
-//! a fixed number of times ([`STAGES`]); so the search ends. It ends earlier where its budget is spent ([`work`]).
+//! A Steiner point that is no double is rounded to the nearest one. If that flattens or inverts a tetrahedron, one of its implicit vertices
+//! is moved: along its segment to a parameter that makes it an exact double, if the exact mesh stays constrained Delaunay; otherwise to a
+//! neighbouring lattice point; otherwise along its segment to a parameter that rounds better. Every such move lowers the number of
+//! tetrahedra that are not positive. If none helps, the points at these tetrahedra are moved to doubles nearest to the planes that they are
+//! close to ([`precise`]), or the tetrahedra are replaced ([`untangle`]), a fixed number of times ([`STAGES`]), so the search terminates.
+//! It ends earlier if its budget is spent ([`work`]).
 mod candidates;
 mod lawson;
 mod moves;
@@ -29,10 +29,10 @@ use precise::Reach;
 use rustc_hash::FxHashSet;
 use work::Work;
 
-/// What is done where moving points one by one has not helped.
+/// What is done if moving points one by one has not helped.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
-    /// Points go nearest to the planes that they are close to.
+    /// Points are moved nearest to the planes that they are close to.
     Place(Reach),
     /// Points may move far.
     Stray,
@@ -58,7 +58,7 @@ pub struct Rounded {
     pub xyz: Vec<[f64; 3]>,
     /// Points that are not where segment recovery and rounding to nearest had put them.
     pub moved: u64,
-    /// Slots of tetrahedra that took the place of others, ascending: positive in doubles, not necessarily Delaunay.
+    /// Slots of replacement tetrahedra, ascending: positive in doubles, not necessarily Delaunay.
     pub replaced: Vec<u32>,
     /// Steiner points without a valid position: tetrahedra at them are flat or inverted in doubles.
     pub crowded: Vec<u32>,
@@ -88,8 +88,8 @@ impl Kept<'_> {
 }
 
 /// Finds positions in doubles for all vertices. `scale_exponent`: coordinates are the caller's times two to this power.
-/// `reconnect`: tetrahedra may be replaced where moving points is not enough. Where that fails too the exact mesh is left as it was, but for
-/// parameters on segments.
+/// `reconnect`: tetrahedra may be replaced where moving points is not enough. If that fails too, the exact mesh is left unchanged, except
+/// for parameters on segments.
 pub fn round(
     delaunay: &mut Delaunay,
     points: &mut Points,
@@ -148,8 +148,7 @@ pub fn round(
     Ok(rounded)
 }
 
-/// The nearest number that exact arithmetic can take, and that the caller's scale holds: that may lose bits of subnormal
-/// numbers.
+/// The nearest number within the range of exact arithmetic that the caller's scale can represent; subnormal numbers may lose bits.
 fn surviving(x: f64, scale_exponent: i32) -> f64 {
     scale(scale(to_range(x), -scale_exponent), scale_exponent)
 }
@@ -197,8 +196,8 @@ struct Repair<'a, 'b> {
     moves: u64,
     /// Tetrahedra that took the place of others.
     replaced: FxHashSet<u32>,
-    /// The exact mesh, once tetrahedra may have been replaced. No parameter changes from then on: nothing would show any more that the
-    /// exact mesh stays valid.
+    /// The exact mesh, once tetrahedra may have been replaced. No parameter changes from then on, since it could no longer be verified that
+    /// the exact mesh stays valid.
     exact: Option<ExactMesh>,
 }
 
@@ -210,7 +209,7 @@ struct ExactMesh {
 }
 
 impl Repair<'_, '_> {
-    /// Moves vertices of tetrahedra that are not positive until that helps no more; leaves those in the list that stay so.
+    /// Moves vertices of tetrahedra that are not positive until that no longer helps; leaves in the list those that remain so.
     fn mend_all(&mut self, bad: &mut Vec<u32>, far: bool) -> Result<(), Error> {
         loop {
             let before = self.moves;
@@ -229,7 +228,7 @@ impl Repair<'_, '_> {
         }
     }
 
-    /// Leaves those tetrahedra in the list that are handed out and not positive.
+    /// Keeps in the list only tetrahedra that are part of the output and not positive.
     fn keep_bad(&self, bad: &mut Vec<u32>) {
         bad.sort_unstable();
         bad.dedup();

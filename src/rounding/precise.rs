@@ -1,9 +1,9 @@
-//! Doubles that are far nearer to some planes than to the point they stand for.
+//! Doubles that are far nearer to some planes than to the point that they represent.
 //!
-//! Facets that are almost coplanar hold tetrahedra thinner than a unit in the last place: rounding moves their vertices through
-//! each other's planes. Only the error across these planes does that; the error along them is harmless. Among the doubles within a few units
-//! of a Steiner point there is one that lies a hundred to a thousand times nearer to a plane than the nearest double does: of the (2r + 1)³ doubles
-//! within r units on each axis the best of n planes is off by some r^(1 − 3/n) / 3 units.
+//! Nearly coplanar facets have tetrahedra between them that are thinner than a unit in the last place: rounding moves their vertices
+//! through each other's planes. Only the error across these planes does that; the error along them is harmless. Among the doubles within a
+//! few units of a Steiner point there is one that lies a hundred to a thousand times nearer to a plane than the nearest double does: of the
+//! (2r + 1)³ doubles within r units on each axis the best of n planes is off by some r^(1 − 3/n) / 3 units.
 //!
 //! Everything here is approximate: it chooses a position, and the caller tests tetrahedra exactly.
 use super::candidates::Candidate;
@@ -13,7 +13,7 @@ use crate::predicates::Expansion;
 use crate::vector::dot;
 use rustc_hash::FxHashSet;
 
-/// What is looked at for one point.
+/// The extent of the search for one point.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
     /// Other parameters on its segment.
@@ -107,7 +107,7 @@ impl Repair<'_, '_> {
     }
 }
 
-/// What a search among the doubles round a point counts.
+/// The cost of a search among the doubles around a point.
 fn cells(radius: i32, normals: usize) -> u64 {
     let side = 2 * radius.unsigned_abs() as u64 + 1;
     side * side * side * (normals as u64 + 1) / 4

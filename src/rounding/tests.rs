@@ -1,4 +1,4 @@
-//! Prisms whose caps are almost flat fans of slivers: tetrahedra on them are thinner than a unit in the last place.
+//! Prisms whose caps are nearly flat fans of slivers: tetrahedra on them are thinner than a unit in the last place.
 use crate::check::check_mesh;
 use crate::error::Status;
 use crate::options::Options;

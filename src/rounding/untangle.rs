@@ -1,13 +1,13 @@
-//! Reconnection where doubles are too coarse for the exact mesh: tetrahedra that rounding has flattened or turned over go.
+//! Reconnection where doubles are too coarse for the exact mesh: replaces tetrahedra that rounding has flattened or inverted.
 //!
-//! Engine notes §9 (d). Almost flat facets hold tetrahedra thinner than the last place of their coordinates; no move of a point within
-//! its surroundings makes all of these positive, but other tetrahedra on the same vertices are. So a tetrahedron that is not positive
-//! is taken out together with some around it (those round an edge of it, at a vertex of it, or up to a few faces away), and the
-//! polyhedron is filled anew by small polyhedron reconnection ([`crate::reconnect`]), by exact signs of the doubles that are handed out.
+//! Nearly flat facets have tetrahedra at them that are thinner than the last place of their coordinates; no move of a point within its
+//! surroundings makes all of these positive, but other tetrahedra on the same vertices are. So a tetrahedron that is not positive is
+//! removed together with some around it (those around one of its edges, at one of its vertices, or up to a few faces away), and the
+//! polyhedron is filled by small polyhedron reconnection ([`crate::reconnect`]), using exact signs of the output doubles.
 //!
-//! Invariants: subfaces and subsegments stay; new tetrahedra are positive in doubles; components keep what they hold, because no
-//! cavity reaches across a subface, and none holds ghosts. What is given up is the Delaunay property of the new tetrahedra, and that they are positive in the
-//! exact positions too: so they are listed.
+//! Invariants: subfaces and subsegments stay; new tetrahedra are positive in doubles; components keep their space, because no cavity
+//! extends across a subface, and none contains ghosts. The new tetrahedra need not be Delaunay, nor positive at the exact positions, so
+//! they are listed.
 use super::lawson::Lawson;
 use super::work::{self, Work};
 use super::{positive, Repair};
@@ -46,8 +46,8 @@ pub struct Site<'a> {
 impl Site<'_> {
     /// Replaces tetrahedra of one component by others with the same boundary; false (and nothing is changed) if these do not fit.
     ///
-    /// As long as some tetrahedra are not positive, the boundary of a cavity may cross itself. Positive tetrahedra that fill it cover some places
-    /// twice then, and may have a face four times, or one that is beside the cavity already.
+    /// As long as some tetrahedra are not positive, the boundary of a cavity may cross itself. Positive tetrahedra that fill it then cover
+    /// some points twice, and may have a face four times, or one that already exists next to the cavity.
     pub fn put(&mut self, old: &[u32], new: &[[u32; 4]]) -> Result<bool, Error> {
         if !self.fits(old, new)? {
             return Ok(false);
@@ -69,7 +69,7 @@ impl Site<'_> {
         Ok(true)
     }
 
-    /// Every face is there twice: from either side.
+    /// Whether every face occurs twice, once from each side.
     fn fits(&mut self, old: &[u32], new: &[[u32; 4]]) -> Result<bool, Error> {
         let mesh = &self.delaunay.mesh;
         let sides = &mut self.sides;
@@ -94,7 +94,7 @@ fn side([a, b, c]: [u32; 3]) -> ([u32; 3], bool) {
 }
 
 impl Repair<'_, '_> {
-    /// Replaces the tetrahedra of the list, and leaves those in it that no filling replaces.
+    /// Replaces the tetrahedra in the list; those without a filling stay in it.
     pub(super) fn reconnect(&mut self, bad: &mut Vec<u32>) -> Result<(), Error> {
         self.keep_exact()?;
         let mut edges: FxHashSet<[u32; 2]> = FxHashSet::default();

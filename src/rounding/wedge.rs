@@ -6,7 +6,7 @@
 
 use crate::vector::{cross, dot};
 
-/// A plane through no point but with the outward distance of the point and the unit normal into the allowed side.
+/// A plane, given by its unit normal into the allowed side and the signed distance of the point.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
     /// Unit normal.
@@ -18,7 +18,7 @@ pub struct Plane {
 /// Most planes considered: there are n³/6 corners to try.
 pub const MOST: usize = 24;
 
-/// Of unit normals, far below what rounding makes of products that are zero: what is smaller has no sense as a divisor.
+/// For unit normals, far below the rounding errors of products that are zero: smaller values are meaningless as divisors.
 const PARALLEL: f64 = 1e-60;
 
 /// The shortest `d` with `height + normal · d >= margin` for all planes, if a corner of up to three planes gives one.

@@ -131,7 +131,7 @@ pub(super) fn preserved(
     Ok(out)
 }
 
-/// The surface's segment that a Steiner point lies on, in the order of both, and whether its ends are the other way round.
+/// The surface's segment that a Steiner point lies on, in the order of both, and whether its ends are reversed.
 fn segment_of(
     engine: &Engine,
     segments: &Segments,
@@ -207,12 +207,12 @@ fn chains(
 
 /// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
 pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<TetMesh, Error> {
-    // Taken apart by name: what is left in a struct would live until the end.
+    // Destructured by name, since fields left in the struct would live until the end.
     let Engine { points, delaunay, input_of, rounds: _, engine_of, scale: _ } = engine;
     drop((points, engine_of));
     let Delaunay { mut mesh, cavity, vertex_tet, .. } = delaunay;
     drop((cavity, vertex_tet));
-    // Flags tell below which slots stay; the list of free ones is as good as gone.
+    // Flags tell below which slots stay; the list of free ones is no longer needed.
     mesh.free = Vec::new();
     let mut number = Vec::new();
     number.try_reserve_exact(mesh.slot_count())?;
@@ -357,7 +357,7 @@ fn faces(
     for (corners, facet) in subfaces {
         let marker = plc.facet_marker(facet as usize);
         let Some(&code) = code_of.get(&face_key(corners)) else {
-            // All around was carved, and is not even in the mesh any more.
+            // Everything around it was carved, and is no longer even in the mesh.
             if !out.preserved {
                 return Err(Error::internal("a subface is no face of the mesh"));
             }

@@ -1,4 +1,4 @@
-//! The error for places where doubles are too coarse: it names what is too close there.
+//! The error for places where doubles are too coarse: it names the elements that are too close together.
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::fallible;
 use crate::plc::near::Home;

@@ -1,10 +1,10 @@
 //! Merging of facets ([`Options::merge_facets`]) in the pipeline: flips and recovery of segments in turn, and the comparison with
 //! the mesh without merging.
 //!
-//! Merging never refuses what is meshed without it, and never takes more Steiner points. The first is had by doing without it where it
-//! fails. For the second the recovery without merging is run beside it, until it is certain that it takes as many points: each
-//! missing piece of a segment takes one of its own at least. So it mostly ends early, and it is not begun where nothing was flipped, or
-//! where the segments that are missing at the start are as many already.
+//! Merging never fails on input that can be meshed without it, and never takes more Steiner points. If merging fails, the mesh is made
+//! without it. To compare the number of points, recovery without merging is also run, until it is certain to take as many: each missing
+//! piece of a segment takes at least one point. So it usually ends early, and it is not started if nothing was flipped, or if at least as
+//! many segments are missing at the start.
 use super::{Engine, Recovered, Run};
 use crate::constrain::segment::Segments;
 use crate::error::{Error, Status};
@@ -18,14 +18,14 @@ use crate::plc::{Plc, Prepared};
 use crate::progress::{report, Phase};
 use rustc_hash::FxHashMap;
 
-/// Attempts at merging facets from scratch before all new edges beside the input's surface are given up.
+/// Attempts at merging facets from scratch before all new edges off the input's surface are given up.
 const MERGE_ATTEMPTS: usize = 3;
-/// How often an attempt is mended: new edges that would need Steiner points are flipped back.
+/// How often an attempt is repaired: new edges that would need Steiner points are flipped back.
 const MENDINGS: usize = 16;
 
-const FEWER: &str = "facets are not merged: without that the mesh takes fewer Steiner points";
+const FEWER: &str = "facets are not merged: without merging the mesh needs fewer Steiner points";
 
-/// What merging and recovery give.
+/// The result of merging and recovery.
 struct Merged {
     surface: Surface,
     segments: Segments,
@@ -34,7 +34,7 @@ struct Merged {
     is_flipped: bool,
 }
 
-/// Per segment whether merging has made it beside the input's surface.
+/// For each segment whether merging made it off the input's surface.
 fn edges_beside(surface: &Surface) -> Result<Vec<bool>, Error> {
     let mut beside = Vec::new();
     beside.try_reserve_exact(surface.segments.len())?;
@@ -52,13 +52,13 @@ fn split_edges(surface: &Surface, segments: &Segments) -> Result<Vec<[u32; 2]>, 
     Ok(split)
 }
 
-/// Whether another way to the mesh may do where this error ended one: it is neither the caller's wish nor the machine's limit.
+/// Whether another way to the mesh may succeed after this error: it is neither a request of the caller nor a limit of the machine.
 fn may_be_avoided(error: &Error) -> bool {
     !matches!(error.status, Status::Cancelled | Status::OutOfMemory | Status::TooLarge)
 }
 
 impl Run<'_> {
-    /// Meshes with merged facets; without merging where that fails or takes more Steiner points.
+    /// Meshes with merged facets, or without merging if that fails or takes more Steiner points.
     pub(super) fn merged_or_not(
         &mut self,
         plc: &Plc,
@@ -89,7 +89,7 @@ impl Run<'_> {
             match &merged {
                 Err(error) if unmerged.is_ok() => {
                     self.observer.log(&fallible::text(format_args!(
-                        "facets are not merged, since that fails: {}",
+                        "facets are not merged, since merging fails: {}",
                         error.message
                     ))?);
                 }
@@ -174,9 +174,9 @@ impl Run<'_> {
         Ok((merged.surface, Recovered::of(merged.segments)))
     }
 
-    /// Merges facets and recovers segments. Steiner points on an edge that merging has made beside the input's surface would lie beside it too. So
-    /// such edges are not split; those that turn out to be missing are flipped back, as often as that helps, and then
-    /// avoided from the start. In the last attempt there is no such edge at all.
+    /// Merges facets and recovers segments. Steiner points on an edge that merging made off the input's surface would lie off it too. So
+    /// such edges are not split; those found missing are flipped back as long as that helps, and then avoided from the start. In the last
+    /// attempt there are no such edges.
     ///
     /// Steiner points that an earlier state took stay. Recovery from the start once more would save 46 of 354,660 on the eleven models
     /// that take longest, and costs a tenth to a sixth of the instructions.
@@ -223,7 +223,7 @@ impl Run<'_> {
                 segments = Some(current);
             }
         }
-        Err(Error::internal("merging did not end"))
+        Err(Error::internal("merging did not terminate"))
     }
 
     /// Flips edges of the surface, steered by the edges of the triangulation, and finds its segments and patches.
@@ -236,7 +236,7 @@ impl Run<'_> {
     ) -> Result<(), Error> {
         let Engine { delaunay, engine_of, .. } = engine;
         let mut search = StarSearch::default();
-        // Every edge is asked for many times. Looked up only, never iterated.
+        // Every edge is looked up many times. Never iterated.
         let mut known: FxHashMap<[u32; 2], bool> = FxHashMap::default();
         let mut is_edge = |[a, b]: [u32; 2]| {
             let key = [a.min(b), a.max(b)];

@@ -1,4 +1,4 @@
-//! Polygons that are planar only up to rounding: their diagonals are our own choice, and take no points.
+//! Polygons that are planar only up to rounding: their diagonals are chosen freely and take no points.
 use super::{tetrahedralize, Promise, Run, Statistics, Warnings};
 use crate::check::{check_mesh, check_preserved};
 use crate::{Element, Facet, Mode, Options, Plc, Silent, Status, TetMesh};

@@ -1,9 +1,9 @@
 //! The pipeline of [`Mode::Preserve`](crate::Mode::Preserve).
 //!
 //! First by reconnection: edges and faces of the surface are recovered in the Delaunay tetrahedralization without a point, or with few
-//! points on the edges that resist ([`recover`](crate::preserve::recover)). Where that is given up, and where the hull is kept or facets are
-//! merged, from the constrained Delaunay tetrahedralization, which always exists. Either way what is on the surface is
-//! taken away again ([`from_constrained`]).
+//! points on the edges that resist ([`recover`](crate::preserve::recover)). If that is given up, and if the hull is kept or facets are
+//! merged, the start is the constrained Delaunay tetrahedralization, which always exists. Either way points on the surface are removed
+//! again ([`from_constrained`]).
 use super::crowding::crowding;
 use super::promise::promise;
 use super::{assemble, in_terms_of_input, warn, Engine, Run};

@@ -5,7 +5,7 @@ use crate::plc::Segment;
 use crate::{Mode, Options, Plc, Preserve, Silent, Status};
 use std::collections::HashMap;
 
-/// They have a box around them in doubles all the same.
+/// They still have a box around them in doubles.
 #[test]
 fn points_that_are_one_or_none_are_no_internal_error() {
     let near = [[1.0; 3], [1.0, 1.0, 1.0 + f64::EPSILON]];
@@ -76,8 +76,8 @@ fn almost_coplanar_triangles_leave_room_farther_away() {
     }
 }
 
-/// Points on internal segments may stay; one has no double near it that sees its star: it is relocated after all. (With the hull kept,
-/// all starts from the constrained Delaunay tetrahedralization.)
+/// Points on internal segments may stay; one has no double near it that sees its star, so it is relocated after all. (With the hull kept,
+/// the start is the constrained Delaunay tetrahedralization.)
 #[test]
 fn points_that_may_stay_are_relocated_where_doubles_leave_no_room() {
     let plc =

@@ -1,4 +1,4 @@
-//! What mode preserve promises for a carved domain, written down before anything is taken off its surface.
+//! What mode preserve promises for a carved domain, recorded before anything is removed from its surface.
 use super::Engine;
 use crate::check::Promise;
 use crate::constrain::edge_key;

@@ -101,7 +101,7 @@ fn nested_boxes_are_two_regions_or_a_hole() {
 
 #[test]
 fn a_hole_may_take_a_whole_room_with_its_walls() {
-    // A box of two rooms: the facets of the carved one border nothing any more.
+    // A box of two rooms: the facets of the carved one no longer bound anything.
     let mut plc = cube(2.0);
     plc.points.extend([[1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [1.0, 2.0, 2.0], [1.0, 0.0, 2.0]]);
     // Floor, ceiling and two sides know the wall's edges.
@@ -182,8 +182,8 @@ fn where_doubles_are_too_coarse_the_exact_form_remains() {
 
 #[test]
 fn elements_an_ulp_apart_are_meshed() {
-    // A vertex of one triangle lies an ulp beside an edge of another that starts at the same corner (found by the property
-    // test of triangles in a cube, coordinates times 0.1): equal radii cannot be kept equal in doubles.
+    // A vertex of one triangle lies an ulp off an edge of another that starts at the same corner (found by the property test of triangles
+    // in a cube, coordinates times 0.1): equal radii cannot be kept equal in doubles.
     let s = 0.30000000000000004;
     let mut plc = cube(0.4);
     plc.facets.clear();
@@ -195,7 +195,7 @@ fn elements_an_ulp_apart_are_meshed() {
 
 #[test]
 fn scaled_models_give_the_same_mesh() {
-    // Powers of two change nothing but the exponents, far beyond what plain doubles could multiply.
+    // Powers of two change only the exponents, far beyond what doubles could multiply.
     let reference = run(&schoenhardt(0.0), &Options::default()).unwrap();
     for power in [-900, -500, 500, 900] {
         let factor = 2f64.powi(power);
@@ -431,7 +431,7 @@ fn leaky(low: [f64; 3], high: [f64; 3], base: u32) -> (Vec<[f64; 3]>, Vec<[u32; 
     (corners(low, high), triangles)
 }
 
-/// The error named no element at all.
+/// The error used to name no element at all.
 #[test]
 fn a_surface_that_leaks_is_told_where() {
     let (points, triangles) = leaky([0.0; 3], [2.0; 3], 0);
@@ -458,7 +458,7 @@ fn a_surface_that_leaks_is_told_where() {
     assert_eq!(run(&plc, &kept).unwrap().warnings.total(), 0);
 }
 
-/// The outer shell vanished without a word.
+/// The outer shell used to vanish without a warning.
 #[test]
 fn a_shell_that_leaks_beside_others_is_a_warning() {
     let (mut points, mut triangles) = leaky([0.0; 3], [8.0; 3], 0);
@@ -489,7 +489,7 @@ fn a_shell_that_leaks_beside_others_is_a_warning() {
     assert_eq!(warnings.count(crate::WarningKind::OpenEdge), 4);
 }
 
-/// Once both kinds came back among the mesh's, subfaces with two invalid tetrahedra.
+/// Both kinds used to be listed with the mesh's own, as subfaces with two invalid tetrahedra.
 #[test]
 fn what_bounds_nothing_is_set_apart() {
     let mut plc = nested();
@@ -541,7 +541,7 @@ fn what_bounds_nothing_is_set_apart() {
     }
 }
 
-/// They pointed either way, by the numbers of tetrahedra.
+/// They used to point either way, by the indices of the tetrahedra.
 #[test]
 fn interfaces_point_from_the_lower_region_to_the_higher() {
     let mut plc = nested();
@@ -601,7 +601,7 @@ fn without_validation_errors_name_the_elements_of_the_caller() {
     }
 }
 
-/// The map and what it takes to undo it: a check against the input needs no more.
+/// The map and the data to undo it: a check against the input needs nothing else.
 #[test]
 fn points_without_tetrahedra_can_be_dropped() {
     // A loose point first, a twisted prism, a leaking one with Steiner points of its own, and a corner twice.
@@ -631,7 +631,7 @@ fn points_without_tetrahedra_can_be_dropped() {
         assert_eq!(dropped.inputs()[..7], [INVALID, 0, 1, 2, 3, 4, 5]);
         assert!(dropped.inputs()[7..13].iter().all(|&v| v == INVALID));
         assert_eq!(dropped.inputs()[13], 2);
-        // The leaking prism's are gone, the other's are put between points by their new numbers.
+        // Those of the leaking prism are dropped, the ends of the other's have their new indices.
         assert_eq!(mode == Mode::Constrained, !dropped.steiner.is_empty());
         assert!(mesh.steiner.iter().all(|s| s.is_inside() || s.ends.iter().all(|&v| v < 6)));
         let back = mesh.with_dropped(&plc.points).unwrap();
@@ -648,7 +648,7 @@ fn points_without_tetrahedra_can_be_dropped() {
             assert!((p[0] + 2.0 * p[1] - a).abs() < 1e-9);
         }
         assert_eq!((data.markers.len(), data.attributes.len()), (mesh.points.len(), mesh.points.len()));
-        // What does not fit is an error.
+        // A mismatch is an error.
         assert!(mesh.with_dropped(&plc.points[1..]).is_err());
         let mut wrong = mesh.clone();
         wrong.dropped.as_mut().unwrap().new_index[0] = 0;

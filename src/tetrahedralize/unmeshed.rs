@@ -1,4 +1,4 @@
-//! What is not meshed is set apart: pieces of facets and segments, and points, around which everything was carved.
+//! Separates what is not meshed: pieces of facets and segments, and points, around which everything was carved.
 use crate::constrain::edge_key;
 use crate::error::{Error, Status};
 use crate::output::{Subsegment, TetMesh};

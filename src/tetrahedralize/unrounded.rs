@@ -1,9 +1,9 @@
-//! Where no doubles make the constrained Delaunay mesh positive.
+//! The mesh for input whose constrained Delaunay mesh no doubles make positive.
 //!
-//! What has no room there are Steiner points on edges: sheets or needles may be nearer to each other than doubles are. Without these
-//! points nothing has to be rounded. So all are taken off the surface, as [`Mode::Preserve`](crate::Mode::Preserve) does it; any points
-//! inside are doubles from the start. The mesh conforms to the input like the other one, but not all of its faces are locally Delaunay:
-//! tetrahedra at such faces are listed as replaced.
+//! Steiner points on edges have no room if sheets or needles are closer to each other than the spacing of doubles. Without these points
+//! nothing has to be rounded. So all are removed from the surface, as in [`Mode::Preserve`](crate::Mode::Preserve); any points inside are
+//! doubles from the start. The mesh conforms to the input like the other one, but not all of its faces are locally Delaunay: tetrahedra at
+//! such faces are listed as replaced.
 use super::preserve::Embedded;
 use super::{tetrahedralize, Run};
 use crate::error::{Error, Status};

@@ -1,4 +1,4 @@
-//! Sheets and needles nearer to each other than doubles are: every mesh proved by the exact checker.
+//! Sheets and needles closer to each other than the spacing of doubles: every mesh is proved by the exact checker.
 use super::tetrahedralize;
 use crate::check::check_mesh;
 use crate::error::Status;
@@ -33,7 +33,8 @@ fn turned(plc: &mut Plc, numbers: &mut Numbers) {
     }
 }
 
-/// Triangles round an edge in directions of a lattice, turned: where two directions are one, rounding leaves a sheet beside the other.
+/// Triangles around an edge in directions of a lattice, rotated: where two directions coincide, rounding leaves one sheet next to the
+/// other.
 fn fan(seed: u64) -> Plc {
     let mut numbers = Numbers(seed);
     let mut plc = Plc { points: vec![[0.0; 3], [0.0, 0.0, numbers.next(1, 4)]], ..Plc::default() };
@@ -66,7 +67,7 @@ fn shells(seed: u64, count: u32) -> Plc {
     plc
 }
 
-/// The mesh, checked; none where the input is not valid.
+/// The checked mesh; `None` if the input is not valid.
 fn meshed(plc: &Plc, options: &Options) -> Option<TetMesh> {
     match tetrahedralize(plc, options, &mut Silent) {
         Ok(mesh) => {
@@ -84,7 +85,7 @@ fn with_hull() -> Options {
     Options { keep_hull: true, ..Options::default() }
 }
 
-/// Constrained Delaunay meshes have points on these sheets, and no doubles for them: the search ends soon, and the mesh has none there.
+/// Constrained Delaunay meshes have points on these sheets without valid doubles: the search ends soon, and the mesh has no points there.
 #[test]
 fn sheets_an_ulp_apart_round_an_edge_are_meshed() {
     for seed in [1, 22] {
@@ -94,7 +95,7 @@ fn sheets_an_ulp_apart_round_an_edge_are_meshed() {
     }
 }
 
-/// The same with merging, which has its own ways.
+/// The same with merging, which takes other code paths.
 #[test]
 fn sheets_an_ulp_apart_are_meshed_with_merged_facets() {
     let mesh = meshed(&fan(1), &Options { merge_facets: Some(179.9), ..with_hull() }).unwrap();

@@ -1,4 +1,4 @@
-//! What the caller is told about a mesh that was made all the same.
+//! Warnings about a mesh that is valid nonetheless.
 use crate::constrain::edge_key;
 use crate::error::{Element, Error};
 use crate::options::{Mode, Options};
@@ -10,7 +10,7 @@ use crate::region::Regions;
 use crate::warning::{Warning, WarningKind, Warnings};
 use crate::INVALID;
 
-/// Warns of equal points, and of what the input asks for in vain. Returns how many points equal an earlier one.
+/// Warns of equal points, and of input that has no effect. Returns how many points equal an earlier one.
 pub(super) fn about_input(plc: &Plc, alias: &[u32], options: &Options, warnings: &mut Warnings) -> u64 {
     for (&earlier, (i, &at)) in alias.iter().zip((0..).zip(&plc.points)) {
         if earlier != i {
@@ -77,7 +77,7 @@ pub(super) fn about_mesh(mesh: &TetMesh, options: &Options, warnings: &mut Warni
         warnings.push(Warning { kind, first, second: None, point: middle(&edge.ends) }, limit);
     }
     for &v in &mesh.unmeshed_points {
-        // Equal points are warned of as such; points that were added lie on pieces that are.
+        // Equal points and the pieces on which added points lie have warnings of their own.
         if mesh.point_alias.get(v as usize) == Some(&v) {
             let (kind, first) = (WarningKind::UnmeshedPoint, Element::Point(v));
             warnings.push(Warning { kind, first, second: None, point: Some(at(v)) }, limit);
@@ -86,7 +86,7 @@ pub(super) fn about_mesh(mesh: &TetMesh, options: &Options, warnings: &mut Warni
     Ok(())
 }
 
-/// The input's edges (ends ascending; sorted) that one facet only has, and that facet bounds no tetrahedron there.
+/// The input's edges (ends ascending; sorted) with only one facet, which bounds no tetrahedron there.
 fn open_edges(mesh: &TetMesh) -> Result<Vec<[u32; 2]>, Error> {
     let edges = |face: &Subface| {
         let [a, b, c] = face.corners;
@@ -108,7 +108,7 @@ fn open_edges(mesh: &TetMesh) -> Result<Vec<[u32; 2]>, Error> {
             once[found].1 = false;
         }
     }
-    // Pieces of one edge of the input, between the points that were added on it, are one.
+    // Pieces of one input edge, between the points added on it, count as one.
     open.clear();
     open.extend(once.into_iter().filter(|x| x.1).map(|([a, b], _)| {
         let added = |v: u32| v.checked_sub(mesh.input_point_count).and_then(|i| mesh.steiner.get(i as usize));
@@ -120,7 +120,7 @@ fn open_edges(mesh: &TetMesh) -> Result<Vec<[u32; 2]>, Error> {
     Ok(open)
 }
 
-/// The error of an input that encloses nothing, with the open edges that let it leak.
+/// The error for an input that encloses nothing, with the open edges where it leaks.
 pub(super) fn nothing_enclosed(plc: &Plc, surface: &Surface, max_defects: usize) -> Error {
     match crate::plc::open::open_edges(surface) {
         Ok(open) => crate::plc::prepare::nothing_enclosed(plc, surface, &open, max_defects),

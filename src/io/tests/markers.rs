@@ -1,4 +1,4 @@
-//! Where markers and their names come from in each surface format, and what a content is that is no surface.
+//! Markers and their names in each surface format, and the recognition of content that is no surface.
 use super::super::*;
 use super::Folder;
 use crate::plc::Segment;
@@ -61,7 +61,7 @@ fn solids_of_an_stl_file_are_numbered_and_named() {
     let several = text(&[solid("inlet", 0), solid("", 1), solid("inlet", 2)].concat(), Format::Stl);
     assert_eq!(several.triangle_markers, [1, 2, 3]);
     assert_eq!(named(&several), [(1, "inlet"), (3, "inlet")]);
-    // A solid that is alone divides nothing; one that states its marker has it. Others get numbers that nobody states.
+    // A single solid divides nothing; a solid that states a marker has it. Others get numbers that none states.
     let alone = text(&solid("part 1", 0), Format::Stl);
     assert_eq!((alone.triangle_markers.len(), named(&alone)), (0, vec![(0, "part 1")]));
     let stated = text(&[solid("a", 0), solid("marker_1 lid", 1), solid("c", 2)].concat(), Format::Stl);
@@ -170,7 +170,7 @@ fn a_content_that_is_not_what_its_name_says_is_named() {
         (Off, b"# made by hand\n\nv 0 0 0\nv 1 0 0\n", "not an OFF file: it is an OBJ file"),
         (Off, b"solid x\nfacet normal", "not an OFF file: it is an STL file"),
         (Poly, b"ply\nformat ascii 1.0\n", "not a .poly file: it is a PLY file"),
-        // Broken files of their own kind are told where.
+        // For broken files of the right kind the error has the line.
         (Off, b"OFF\n1 0 0\n0 0\n", "line 3: "),
         (Stl, &[7; 300], "not an STL file, or cut short"),
     ] {

@@ -1,4 +1,4 @@
-//! The mesh formats to the letter, and that a failed write leaves nothing.
+//! The exact content of the mesh formats, and that a failed write leaves nothing behind.
 use super::super::*;
 use super::Folder;
 use crate::output::{Region, Statistics, SteinerPoint, Subsegment};
@@ -125,7 +125,7 @@ fn a_failed_write_leaves_nothing_behind() {
 fn an_output_that_cannot_be_moved_to_its_place_leaves_no_temporary_file() {
     let folder = Folder::new("unmoved");
     let (mesh, plc) = small_mesh();
-    // A folder that is in use cannot be replaced by a file; it is the last but one of the six.
+    // A folder cannot be replaced by a file; this is the last but one of the six.
     std::fs::create_dir(folder.file("m.neigh")).unwrap();
     let error = write(&folder.file("m.ele"), &mesh, &plc, &WriteOptions::default()).unwrap_err();
     assert_eq!(error.status, Status::File);

@@ -1,4 +1,5 @@
-//! Tests of the file formats: `surfaces` (readers and writers of surfaces, malformed files), `markers` (where markers come from), `meshes` (writers of meshes), `options` (of these writers).
+//! Tests of the file formats: `surfaces` (readers and writers of surfaces, malformed files), `markers` (where markers come from), `meshes`
+//! (writers of meshes), `options` (of these writers).
 use std::path::PathBuf;
 
 mod markers;

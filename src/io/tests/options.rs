@@ -1,4 +1,4 @@
-//! What may be asked of the writers of meshes: second order, versions, names, decks; and what formats lose.
+//! Options of the mesh writers: second order, versions, names, decks; and what formats lose.
 use super::super::*;
 use super::meshes::{small_mesh, vtu_arrays};
 use super::Folder;
@@ -60,7 +60,7 @@ fn tetgen_second_order_has_the_order_of_tetgen() {
     assert_eq!(text("m.face"), "2  1\n0 0 1 2 5 9 6 -4\n1 0 1 3 5 10 7 6\n");
     assert_eq!(text("m.edge"), "2  1\n0 0 4 8 8\n1 0 1 5 0\n");
     let node = text("m.node");
-    // Attributes in the middle are means; a part of a segment has its marker.
+    // Attributes at midpoints are means; a piece of a segment has its marker.
     assert_eq!(node.lines().next(), Some("14  3  1  1"));
     assert_eq!(node.lines().nth(6), Some("5 0.5 0 0 2 0"));
     assert_eq!(node.lines().nth(9), Some("8 0.16666666666666666 0 -0.5 1.25 8"));
@@ -124,7 +124,7 @@ fn names_of_regions_and_markers_name_groups() {
     for set in ["ELSET=G_7_UP", "ELSET=STEEL_PART", "NSET=GR__E", "NAME=TOP__LID_", "NSET=SEGMENT_8"] {
         assert!(deck.contains(&format!("{set}\n")) || deck.contains(&format!("{set}, ")), "{set}");
     }
-    // Equal labels are told apart.
+    // Equal labels are made distinct.
     plc.set_marker_name(-4, "top (lid)").unwrap();
     write(&folder.file("m.inp"), &mesh, &plc, &options).unwrap();
     let deck = std::fs::read_to_string(folder.file("m.inp")).unwrap();
@@ -166,7 +166,7 @@ fn what_a_format_cannot_hold_is_a_warning() {
     for name in ["m.vtu", "m.vtk", "m.ele"] {
         assert_eq!(lost(name, &mesh, &plc), []);
     }
-    // Marker 0 beside others is a group that another tag stands for; alone it means that nothing is marked.
+    // Marker 0 next to others is a group with another tag; alone it means that nothing is marked.
     let mut marked = mesh.clone();
     marked.regions[0].attribute = 2.0;
     marked.subfaces[0].marker = 0;
@@ -196,7 +196,7 @@ fn options_without_effect_and_impossible_ones_are_known_before_meshing() {
     assert_eq!(check(&second_order(), "m.mesh"), Err(Status::Unsupported));
     assert_eq!(check(&all, "m.off"), Err(Status::Unsupported));
     assert_eq!(check(&second_order(), "m.inp"), Ok(()));
-    // A mesh whose subface is no face has no middles of its edges.
+    // A mesh whose subface is no face has no midpoints for its edges.
     let folder = Folder::new("contradiction");
     let (mut mesh, plc) = small_mesh();
     mesh.subfaces[0].corners = [2, 3, 4];

@@ -342,7 +342,7 @@ fn valid_files() -> Vec<(Format, Vec<u8>)> {
     files
 }
 
-/// What every reader promises about what it accepts.
+/// What every reader guarantees for accepted files.
 fn assert_consistent(plc: &Plc) {
     let fine = |&c: &u32| (c as usize) < plc.points.len();
     assert!(plc.triangles.iter().flatten().all(fine));

@@ -1,10 +1,10 @@
-//! A bounding volume hierarchy over axis-parallel boxes, and all pairs of boxes that meet.
+//! A bounding volume hierarchy over axis-parallel boxes, which finds all pairs of boxes that meet.
 //!
 //! Boxes are sorted along a Morton curve and cut into leaves of equal size; the hierarchy above is a complete binary tree in
 //! an array (node `i` has children `2i + 1` and `2i + 2`), so neither building nor traversing recurses (linear BVH:
 //! Lauterbach et al. 2009). Pairs come from a traversal of the tree against itself.
 //!
-//! Boxes that belong to fans come first, fan by fan; their pairs are told apart also by directions (see [`fans`](super::fans)).
+//! Boxes that belong to fans come first, fan by fan; their pairs are also separated by directions (see [`fans`](super::fans)).
 //!
 //! Boxes are in single precision, rounded so that no pair that meets is missed (see [`Frame`]).
 use super::super::radix::sort_keyed;
@@ -12,15 +12,15 @@ use super::fans::{Fans, Member};
 use crate::elementary::quotient;
 use crate::error::Error;
 
-/// An axis-parallel box in the numbers of a [`Frame`].
+/// An axis-parallel box in the coordinates of a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds {
     low: [f32; 3],
     high: [f32; 3],
 }
 
-/// Takes coordinates to single precision, the common box to about the unit cube. Each step is monotone also when rounded, so
-/// boxes that are apart here are apart; boxes that touch in space meet here.
+/// Maps coordinates to single precision, the common box to about the unit cube. Each step is monotone even when rounded: boxes that are
+/// apart here are apart in space, and boxes that touch in space meet here.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     half_low: [f64; 3],
@@ -28,7 +28,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// The frame for the box from `low` on with edges up to `extent`.
+    /// The frame for the box from `low` with edges of up to `extent`.
     pub(super) const fn new(low: [f64; 3], extent: f64) -> Frame {
         // Halves, so that no finite extent overflows.
         Frame { half_low: [0.5 * low[0], 0.5 * low[1], 0.5 * low[2]], scale: 2.0 / extent }
@@ -105,7 +105,7 @@ pub(super) struct BoxTree {
     leaves: usize,
     /// The boxes that belong to fans: the first ones.
     members: Vec<Member>,
-    /// What the nodes are in the fans; empty if there are none.
+    /// The fan members of the nodes; empty if there are no fans.
     node_members: Vec<Member>,
 }
 
@@ -135,7 +135,7 @@ impl BoxTree {
         Ok(BoxTree { order, bounds: sorted, nodes, leaves, members: fans.members, node_members })
     }
 
-    /// Whether two elements, given by their places, or any two of two nodes, are of fans and have at most their apex in common.
+    /// Whether two elements, given by their places, or any elements of two nodes, belong to fans and have at most their apex in common.
     #[inline]
     fn apart(members: &[Member], x: usize, y: usize) -> bool {
         x.max(y) < members.len() && members[x].apart(&members[y])
@@ -152,7 +152,7 @@ impl BoxTree {
         &self.order
     }
 
-    /// Gives the box at a place of the curve's order new bounds.
+    /// Sets new bounds for the box at a place in the curve's order.
     pub(super) fn replace(&mut self, place: usize, bounds: Bounds) {
         self.bounds[place] = bounds;
         let leaf = place / LEAF;
@@ -281,7 +281,7 @@ impl BoxTree {
 /// Keys of boxes that belong to no fan have this bit, which Morton codes leave free.
 const AFTER_FANS: u64 = 1 << 63;
 
-/// What the nodes of a tree are in the fans, if there are any; the first boxes are `members`.
+/// The fan members of a tree's nodes, empty if there are no fans; the first boxes are `members`.
 fn node_members(members: &[Member], leaves: usize) -> Result<Vec<Member>, Error> {
     let mut nodes = Vec::new();
     if members.is_empty() {
@@ -289,7 +289,7 @@ fn node_members(members: &[Member], leaves: usize) -> Result<Vec<Member>, Error>
     }
     nodes.try_reserve_exact(2 * leaves - 1)?;
     nodes.resize(2 * leaves - 1, Member::MIXED);
-    // A leaf that the members fill only in part is mixed.
+    // A leaf only partly filled by members is mixed.
     for (leaf, chunk) in members.chunks_exact(LEAF).enumerate() {
         nodes[leaves - 1 + leaf] = chunk[1..].iter().fold(chunk[0], |all, m| all.union(m));
     }
@@ -299,7 +299,7 @@ fn node_members(members: &[Member], leaves: usize) -> Result<Vec<Member>, Error>
     Ok(nodes)
 }
 
-/// The position of a box's centre on a Morton curve of 21 bits per axis. Any value would be valid: it only steers speed.
+/// The position of a box's centre on a Morton curve of 21 bits per axis. Any value would be valid: it only affects speed.
 pub(super) fn morton_code(bounds: &Bounds) -> u64 {
     (0..3).fold(0, |code, k| {
         let centre = 0.5 * (bounds.low[k] + bounds.high[k]);

@@ -1,10 +1,10 @@
-//! Gathers contacts: sorted lists without duplicates, one defect per pair of elements, no more listed than allowed.
+//! Collects contacts: sorted lists without duplicates, and one defect per pair of elements, at most as many as allowed.
 use super::locate_point::Triangle;
 use super::{Intersections, Names};
 use crate::error::{Defect, DefectKind, Element, Error};
 use crate::fallible;
 
-/// Of several findings about one pair of elements the one listed: what says most comes first.
+/// Which of several findings about one pair of elements is listed: the most informative one has the lowest rank.
 fn rank(kind: DefectKind) -> u32 {
     match kind {
         DefectKind::DuplicateFacet => 0,
@@ -32,10 +32,10 @@ pub(super) struct Collector<'a> {
     found: Intersections,
     names: Names<'a>,
     max_defects: usize,
-    /// The two elements of each defect, the smaller one first; compacted when it has doubled.
+    /// The two elements of each defect, the smaller one first; deduplicated when the list has doubled.
     pairs: Vec<[Element; 2]>,
     compacted_pairs: usize,
-    /// The listed defects; cut to the first `max_defects` when it has grown well beyond.
+    /// The listed defects; truncated to the first `max_defects` when the list has grown well beyond.
     listed: Vec<Defect>,
     crossings: Vec<EdgeCrossing>,
     /// Pairs of segments that cross, and segments that pierce triangles (index, facet).
@@ -43,7 +43,7 @@ pub(super) struct Collector<'a> {
     piercings: Vec<([u32; 3], [f64; 3])>,
 }
 
-/// Lists shorter than this are not worth compacting.
+/// Lists shorter than this are not worth deduplicating.
 const COMPACT_FROM: usize = 1 << 12;
 
 impl<'a> Collector<'a> {
@@ -81,7 +81,7 @@ impl<'a> Collector<'a> {
         push(&mut self.found.segment_in_facet, (segment, triangle))
     }
 
-    /// An edge of a triangle runs through the interior of another one, in its plane.
+    /// An edge of a triangle runs through the interior of another triangle, in its plane.
     pub(super) fn edge_in_facet(&mut self, edge: [u32; 2], of: &Triangle) -> Result<(), Error> {
         push(&mut self.found.edge_in_facet, (sorted(edge), of.facet))
     }
@@ -127,7 +127,7 @@ impl<'a> Collector<'a> {
         push(&mut self.crossings, EdgeCrossing { segment, edge, facet, triangle, coplanar, point })
     }
 
-    /// Whether there has been no contact at all, legal or not.
+    /// Whether there was no contact at all, legal or not.
     pub(super) fn is_empty(&self) -> bool {
         self.pairs.is_empty()
             && self.crossings.is_empty()
@@ -176,8 +176,8 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
-    /// Every triangle at a crossed edge has met the segment, so the crossings of one edge tell whether all its triangles lie in one
-    /// plane with the segment: then the edge is inside a flat patch and may be cut; else it is part of the surface's shape.
+    /// Every triangle at a crossed edge has met the segment, so the crossings of an edge tell whether all its triangles lie in one plane
+    /// with the segment. If so, the edge is inside a flat patch and may be cut; otherwise it is part of the surface's shape.
     fn resolve_crossings(&mut self) -> Result<(), Error> {
         let mut crossings = std::mem::take(&mut self.crossings);
         let key = |c: &EdgeCrossing| (c.segment, c.edge, c.facet, c.triangle);

@@ -6,7 +6,7 @@ use super::locate_point::{locate_in_plane, Location, Projection, Triangle};
 use crate::error::{DefectKind, Error};
 use crate::predicates::Sign;
 
-/// Classifies two triangles of one plane that do not have all corners in common.
+/// Classifies two coplanar triangles that do not have all corners in common.
 pub(super) fn classify(a: &Triangle, b: &Triangle, out: &mut Collector) -> Result<(), Error> {
     let (Some(in_a), Some(in_b)) = (a.projection, b.projection) else {
         return Ok(());
@@ -42,7 +42,7 @@ fn vertex_contacts(
     Ok(())
 }
 
-/// Records a vertex on a triangle; tells whether it is on it.
+/// Records a vertex that lies on a triangle; returns whether it does.
 pub(super) fn record_vertex(
     triangle: &Triangle,
     vertex: u32,
@@ -58,7 +58,7 @@ pub(super) fn record_vertex(
     Ok(true)
 }
 
-/// A point near the overlap: the mean of the corners of the smaller triangle by box.
+/// A point near the overlap: the mean of the corners of the triangle with the smaller box.
 fn point_of_overlap(a: &Triangle, b: &Triangle) -> [f64; 3] {
     let spread = |t: &Triangle| -> f64 {
         (0..3)

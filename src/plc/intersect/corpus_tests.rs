@@ -1,4 +1,4 @@
-//! Real models: valid ones have no defect, invalid ones the recorded number. Reads OFF files of the corpus beside the project if it is there.
+//! Real models: valid ones have no defect, invalid ones the recorded number. Reads OFF files of the corpus next to the project, if present.
 use super::*;
 use crate::progress::Silent;
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ fn corpus() -> Option<PathBuf> {
     if path.join("index.tsv").exists() {
         return Some(path);
     }
-    eprintln!("no corpus beside the project: real models are not tested");
+    eprintln!("no corpus next to the project: real models are not tested");
     None
 }
 
@@ -20,7 +20,7 @@ struct Surface {
     triangles: Vec<[u32; 3]>,
 }
 
-/// Reads an OFF file with one element per line, polygons as fans; colours and normals are skipped. None where it is not one.
+/// Reads an OFF file with one element per line, polygons as fans; colours and normals are skipped. `None` if it is no such file.
 fn read_off(path: &Path) -> Option<Surface> {
     let text = std::fs::read_to_string(path).ok()?;
     let mut lines =
@@ -83,7 +83,7 @@ fn describe(name: &str, surface: &Surface, found: &Intersections, ms: f64) {
     );
 }
 
-/// Too slow without optimisation: all models there, a few small ones in a debug build.
+/// Too slow without optimization: all models in optimized builds, a few small ones in a debug build.
 fn names(corpus: &Path, list: &str) -> Vec<String> {
     let text = std::fs::read_to_string(corpus.join(list)).unwrap();
     let all = text.lines().filter_map(|line| line.split_whitespace().next());

@@ -1,40 +1,39 @@
-//! Fans: elements that have one vertex, their *apex*, in common. All their boxes meet there, so boxes alone leave a quadratic
-//! number of pairs; what tells such elements apart is the directions in which they leave the apex.
+//! Fans: elements that have one vertex, their *apex*, in common. All their boxes meet there, so boxes alone leave a quadratic number of
+//! pairs. Such elements are separated by the directions in which they leave the apex.
 //!
 //! Let two elements with the common vertex `v` have another point `x` in common. Both are convex, so the direction from `v` to
-//! `x` is one in which either of them leaves `v`. Elements that leave it in disjoint sets of directions therefore meet in `v`
-//! alone, which is a contact of no kind. So two elements of one fan, or two subtrees of them, need no look if boxes around their
-//! sets of directions are apart. (For two elements this is sharper than to compare what lies opposite the apex: the distance from
-//! it does not matter.)
+//! `x` is one in which either of them leaves `v`. Elements that leave it in disjoint sets of directions therefore meet only in `v`, which
+//! is no contact. So two elements of one fan, or two subtrees of them, need no test if the boxes around their sets of directions are apart.
+//! (For two elements this is sharper than comparing what lies opposite the apex, since the distance from it does not matter.)
 //!
 //! Directions are points of the unit sphere: one for a segment, for a triangle the arc between two. An arc over a chord of
-//! length L < 2 rises 1 − √(1 − L²/4) <= L²/4 above it, so the box of its ends, enlarged by that, holds it. The box is rounded
-//! outwards by more than the errors of the ends.
+//! length L < 2 rises 1 − √(1 − L²/4) <= L²/4 above it, so the box of its ends, enlarged by that, contains it. The box is rounded outwards
+//! by more than the errors of the ends.
 //!
-//! Two fans with apexes `v` and `w`, like the side and the base of a cone, are told apart by directions around the axis `a = w − v`.
-//! A common point is `v + α d = w + β d′` with α, β >= 0 and directions d, d′ of the two elements, so α (a × d) = β (a × d′).
-//! Where for all d, d′ of two boxes the determinant (a, d, d′) is not zero, or (a × d)·(a × d′) is negative, these products are
-//! neither zero nor of one direction, so α = β = 0 is left and would make the apexes equal: nothing is common.
+//! Two fans with apexes `v` and `w`, like the side and the base of a cone, are separated by directions around the axis `a = w − v`. A
+//! common point is `v + α d = w + β d′` with α, β >= 0 and directions d, d′ of the two elements, so α (a × d) = β (a × d′). If for all d,
+//! d′ of two boxes the determinant (a, d, d′) is not zero, or (a × d)·(a × d′) is negative, these products are neither zero nor of the same
+//! direction. That leaves α = β = 0, which would make the apexes equal, so the elements are disjoint.
 //!
-//! An element is in the fan of that corner which has the most elements, if these are [`MANY`]; else in none. Pairs of which
-//! one is in no fan are told apart by their boxes only. Still quadratic are many triangles at one edge.
+//! An element is in the fan of its corner with the most elements, if there are [`MANY`] of them, otherwise in none. Pairs in which one
+//! element is in no fan are separated only by their boxes. Many triangles at one edge are still quadratic.
 use super::boxtree::{morton_code, Bounds, Frame};
 use super::IntersectInput;
 use crate::error::Error;
 use crate::vector::{cross, dot};
 use crate::INVALID;
 
-/// How many elements at a vertex make a fan. Ordinary surfaces have six, and seldom more than twenty; below this, the pairs of a fan
-/// are too few for a tree of their own to pay.
+/// How many elements at a vertex make a fan. Ordinary surfaces have about six, seldom more than twenty; with fewer than this, a fan has too
+/// few pairs for its own tree to pay off.
 const MANY: u32 = 32;
 
-/// An element of a fan, or a subtree of such.
+/// An element of a fan, or a subtree of such elements.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Member {
     /// The fan's vertex; [`INVALID`] for a subtree whose elements are not all in one fan.
     apex: u32,
     at: [f64; 3],
-    /// A box around all directions in which it leaves the apex, the sphere of directions in the unit cube.
+    /// A box around all directions in which it leaves the apex; the sphere of directions is mapped to the unit cube.
     directions: Bounds,
 }
 
@@ -42,7 +41,7 @@ impl Member {
     /// A subtree whose elements are not all in one fan.
     pub(super) const MIXED: Member = Member { apex: INVALID, at: [0.0; 3], directions: Bounds::EMPTY };
 
-    /// What two subtrees are together.
+    /// The member for two subtrees together.
     pub(super) fn union(&self, other: &Member) -> Member {
         if self.apex != other.apex {
             return Member::MIXED;
@@ -50,7 +49,7 @@ impl Member {
         Member { directions: self.directions.union(&other.directions), ..*self }
     }
 
-    /// Whether two elements, or any two of two subtrees, are known to meet in a common apex only, or not at all.
+    /// Whether two elements, or any elements of two subtrees, are known to meet only in a common apex or not at all.
     #[inline]
     pub(super) fn apart(&self, other: &Member) -> bool {
         if self.apex == INVALID || other.apex == INVALID {
@@ -68,7 +67,7 @@ impl Member {
         let Some(axis) = direction(&self.at, &other.at) else {
             return false;
         };
-        // Every direction is its box's centre and less than the spread more.
+        // Every direction differs from its box's centre by less than the spread.
         let ((c, s), (d, t)) = (self.centre(), other.centre());
         let (p, q) = (cross(&axis, &c), cross(&axis, &d));
         let size = axis.map(f64::abs);
@@ -80,7 +79,7 @@ impl Member {
         dot(&p, &d).abs() > det_bound + ERROR || dot(&p, &q) < -(dot_bound + ERROR)
     }
 
-    /// The centre of the box of directions, and how far along each axis a direction can be from it.
+    /// The centre of the box of directions, and the largest distance of a direction from it along each axis.
     fn centre(&self) -> ([f64; 3], [f64; 3]) {
         /// More than twice the error of rounding to single precision, below 2^-24 in the unit cube.
         const SINGLE: f64 = 1.0 / 4_194_304.0;
@@ -90,18 +89,17 @@ impl Member {
     }
 }
 
-/// The elements of all fans, fan by fan, near directions near each other.
+/// The elements of all fans, fan by fan, ordered so that near directions are near each other.
 #[derive(Default)]
 pub(super) struct Fans {
     /// The elements' indices.
     pub(super) elements: Vec<u32>,
-    /// What they are in the fans.
+    /// Their fan members.
     pub(super) members: Vec<Member>,
 }
 
 impl Fans {
-    /// The fans of an input; `valence` tells how many elements are at each point. Elements are numbered triangles first, then
-    /// segments.
+    /// The fans of an input; `valence` has the number of elements at each point. Triangles are numbered first, then segments.
     pub(super) fn new(input: &IntersectInput, valence: &[u32]) -> Result<Fans, Error> {
         let mut fans = Fans::default();
         if valence.iter().all(|&count| count < MANY) {
@@ -151,23 +149,23 @@ fn directions(points: &[[f64; 3]], apex: u32, corners: &[u32]) -> Bounds {
     SPHERE.bounds([low.map(|x| x - margin), high.map(|x| x + margin)].iter())
 }
 
-/// Takes the unit sphere into the unit cube.
+/// Maps the unit sphere into the unit cube.
 const SPHERE: Frame = Frame::new([-1.0; 3], 2.0);
 
-/// The unit vector from one point towards another, rounded; none where it has no sense in doubles.
+/// The unit vector from one point towards another, rounded; `None` if it is undefined in doubles.
 fn direction(from: &[f64; 3], to: &[f64; 3]) -> Option<[f64; 3]> {
     let d: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
     let largest = d.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     if !(largest > 0.0 && largest.is_finite()) {
         return None;
     }
-    // No square overflows or vanishes beside the others.
+    // So that no square overflows, or vanishes next to the others.
     let d = d.map(|x| x / largest);
     let length = d.iter().map(|x| x * x).sum::<f64>().sqrt();
     Some(d.map(|x| x / length))
 }
 
-/// Bounds of the product's components for vectors whose components are bounded in size.
+/// Bounds on the components of the cross product of vectors with these bounds on their components.
 fn cross_bound(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
     [a[1] * b[2] + a[2] * b[1], a[2] * b[0] + a[0] * b[2], a[0] * b[1] + a[1] * b[0]]
 }

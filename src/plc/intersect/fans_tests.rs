@@ -1,9 +1,9 @@
-//! Fans: nothing is lost against a test of all pairs, and the number of pairs does not grow with the square.
+//! Fans: nothing is missed compared with a test of all pairs, and the number of pairs does not grow quadratically.
 use super::fans::Fans;
 use super::tests::{Model, Random};
 use super::*;
 
-/// Calls `test` with everything that [`find_intersections`] works on.
+/// Calls `test` with the input of [`find_intersections`].
 fn with_input<T>(model: &Model, test: impl FnOnce(&IntersectInput) -> T) -> T {
     let vertices: Vec<u32> = (0..model.points.len() as u32).collect();
     let facets: Vec<u32> = (0..model.triangles.len() as u32).collect();
@@ -109,7 +109,7 @@ fn fan(random: &mut Random, n: usize) -> Model {
     model
 }
 
-/// The same in one plane across no axis.
+/// The same in one plane perpendicular to no axis.
 fn flat_fan(random: &mut Random, n: usize) -> Model {
     let mut model = fan(random, n);
     model.points.iter_mut().for_each(|p| p[2] = p[0] + 2.0 * p[1]);
@@ -144,7 +144,7 @@ fn pairs_of_a_fan_grow_like_its_elements() {
     let mut random = Random(13);
     for n in [1_000, 10_000] {
         let (solid, flat, cone) = (fan(&mut random, n), flat_fan(&mut random, n), cone(n as u32));
-        // Hardly any two segments leave in directions whose boxes meet; triangles have two neighbours in the cone.
+        // Hardly any two segments have directions whose boxes meet; triangles have two neighbours in the cone.
         assert!(pairs(&solid) < n, "{}", pairs(&solid));
         assert!(pairs(&flat) < n, "{}", pairs(&flat));
         assert!((n..4 * n).contains(&pairs(&cone)), "{}", pairs(&cone));

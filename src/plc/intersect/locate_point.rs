@@ -1,4 +1,4 @@
-//! A triangle with its corners at hand, its projection along an axis, and the place of a point of its plane in it.
+//! A triangle with its corner coordinates, its projection along an axis, and the location of a point of its plane in it.
 use crate::predicates::{orient2d, orient3d, Sign};
 
 /// A triangle of the input.
@@ -12,19 +12,19 @@ pub(super) struct Triangle {
     pub(super) ids: [u32; 3],
     /// Corner coordinates.
     pub(super) corners: [[f64; 3]; 3],
-    /// The projection along about the longest component of the normal; none if the triangle is degenerate.
+    /// The projection along roughly the longest component of the normal; `None` if the triangle is degenerate.
     pub(super) projection: Option<Projection>,
 }
 
-/// Bound on the relative error of a determinant as [`RoundedPlane::side`] rounds it, against the permanent: above (7 + 56 u) u with
-/// u = 2^-53, which Shewchuk 1997 (section 4.4, stage A) proves for three minors times differences, in whatever order of rows.
+/// Bound on the relative error of a determinant as [`RoundedPlane::side`] rounds it, relative to the permanent: above (7 + 56 u) u with u =
+/// 2^-53, which Shewchuk 1997 (section 4.4, stage A) proves for three minors times differences, in any order of rows.
 const FILTER: f64 = 8.0 / 9_007_199_254_740_992.0;
 
-/// Bound on the relative error of a 2D orientation, against the sum of the sizes of its two products: above (3 + 16 u) u, which
+/// Bound on the relative error of a 2D orientation, relative to the sum of the magnitudes of its two products: above (3 + 16 u) u, which
 /// Shewchuk 1997 (section 4.2, stage A) proves.
 const TURN_FILTER: f64 = 2.5 * f64::EPSILON;
 
-/// Bound on the error of a 2D orientation as [`orient2d`] has it, from the sum of the sizes of its two products. What is within it is
+/// Bound on the error of a 2D orientation, as in [`orient2d`], from the sum of the magnitudes of its two products. Values within it are
 /// left to exact signs.
 #[inline(always)]
 pub(super) fn turn_bound(permanent: f64) -> f64 {
@@ -66,11 +66,11 @@ impl Triangle {
         Triangle { index, facet, ids, corners, projection }
     }
 
-    /// On which side of the plane a point lies.
+    /// The side of the plane on which a point lies, exactly.
     #[inline]
     pub(super) fn side(&self, p: &[f64; 3]) -> Sign {
         let (det, bound) = RoundedPlane::of(&self.corners).side(p);
-        // With a bound of zero every product vanishes, and so does the sign: common in planes across an axis.
+        // With a bound of zero every product vanishes, and so does the sign. This is common in planes perpendicular to an axis.
         if det.abs() > bound || bound == 0.0 {
             return Sign::of(det);
         }
@@ -89,11 +89,11 @@ impl Triangle {
     }
 }
 
-/// The plane of a triangle in rounded arithmetic. Few pairs need it, and it is sooner computed than fetched.
+/// The plane of a triangle in rounded arithmetic. Few pairs need it, and computing it is faster than fetching it.
 pub(super) struct RoundedPlane<'a> {
     at: &'a [f64; 3],
     normal: [f64; 3],
-    /// For each component of the normal, the sum of the sizes of the two products it is the difference of.
+    /// For each component of the normal, the sum of the magnitudes of the two products whose difference it is.
     permanent: [f64; 3],
 }
 
@@ -125,18 +125,18 @@ impl RoundedPlane<'_> {
 /// A projection along an axis in which a triangle keeps an area and turns left.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Projection {
-    // Bytes: a triangle fits in little more than two cache lines.
+    // Bytes, so that a triangle fits in little more than two cache lines.
     x: u8,
     y: u8,
 }
 
 impl Projection {
-    /// The projection for a triangle; none if it is degenerate.
+    /// The projection for a triangle; `None` if it is degenerate.
     pub(super) fn of(corners: &[[f64; 3]; 3]) -> Option<Projection> {
         (0..3).find_map(|axis| Projection::along(axis, corners))
     }
 
-    /// The projection along one axis; none if the triangle loses its area in it.
+    /// The projection along one axis; `None` if the triangle has no area in it.
     fn along(axis: u8, corners: &[[f64; 3]; 3]) -> Option<Projection> {
         let [a, b, c] = corners;
         match Projection::turning(axis, true).turn(a, b, c) {
@@ -167,10 +167,10 @@ impl Projection {
         orient2d(self.flat(a), self.flat(b), self.flat(c))
     }
 
-    /// Which end of `p q` (0 or 1) a point `r` on its line in the projection lies strictly beyond, if it does.
+    /// The end of `p q` (0 or 1) beyond which a point `r`, collinear in the projection, strictly lies; `None` if it lies beyond neither.
     #[inline]
     pub(super) fn beyond(&self, p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Option<usize> {
-        // Along the line a coordinate that differs between p and q grows or falls strictly.
+        // Along the line, a coordinate that differs between p and q is strictly monotone.
         let axis = [self.x, self.y].map(usize::from).into_iter().find(|&axis| p[axis] != q[axis])?;
         let (p, q, r) = (p[axis], q[axis], r[axis]);
         if r > p.max(q) {
@@ -183,7 +183,7 @@ impl Projection {
     }
 }
 
-/// Where a point of the plane lies with respect to a triangle.
+/// Where a point of the plane lies relative to a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Location {
     /// Not on the closed triangle.
@@ -197,7 +197,7 @@ pub(super) enum Location {
 }
 
 impl Location {
-    /// From the sides of the three edges (positive is inward).
+    /// The location, from the sides of the three edges (positive is inward).
     pub(super) fn from_sides(sides: [Sign; 3]) -> Location {
         if sides.contains(&Sign::Negative) {
             return Location::Outside;

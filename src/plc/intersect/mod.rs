@@ -1,13 +1,12 @@
 //! Every contact among the triangles, segments and vertices of a PLC: the legal ones that split something, and all defects.
 //!
-//! Two elements may meet in common vertices and edges, and where a vertex of one lies on the other; after such vertices
-//! have split what they lie on, everything meets in shared vertices and edges only. Every other contact is a defect.
-//! All decisions are exact signs of determinants of the given doubles. Candidates come from a box hierarchy ([`boxtree`]), for
-//! many elements at one vertex also from their directions there ([`fans`]); each candidate pair is visited once and classified by
-//! the signs of its corners against each other's planes (Möller 1997, "A fast triangle-triangle intersection test", with exact signs;
-//! Guigue & Devillers 2003 for the predicates).
+//! Two elements may meet in common vertices and edges, and where a vertex of one lies on the other; after such vertices have split what
+//! they lie on, elements meet only in shared vertices and edges. Every other contact is a defect. All decisions are exact signs of
+//! determinants of the given doubles. Candidates come from a box hierarchy ([`boxtree`]) and, for many elements at one vertex, from their
+//! directions there ([`fans`]); each candidate pair is visited once and classified by the signs of its corners against each other's planes
+//! (Möller 1997, "A fast triangle-triangle intersection test", with exact signs; Guigue & Devillers 2003 for the predicates).
 //!
-//! Invariant: the lists are sorted and free of duplicates, and depend on the input alone.
+//! Invariant: the lists are sorted and without duplicates, and depend only on the input.
 use crate::error::{Defect, DefectKind, Element, Error};
 use crate::progress::{report, Observer, Phase};
 use boxtree::{Bounds, BoxTree, Frame};
@@ -48,12 +47,12 @@ pub struct IntersectInput<'a> {
     pub segments: &'a [[u32; 2]],
 }
 
-/// What segments are called in reports.
+/// The names of segments in reports.
 #[derive(Clone, Copy, Debug)]
 pub struct Names<'a> {
-    /// The element that each segment comes from; by its index if there is none.
+    /// The element that each segment comes from; a segment without one is named by its index.
     pub owners: &'a [Element],
-    /// Segments from this one on are edges of facets: what crosses one crosses the facet.
+    /// Segments from this index on are edges of facets: what crosses one crosses the facet.
     pub edges_from: usize,
 }
 
@@ -84,7 +83,7 @@ impl Names<'_> {
     }
 }
 
-/// What was found. The lists before the defects are legal contacts.
+/// The result. All lists but the defects are legal contacts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Intersections {
     /// (segment, vertex): the vertex lies strictly inside the segment and splits it.
@@ -95,17 +94,17 @@ pub struct Intersections {
     pub vertex_in_triangle: Vec<(u32, u32)>,
     /// (segment, triangle): the segment lies in the triangle's plane and passes through its interior.
     pub segment_in_facet: Vec<(u32, u32)>,
-    /// (edge of a triangle as sorted ends, its facet): it runs through the interior of another triangle, in its plane. Whether it
-    /// crosses edges there is found when it is given as a segment.
+    /// (edge of a triangle as sorted ends, its facet): it runs through the interior of another triangle, in its plane. Whether it crosses
+    /// edges there is found out when it is passed as a segment.
     pub edge_in_facet: Vec<([u32; 2], u32)>,
-    /// Defects, one per pair of elements, at most as many as the caller allows: the first ones in the order of elements.
+    /// Defects, one per pair of elements, in the order of elements, at most as many as the caller allows.
     pub defects: Vec<Defect>,
-    /// How many defects there are in all.
+    /// The number of all defects.
     pub defect_count: usize,
 }
 
 impl Intersections {
-    /// Whether a vertex lies on both a segment and an edge of triangles: where they cross, then. The lists must be sorted.
+    /// Whether a vertex lies on both a segment and an edge of triangles, so that they cross there. The lists must be sorted.
     pub fn meet_in_vertex(&self, segment: u32, edge: [u32; 2]) -> bool {
         self.on_segment(segment).any(|v| self.vertex_on_edge.binary_search(&(edge, v)).is_ok())
     }
@@ -244,7 +243,7 @@ impl<'a> Scene<'a> {
         let (x, y) = (self.items[x], self.items[y]);
         if let (Item::Triangle(i), Item::Triangle(j)) = (x, y) {
             let (a, b) = (triangle(i), triangle(j));
-            // Triangles of one facet come from one triangulation of it: they meet in its edges only.
+            // Triangles of one facet come from one triangulation, so they meet only in its edges.
             return if a.facet == b.facet { Ok(()) } else { triangle_triangle::classify(a, b, out) };
         }
         match if x <= y { (x, y) } else { (y, x) } {

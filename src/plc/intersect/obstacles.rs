@@ -1,9 +1,9 @@
-//! The elements of a PLC that changes by flips, and the question whether a flip of two triangles keeps it valid.
+//! The elements of a PLC that changes by flips, and a test whether a flip of two triangles keeps it valid.
 //!
-//! A flip replaces two faces of a tetrahedron `(a, b, c, d)` by the two others. If the old faces are part of a valid PLC, and the new
-//! ones meet every other element in common vertices and edges only, and no other vertex lies in the closed tetrahedron,
-//! then nothing of the PLC is inside: a convex piece of a triangle in the tetrahedron would have its corners where the triangle
-//! meets the boundary, which is in one common vertex or edge.
+//! A flip replaces two faces of a tetrahedron `(a, b, c, d)` by the two others. If the old faces are part of a valid PLC, the new ones meet
+//! every other element only in common vertices and edges, and no other vertex lies in the closed tetrahedron, then no part of the PLC is
+//! inside: a convex piece of a triangle in the tetrahedron would have its corners where the triangle meets the boundary, which is in one
+//! common vertex or edge.
 //! A contact that would be legal elsewhere (a vertex in an edge or a triangle) counts as an obstacle too.
 use super::boxtree::{BoxTree, Frame};
 use super::collector::Collector;
@@ -33,8 +33,8 @@ pub struct Obstacles {
 }
 
 impl Obstacles {
-    /// The obstacles of a PLC: triangles (none degenerate), segments (those along edges of triangles may be left out), and
-    /// single points: isolated vertices and seeds.
+    /// The obstacles of a PLC: triangles (none degenerate), segments (those along edges of triangles may be omitted), and single points
+    /// (isolated vertices and seeds).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -73,15 +73,15 @@ impl Obstacles {
         Ok(Obstacles { frame, tree, items, place, triangles: cached, stack: Vec::new() })
     }
 
-    /// Gives a triangle new corners.
+    /// Sets new corners for a triangle.
     pub fn replace(&mut self, points: &[[f64; 3]], triangle: u32, corners: [u32; 3]) {
         self.triangles[triangle as usize] = Triangle::new(points, triangle, triangle, corners);
         let bounds = self.frame.bounds(corners.iter().map(|&v| &points[v as usize]));
         self.tree.replace(self.place[triangle as usize] as usize, bounds);
     }
 
-    /// Whether the two triangles `old`, that meet in edge `ab` and have `c` and `d` opposite, may become `cda` and `cdb`. The
-    /// tetrahedron must not be flat, and `cd` no edge of any element yet.
+    /// Whether the two triangles `old`, which meet in edge `ab` and have `c` and `d` opposite, may become `cda` and `cdb`. The tetrahedron
+    /// must not be flat, and `cd` must not yet be an edge of any element.
     ///
     /// # Errors
     /// `OutOfMemory`.

@@ -20,7 +20,7 @@ pub(super) fn classify(s: &Segment, t: &Segment, out: &mut Collector) -> Result<
     if orient3d(p, q, a, b) != Sign::Zero {
         return Ok(());
     }
-    // A proper crossing leaves no three of the four points on a line, so (p, q, a) then has a projection, good for the whole plane.
+    // In a proper crossing no three of the four points are collinear, so (p, q, a) has a projection, which is valid for the whole plane.
     let Some(projection) = Projection::of(&[*p, *q, *a]) else {
         return Ok(());
     };

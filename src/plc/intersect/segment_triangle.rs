@@ -1,7 +1,7 @@
-//! A line segment against a triangle: where it pierces it, and the contacts of input segments and isolated vertices.
+//! A line segment against a triangle: where it pierces the triangle, and contacts of input segments and isolated vertices.
 //!
-//! A segment whose ends lie on strictly different sides of the plane meets the triangle where its line passes the three edges
-//! on the same side (Segura & Feito 2001).
+//! A segment whose ends lie strictly on different sides of the plane meets the triangle if its line passes all three edges on the same side
+//! (Segura & Feito 2001).
 use super::collector::Collector;
 use super::coplanar::{line_contact, opposite, record_vertex};
 use super::locate_point::{locate_in_plane, Location, Segment, Triangle};
@@ -117,7 +117,7 @@ pub(super) fn crossing_point(p: &[f64; 3], q: &[f64; 3], a: &[f64; 3], b: &[f64;
 }
 
 fn between(p: &[f64; 3], q: &[f64; 3], t: Option<f64>) -> [f64; 3] {
-    // Rounding may give anything for nearly parallel elements: stay on the segment.
+    // Rounding may give any value for nearly parallel elements: stay on the segment.
     let t = t.map_or(0.5, |t| t.clamp(0.0, 1.0));
     std::array::from_fn(|k| p[k] + t * (q[k] - p[k]))
 }

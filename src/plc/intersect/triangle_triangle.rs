@@ -1,9 +1,9 @@
 //! Two triangles: legal contact or defect.
 //!
-//! Most candidate pairs are neighbours. Two triangles with a common edge and different planes meet in that edge alone; two with a
-//! common vertex are done when the other corners of one lie strictly on one side of the other's plane. The rest is
-//! decided on the line where the planes meet: what runs through the interior of both is a defect, what runs along an edge of
-//! both is legal. An edge of one in the interior of the other is as good as a segment given there.
+//! Most candidate pairs are neighbours. Two triangles with a common edge and different planes meet only in that edge; two with a common
+//! vertex are done if the other corners of one lie strictly on one side of the other's plane. The rest is decided on the line where the
+//! planes meet: a contact through the interior of both is a defect, one along an edge of both is legal. An edge of one in the interior of
+//! the other is treated like a segment there.
 use super::collector::Collector;
 use super::coplanar::{self, centroid, opposite, record_vertex};
 use super::locate_point::{locate_in_plane, turn_bound, Location, RoundedPlane, Triangle};
@@ -25,7 +25,7 @@ pub(super) fn classify(a: &Triangle, b: &Triangle, out: &mut Collector) -> Resul
     if shared < 3 && (one_side_by_filter(b, a, shared) || one_side_by_filter(a, b, shared)) {
         return Ok(());
     }
-    // In this order, so that the point reported depends on the pair alone.
+    // Ordered, so that the reported point depends only on the pair.
     let (a, b) = if a.index <= b.index { (a, b) } else { (b, a) };
     classify_close(a, b, shared, out)
 }
@@ -41,7 +41,7 @@ enum CommonCorners {
 }
 
 impl CommonCorners {
-    /// Without branches up to the last step: this runs for every candidate pair.
+    /// Branch-free up to the last step, since this runs for every candidate pair.
     #[inline(always)]
     fn of(a: &Triangle, b: &Triangle) -> CommonCorners {
         let equal = a.ids.map(|v| b.ids.map(|w| v == w));
@@ -49,7 +49,7 @@ impl CommonCorners {
         let column = |j: usize| usize::from(equal[0][j] | equal[1][j] | equal[2][j]);
         let in_a = row(0) | row(1) << 1 | row(2) << 2;
         let in_b = column(0) | column(1) << 1 | column(2) << 2;
-        // The place of the only bit that is set, or not set.
+        // The position of the only set bit, or of the only clear bit.
         const ONLY: [usize; 8] = [0, 0, 1, 2, 2, 1, 0, 0];
         let (i, j) = (ONLY[in_a], ONLY[in_b]);
         match in_a {
@@ -61,9 +61,9 @@ impl CommonCorners {
     }
 }
 
-/// Whether rounded arithmetic can tell that two triangles with only the corners `i` and `j` in common are apart elsewhere: seen
-/// along an axis from where `a` keeps an area, the line of an edge at that corner has `a` on one side and `b` on the other, one of
-/// them strictly. What is common lies above the corner, then, and so does of `a` the corner alone.
+/// Whether rounded arithmetic proves that two triangles with only the corners `i` and `j` in common are disjoint elsewhere: in projection
+/// along an axis in which `a` has an area, the line of an edge at that corner has `a` on one side and `b` on the other, one of them
+/// strictly. Common points then project to the corner, and only the corner of `a` does.
 #[inline(always)]
 fn cones_apart_by_filter(a: &Triangle, i: usize, b: &Triangle, j: usize) -> bool {
     let Some(projection) = a.projection else {
@@ -86,7 +86,7 @@ fn cones_apart_by_filter(a: &Triangle, i: usize, b: &Triangle, j: usize) -> bool
 /// The next corner of a triangle, also after the third.
 const NEXT: [usize; 4] = [1, 2, 0, 1];
 
-/// Whether rounded arithmetic can tell that the second vector, from where the first begins, turns left of it, and right of it.
+/// Whether rounded arithmetic proves that the second vector points left of the first, and whether it proves that it points right.
 #[inline(always)]
 fn turn_by_filter(u: [f64; 2], v: [f64; 2]) -> [bool; 2] {
     let (plus, minus) = (u[0] * v[1], u[1] * v[0]);
@@ -94,8 +94,8 @@ fn turn_by_filter(u: [f64; 2], v: [f64; 2]) -> [bool; 2] {
     [plus - minus > bound, minus - plus > bound]
 }
 
-/// Whether rounded arithmetic can tell that `a` and a triangle with two of its corners and `p`, all but corner `i`, meet in that edge
-/// alone: seen along an axis from where `a` keeps an area, `p` is beyond the edge.
+/// Whether rounded arithmetic proves that `a` and the triangle of `p` and the corners of `a` except corner `i` meet only in that edge: in
+/// projection along an axis in which `a` has an area, `p` is beyond the edge.
 #[inline(always)]
 fn wings_apart_by_filter(a: &Triangle, i: usize, p: &[f64; 3]) -> bool {
     let Some(projection) = a.projection else {
@@ -104,12 +104,12 @@ fn wings_apart_by_filter(a: &Triangle, i: usize, p: &[f64; 3]) -> bool {
     let (q, r) = (projection.flat(&a.corners[NEXT[i]]), projection.flat(&a.corners[NEXT[i + 1]]));
     let p = projection.flat(p);
     let [beyond, _] = turn_by_filter([q[0] - r[0], q[1] - r[1]], [p[0] - r[0], p[1] - r[1]]);
-    // `a` turns left from q to r, so it is on the right of the way back.
+    // `a` turns left from q to r, so it is on the right of the reversed edge.
     beyond
 }
 
-/// Whether rounded arithmetic can tell that all corners of `t` but the `shared` common ones lie strictly on one side of `of`. (For a
-/// common corner it never claims a side.) Counts without branches: this runs for every candidate pair.
+/// Whether rounded arithmetic proves that all corners of `t` except the `shared` common ones lie strictly on one side of `of`. (It never
+/// claims a side for a common corner.) Counts without branches, since this runs for every candidate pair.
 #[inline(always)]
 fn one_side_by_filter(t: &Triangle, of: &Triangle, shared: usize) -> bool {
     let (mut above, mut below) = (shared, shared);
@@ -122,7 +122,7 @@ fn one_side_by_filter(t: &Triangle, of: &Triangle, shared: usize) -> bool {
     above == 3 || below == 3
 }
 
-/// Classifies two triangles that the filters cannot tell apart.
+/// Classifies two triangles that the filters cannot separate.
 #[inline(never)]
 fn classify_close(a: &Triangle, b: &Triangle, shared: usize, out: &mut Collector) -> Result<(), Error> {
     if shared == 3 {
@@ -136,16 +136,16 @@ fn classify_close(a: &Triangle, b: &Triangle, shared: usize, out: &mut Collector
     classify_exactly(a, &a_shared, b, &b_shared, out)
 }
 
-/// Whether in `a`'s projection the line of one of `a`'s edges has all corners of `b` on its outer side, and those on the line are
-/// common corners or beyond the edge's ends, all beyond the same. Then nothing else is common, in space either. This spares
-/// exact signs in flat patches.
+/// Whether in `a`'s projection the line of one of `a`'s edges has all corners of `b` on its outer side, and those on the line are common
+/// corners or lie beyond the edge's ends, all beyond the same end. Then they have nothing else in common, in space either. This saves exact
+/// signs in flat patches.
 fn separated_in_projection(a: &Triangle, b: &Triangle, b_shared: &[bool; 3]) -> bool {
     let Some(projection) = a.projection else {
         return false;
     };
     (0..3).any(|k| {
         let ([p, q], ends) = (a.edge_points(k), a.edge(k));
-        // Common corners are on the edge's line only if they are its ends: most edges drop out here, without a sign.
+        // Common corners are on the edge's line only if they are its ends: this rejects most edges without computing a sign.
         if (0..3).any(|i| b_shared[i] && !ends.contains(&b.ids[i])) {
             return false;
         }
@@ -188,13 +188,13 @@ fn classify_exactly(
     let on_a = vertices_on(a, b, &b_sides, out)?;
     let on_b = vertices_on(b, a, &a_sides, out)?;
     let crossing = crossing(a, &a_sides, b).or_else(|| crossing(b, &b_sides, a));
-    // Two corners in the other's plane: the line where the planes meet carries an edge; else it runs through the interior.
+    // With two corners in the other's plane, the line where the planes meet contains an edge; otherwise it runs through the interior.
     let along_edge = |sides: &[Sign; 3]| sides.iter().filter(|&&s| s == Sign::Zero).count() == 2;
     let along = [along_edge(&a_sides), along_edge(&b_sides)];
     if along == [true; 2] || (crossing.is_none() && shared + on_a.count + on_b.count < 2) {
         return Ok(());
     }
-    // All that is common lies on an edge of one of them, in the plane of the other.
+    // All common points lie on an edge of one of them, in the plane of the other.
     match along {
         [true, _] => return out.edge_in_facet(edge_along(a, &a_sides), a),
         [_, true] => return out.edge_in_facet(edge_along(b, &b_sides), b),
@@ -225,7 +225,7 @@ fn edge_along(t: &Triangle, sides: &[Sign; 3]) -> [u32; 2] {
     t.edge((off + 1) % 3)
 }
 
-/// Where an open edge of `a` pierces `b` at a point that is no vertex.
+/// The point, no vertex, at which an open edge of `a` pierces `b`; `None` if there is none.
 fn crossing(a: &Triangle, a_sides: &[Sign; 3], b: &Triangle) -> Option<[f64; 3]> {
     (0..3).find_map(|k| {
         let [p, q] = a.edge_points(k);
@@ -239,7 +239,7 @@ fn crossing(a: &Triangle, a_sides: &[Sign; 3], b: &Triangle) -> Option<[f64; 3]>
     })
 }
 
-/// A point between two of the vertices in which the common part of two triangles ends, rounded.
+/// A point between two of the vertices where the common part of two triangles ends, rounded.
 fn middle_of_contact(a: &Triangle, b: &Triangle, on_a: &OnTriangle, on_b: &OnTriangle) -> [f64; 3] {
     let common = a.ids.iter().zip(&a.corners).find(|(v, _)| b.ids.contains(v)).map(|(_, p)| *p);
     let mut ends = [on_a.last, on_b.last, on_a.first, on_b.first, common].into_iter().flatten();

@@ -1,4 +1,4 @@
-//! The edges of a surface's triangles while it is flipped: who uses each.
+//! The edges of a surface's triangles during flipping, and the users of each.
 use crate::error::{Error, Status};
 use crate::plc::patch::FixedEdge;
 use crate::INVALID;
@@ -11,16 +11,16 @@ struct Users {
     triangles: [u32; 2],
     /// How many triangles use the edge.
     count: u32,
-    /// It constrains by itself.
+    /// Whether it constrains by itself.
     fixed: bool,
-    /// The flip that made it, or `INVALID`: it is the input's.
+    /// The flip that made it, or `INVALID` if it is the input's.
     maker: u32,
 }
 
-/// All edges, by their ends. Looked up only, never iterated: the order in the table decides nothing.
+/// All edges, by their ends. Only looked up, never iterated, so the order of the table decides nothing.
 pub(super) struct Edges {
     users: FxHashMap<[u32; 2], Users>,
-    /// The last flip that removed an edge.
+    /// The last flip that removed an edge, if any.
     removers: FxHashMap<[u32; 2], u32>,
 }
 
@@ -66,7 +66,7 @@ impl Edges {
         Ok(())
     }
 
-    /// Makes an edge stay.
+    /// Fixes an edge, so that it is never flipped.
     pub(super) fn fix(&mut self, ends: [u32; 2]) {
         if let Some(users) = self.users.get_mut(&key(ends)) {
             users.fixed = true;
@@ -83,24 +83,24 @@ impl Edges {
         self.users.get(&key(ends)).is_some_and(|users| users.count > 0)
     }
 
-    /// The two triangles of an edge that nothing else uses.
+    /// The two triangles of an edge that nothing else uses; `None` for other edges.
     pub(super) fn pair(&self, ends: [u32; 2]) -> Option<[u32; 2]> {
         let users = self.users.get(&key(ends))?;
         (users.count == 2 && !users.fixed).then_some(users.triangles)
     }
 
-    /// The flip that made an edge; none for the input's edges.
+    /// The flip that made an edge; `None` for the input's edges.
     pub(super) fn maker(&self, ends: [u32; 2]) -> Option<u32> {
         self.users.get(&key(ends)).map(|users| users.maker).filter(|&maker| maker != INVALID)
     }
 
-    /// The last flip that removed an edge.
+    /// The last flip that removed an edge, if any.
     pub(super) fn remover(&self, ends: [u32; 2]) -> Option<u32> {
         self.removers.get(&key(ends)).copied()
     }
 
-    /// Records that `old`, between triangles `t` and `u`, became `new` by flip `number`, and that `given` went from `t` to `u` and
-    /// `taken` from `u` to `t`. `maker` is said to have made `new`.
+    /// Records that `old`, between triangles `t` and `u`, became `new` by flip `number`, and that `given` went from `t` to `u` and `taken`
+    /// from `u` to `t`. `maker` is recorded as the maker of `new`.
     pub(super) fn flip(
         &mut self,
         [old, new]: [[u32; 2]; 2],

@@ -1,4 +1,4 @@
-//! The surface while it is flipped: looks at edges, flips those that a rule wants and exact tests allow, and keeps the books.
+//! The surface during flipping: examines edges, flips those that a rule wants and exact tests allow, and keeps records.
 //!
 //! Invariants: the surface is a valid PLC; `edges` and `obstacles` describe its triangles; `records` has one entry per flip of the
 //! surface.
@@ -16,9 +16,9 @@ use crate::predicates::{orient3d, scale, Sign};
 use crate::progress::{report, Observer, Phase};
 use crate::INVALID;
 
-/// Flips at most, per triangle. Flips of a curved surface could go in circles.
+/// Limit of flips per triangle. Flips of a curved surface could cycle.
 const FLIPS_PER_TRIANGLE: usize = 64;
-/// How many edges are looked at between two calls of the observer.
+/// How many edges are examined between two calls of the observer.
 const EDGES_PER_REPORT: usize = 1 << 12;
 
 /// Which flips are wanted.
@@ -30,19 +30,18 @@ pub(super) enum Rule {
     Cost,
 }
 
-/// What is remembered of a flip.
+/// The record of a flip.
 #[derive(Clone, Copy)]
 pub(super) struct Record {
-    /// About how far the new edge lies from the input's surface at most.
+    /// Approximate upper bound on the distance of the new edge from the input's surface.
     pub(super) deviation: f64,
-    /// The flip that made the old edge, or `INVALID`: it is the input's.
+    /// The flip that made the old edge, or `INVALID` if it is the input's.
     old_maker: u32,
-    /// How far the old triangles lay from the input's surface.
+    /// The distance of the old triangles from the input's surface.
     old_deviation: f64,
 }
 
-/// An edge that may be flipped as far as facets and markers are concerned: triangles `t`, `u` at `ab`, with `c` and `d` opposite.
-/// `ab` has its direction in `t`.
+/// An edge that facets and markers allow to be flipped: triangles `t`, `u` at `ab`, with `c` and `d` opposite. `ab` is directed as in `t`.
 #[derive(Clone, Copy)]
 pub(super) struct Candidate {
     triangles: [u32; 2],
@@ -55,19 +54,19 @@ pub(super) struct Flipper<'a> {
     plc: &'a Plc,
     pub(super) edges: Edges,
     obstacles: Obstacles,
-    /// Per triangle whether it may take part.
+    /// For each triangle whether it may be changed.
     movable: Vec<bool>,
-    /// Per triangle about how far it lies from the input's surface at most.
+    /// For each triangle an approximate upper bound on its distance from the input's surface.
     deviation: Vec<f64>,
     pub(super) records: Vec<Record>,
     bound: Bound,
-    /// A deviation that counts as none.
+    /// Deviations up to this count as none.
     pub(super) negligible: f64,
-    /// Edges to be looked at.
+    /// Edges to be examined.
     queue: Vec<[u32; 2]>,
     /// Edges whose flip was wanted but not allowed.
     blocked: Vec<[u32; 2]>,
-    /// How many edges have been looked at.
+    /// The number of edges examined.
     looked: usize,
 }
 
@@ -111,8 +110,8 @@ impl<'a> Flipper<'a> {
         Ok(flipper)
     }
 
-    /// Makes every edge stay at which the input's triangles do not meet above the bound. Without this a chain of flips could
-    /// turn a triangle little by little until a crease looks flat.
+    /// Fixes every edge at which the input's triangles meet below the bound. Otherwise a chain of flips could turn a triangle little by
+    /// little until a crease looks flat.
     fn fix_creases(&mut self) {
         for t in 0..self.surface.triangles.len() {
             for ends in sides(self.surface.triangles[t]) {
@@ -125,8 +124,8 @@ impl<'a> Flipper<'a> {
         }
     }
 
-    /// Looks at every edge until there is nothing to flip, `passes` times at most at those whose flip is wanted but not allowed: another
-    /// one far away may make room.
+    /// Examines every edge until there is nothing to flip. Edges whose flip is wanted but not allowed are tried at most `passes` times,
+    /// since a flip far away may make room.
     pub(super) fn run(
         &mut self,
         rule: Rule,
@@ -144,7 +143,7 @@ impl<'a> Flipper<'a> {
         self.run_on(rule, guide, passes - 1, observer)
     }
 
-    /// The same where everything else has been looked at: the edges in the queue and those whose flip was not allowed.
+    /// The same for only the edges in the queue and those whose flip was not allowed, when all others have been examined.
     pub(super) fn run_on(
         &mut self,
         rule: Rule,
@@ -184,7 +183,7 @@ impl<'a> Flipper<'a> {
         self.records.len() / FLIPS_PER_TRIANGLE > self.surface.triangles.len()
     }
 
-    /// Looks at the edges in the queue, and at those around each flip.
+    /// Examines the edges in the queue, and those around each flip.
     fn empty_queue(
         &mut self,
         rule: Rule,
@@ -214,7 +213,7 @@ impl<'a> Flipper<'a> {
         Ok(())
     }
 
-    /// The flip of an edge, if it is one between two triangles that may take part.
+    /// The flip of an edge, if it is an edge between two triangles that may be changed.
     pub(super) fn candidate(&self, ends: [u32; 2]) -> Option<Candidate> {
         let [t, u] = self.edges.pair(ends)?;
         if t == u || !self.movable[t as usize] || !self.movable[u as usize] {
@@ -246,7 +245,7 @@ impl<'a> Flipper<'a> {
         }
     }
 
-    /// How far the new edge of a flip would lie from the input's surface.
+    /// The distance of the new edge of a flip from the input's surface.
     pub(super) fn new_deviation(&self, candidate: &Candidate) -> f64 {
         let [t, u] = candidate.triangles.map(|t| self.deviation[t as usize]);
         match self.undone(candidate).map(|k| self.records[k as usize].old_maker) {
@@ -256,7 +255,7 @@ impl<'a> Flipper<'a> {
         }
     }
 
-    /// The flip that this one takes back, if it does.
+    /// The flip that this one undoes, if any.
     fn undone(&self, candidate: &Candidate) -> Option<u32> {
         let [a, b, c, d] = candidate.vertices;
         let maker = self.edges.maker([a, b])?;
@@ -279,8 +278,8 @@ impl<'a> Flipper<'a> {
         self.obstacles.allow_flip(points, candidate.triangles, candidate.vertices)
     }
 
-    /// Edge `ab` becomes `cd`; the triangle with `a` stays `t`, that with `b` is `u`, or the other way round where that gives both
-    /// facets the triangles they had before an earlier flip.
+    /// Edge `ab` becomes `cd`; the triangle with `a` becomes `t`, the one with `b` becomes `u`, or the reverse if that gives both facets
+    /// the triangles they had before an earlier flip.
     pub(super) fn flip(&mut self, candidate: &Candidate) -> Result<(), Error> {
         let (pair @ [t, u], [a, b, c, d]) = (candidate.triangles, candidate.vertices);
         let record = Record {
@@ -349,7 +348,7 @@ fn single_points(surface: &Surface, fixed: &[FixedEdge], plc: &Plc) -> Result<Ve
     Ok(single)
 }
 
-/// Per triangle whether it is a whole input triangle.
+/// For each triangle whether it is a whole input triangle.
 fn whole_triangles(surface: &Surface, plc: &Plc) -> Result<Vec<bool>, Error> {
     let mut whole: Vec<bool> = Vec::new();
     whole.try_reserve_exact(surface.triangles.len())?;

@@ -1,19 +1,17 @@
-//! Facet merging: edges between almost coplanar facets are flipped, so that fewer of them need Steiner points.
+//! Facet merging: edges between nearly coplanar facets are flipped, so that fewer of them need Steiner points.
 //!
-//! CAD exporters triangulate planar and cylindrical faces into slivers in single precision. Hardly any two are exactly coplanar, so
-//! each of their edges is a segment, and segments that are not Delaunay on the surface take many Steiner points. Lawson's
-//! flips (1977) replace them ([`flipper`]). Which flips are wanted is a matter of rounded arithmetic ([`wanted`]); whether one is
-//! allowed is decided exactly ([`Obstacles`](super::intersect::obstacles::Obstacles)), so the surface is a valid PLC before
-//! and after every flip.
+//! CAD exporters triangulate planar and cylindrical faces into slivers in single precision. Hardly any two of these are exactly coplanar,
+//! so each of their edges is a segment, and segments that are not Delaunay on the surface take many Steiner points. Lawson's flips (1977)
+//! replace them ([`flipper`]). Rounded arithmetic decides which flips are wanted ([`wanted`]); whether one is allowed is decided exactly
+//! ([`Obstacles`](super::intersect::obstacles::Obstacles)), so the surface is a valid PLC before and after every flip.
 //!
-//! Where the caller can tell which edges the Delaunay tetrahedralization of the points has, flips are steered by that in the end
-//! ([`steer`]): towards edges that need no Steiner point, and away from new edges on which a Steiner point would
-//! leave the input's surface.
+//! If the caller knows which edges the Delaunay tetrahedralization of the points has, this finally steers the flips ([`steer`]): towards
+//! edges that need no Steiner point, and away from new edges on which a Steiner point would leave the input's surface.
 //!
-//! Every edge is looked at once; then only those at flips, those whose flip was wanted but not allowed, and those that the caller wants to be
-//! avoided by now.
+//! Every edge is examined once; after that only edges at flips, edges whose flip was wanted but not allowed, and edges that the caller
+//! meanwhile wants to avoid.
 //!
-//! Only facets given as triangles, and not split by vertices in them, take part: a flip can be told in terms of the input then.
+//! Only facets given as triangles and not split by vertices are flipped, so that a flip can be expressed in terms of the input.
 use super::patch::{connect, FixedEdge};
 use super::surface::Surface;
 use super::Plc;
@@ -30,13 +28,13 @@ mod steer;
 mod tests;
 mod wanted;
 
-/// What steers flips.
+/// The information that steers flips.
 pub struct Guide<'a> {
-    /// Tells whether the Delaunay tetrahedralization of the points has an edge.
+    /// Whether the Delaunay tetrahedralization of the points has an edge.
     pub is_edge: &'a mut dyn FnMut([u32; 2]) -> bool,
-    /// New edges that are to be avoided if they lie beside the input's surface (smaller ends first, sorted).
+    /// New edges to avoid if they lie off the input's surface (smaller ends first, sorted).
     pub avoid: &'a [[u32; 2]],
-    /// All new edges beside the input's surface are to be avoided.
+    /// Whether to avoid all new edges off the input's surface.
     pub avoid_all: bool,
 }
 
@@ -46,15 +44,15 @@ impl Guide<'_> {
     }
 }
 
-/// Passes over all edges at most: a flip may become possible when another one far away has made room.
+/// Limit of passes over all edges: a flip may become possible when one far away has made room.
 const PASSES: usize = 8;
 
-/// Merging that can be taken up again: where it turns out that new edges are to be avoided.
+/// Merging that can be resumed when it turns out that new edges must be avoided.
 pub struct Merger<'a> {
     flipper: Flipper<'a>,
     fixed: Vec<FixedEdge>,
     plc: &'a Plc,
-    /// Flips have been steered before.
+    /// Whether flips have been steered before.
     is_steered: bool,
 }
 
@@ -78,12 +76,12 @@ impl<'a> Merger<'a> {
         self.flipper.surface
     }
 
-    /// Whether any edge has been flipped, and be it back again.
+    /// Whether any edge was ever flipped, even if it was flipped back.
     pub fn is_flipped(&self) -> bool {
         self.flipper.is_started()
     }
 
-    /// Makes edges stay segments from now on.
+    /// Makes edges segments that are not flipped from now on.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -96,7 +94,7 @@ impl<'a> Merger<'a> {
         Ok(())
     }
 
-    /// Flips edges, or flips them back where the guide says so now, and records that in the surface; then finds its segments and patches.
+    /// Flips edges, or flips them back if the guide now says so, and records this in the surface; then finds its segments and patches.
     ///
     /// # Errors
     /// `Cancelled`, `OutOfMemory`, `TooLarge`.
@@ -111,7 +109,7 @@ impl<'a> Merger<'a> {
         }
         if let Some(guide) = guide {
             if again {
-                // Costs have changed at the edges to be avoided only.
+                // Costs have changed only at the edges to avoid.
                 for &edge in guide.avoid {
                     flipper.look_at(edge)?;
                 }

@@ -1,23 +1,23 @@
-//! The flips that are left when those that take each other back are dropped.
+//! The net flips: those that remain when flips that undo each other are dropped.
 //!
-//! Flips of different triangles can change places in the list. So a flip and a later one that takes it back cancel if no flip between
-//! them that is still in the list touches one of the two triangles.
+//! Flips of different triangles commute. So a flip and a later one that undoes it cancel if no remaining flip between them touches one of
+//! the two triangles.
 use crate::error::{Error, Status};
 use crate::output::FacetFlip;
 use crate::INVALID;
 use rustc_hash::FxHashMap;
 
-/// The flips of a list without pairs that cancel, in their order.
+/// The flips of a list without the pairs that cancel, in order.
 ///
 /// # Errors
 /// [`Status::OutOfMemory`].
 pub fn net_flips(flips: &[FacetFlip]) -> Result<Vec<FacetFlip>, Error> {
-    // Per flip that was kept: itself, and the one before it at each of its facets.
+    // Each kept flip, and the kept flip before it at each of its facets.
     let mut kept: Vec<(FacetFlip, [u32; 2])> = Vec::new();
     kept.try_reserve_exact(flips.len())?;
     let mut is_dropped: Vec<bool> = Vec::new();
     is_dropped.try_reserve_exact(flips.len())?;
-    // The last flip kept at each facet. Looked up only, never iterated.
+    // The last flip kept at each facet. Only looked up, never iterated.
     let mut last: FxHashMap<u32, u32> = FxHashMap::default();
     for flip in flips {
         last.try_reserve(2).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
@@ -43,8 +43,8 @@ pub fn net_flips(flips: &[FacetFlip]) -> Result<Vec<FacetFlip>, Error> {
     Ok(net)
 }
 
-/// Whether the second of two flips of the same two facets makes the old edge again and gives each facet its own triangle: that
-/// with the first end of the old edge is the first facet's after a flip.
+/// Whether the second of two flips of the same two facets restores the old edge and gives each facet its own triangle back: after a flip,
+/// the triangle with the first end of the old edge belongs to the first facet.
 fn takes_back(first: &FacetFlip, second: &FacetFlip) -> bool {
     let same = |[a, b]: [u32; 2], [c, d]: [u32; 2]| [a, b] == [c, d] || [a, b] == [d, c];
     // The apex, opposite the old edge, of the first facet before the first flip is `new[0]`.

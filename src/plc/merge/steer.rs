@@ -1,17 +1,17 @@
 //! Flips steered by the Delaunay tetrahedralization of the points.
 //!
-//! An edge of that tetrahedralization costs nothing. An edge that is missing will take Steiner points: it costs one if it lies on the
-//! input's surface, and much more if it is a new one beside it, since its Steiner points would lie beside the surface too.
-//! Flips that lower the cost are made as long as there are any; then new edges of the dear kind are taken back, together
-//! with the later flips that have changed the triangles at them.
+//! An edge of that tetrahedralization costs nothing. A missing edge will take Steiner points: it costs one if it lies on the input's
+//! surface, and much more if it is a new edge off it, since its Steiner points would lie off the surface too. Flips that lower the cost are
+//! made as long as there are any; then the flips that made new edges of the expensive kind are undone, together with later flips that
+//! changed the triangles at them.
 use super::flipper::{Candidate, Flipper};
 use super::Guide;
 use crate::error::Error;
 use crate::progress::{report, Observer, Phase};
 
-/// Rounds of taking back at most: an edge that comes back may be a dear one itself.
+/// Limit of undo rounds: a restored edge may itself be expensive.
 const ROUNDS: usize = 32;
-/// Most flips taken back for the sake of one edge.
+/// Limit of flips undone for one edge.
 const DEPTH: usize = 1000;
 const MISSING: u32 = 1;
 const MISSING_BESIDE: u32 = 1000;
@@ -38,7 +38,7 @@ impl Flipper<'_> {
         old > 0 && self.cost(guide, [c, d], self.new_deviation(candidate)) < old
     }
 
-    /// The edges made by flips that lie beside the input's surface, sorted.
+    /// The edges made by flips that lie off the input's surface, sorted.
     pub(super) fn edges_beside(&self) -> Result<Vec<[u32; 2]>, Error> {
         let mut beside: Vec<[u32; 2]> = Vec::new();
         for (ends, record) in self.surface.facet_flips.iter().map(|flip| flip.new).zip(&self.records) {
@@ -52,12 +52,12 @@ impl Flipper<'_> {
         Ok(beside)
     }
 
-    /// Whether there is such an edge, and it lies beside the input's surface.
+    /// Whether there is such an edge and it lies off the input's surface.
     fn is_beside(&self, ends: [u32; 2]) -> bool {
         self.edges.maker(ends).is_some_and(|k| self.records[k as usize].deviation > self.negligible)
     }
 
-    /// Takes back flips until no missing edge lies beside the input's surface, or none that does can be taken back.
+    /// Undoes flips until no missing edge lies off the input's surface, or none of those can be undone.
     pub(super) fn take_back(&mut self, guide: &mut Guide, observer: &mut dyn Observer) -> Result<(), Error> {
         for _ in 0..ROUNDS {
             report(observer, Phase::Validate, 0.95)?;
@@ -75,7 +75,7 @@ impl Flipper<'_> {
         Ok(())
     }
 
-    /// Takes back the flip that made an edge, after those that changed the triangles at it since.
+    /// Undoes the flip that made an edge, after undoing those that have changed the triangles at it since.
     fn take_back_edge(&mut self, ends: [u32; 2]) -> Result<(), Error> {
         let mut stack: Vec<[u32; 2]> = Vec::new();
         stack.try_reserve(16)?;
@@ -114,7 +114,7 @@ impl Flipper<'_> {
         Ok(())
     }
 
-    /// The edge there is now in the place of one that was flipped.
+    /// The edge that now replaces a flipped one, if any.
     fn heir(&self, mut edge: [u32; 2]) -> Option<[u32; 2]> {
         for _ in 0..DEPTH {
             let flip = self.surface.facet_flips.get(self.edges.remover(edge)? as usize)?;

@@ -11,7 +11,7 @@ fn tube(n: u32, m: u32) -> Plc {
     let mut plc = Plc::default();
     let at = |i: u32, z: f64| {
         let angle = std::f64::consts::TAU * f64::from(i) / f64::from(n);
-        // The axis along no axis of coordinates, so that the strips are not exactly planar.
+        // The axis is along no coordinate axis, so that the strips are not exactly planar.
         let (x, y) = (angle.cos(), angle.sin());
         let rotated = [0.36 * x - 0.8 * y + 0.48 * z, 0.48 * x + 0.6 * y + 0.64 * z, 0.6 * z - 0.8 * x];
         rotated.map(|x| f64::from(x as f32))
@@ -43,8 +43,8 @@ fn merged(plc: &Plc, degrees: f64) -> Surface {
     prepare(plc, &Options { merge_facets: Some(degrees), ..Options::default() }, &mut Silent).unwrap()
 }
 
-/// Two triangles over an edge from (0, 0, 0) to (1, 0, 0), the first vertex opposite at y = 0.1, the other one at y = -0.1, `z` high: the
-/// edge is not Delaunay, and the tetrahedron has the height `z` about.
+/// Two triangles at an edge from (0, 0, 0) to (1, 0, 0), the first opposite vertex at y = 0.1, the other at y = -0.1 and height `z`: the
+/// edge is not Delaunay, and the tetrahedron has about the height `z`.
 fn sliver(z: f64) -> Plc {
     Plc {
         points: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 0.1, 0.0], [0.5, -0.1, z]],
@@ -211,9 +211,9 @@ fn missing_edges_beside_the_surface_are_taken_back() {
     };
     let all = with(&mut |_| true, false);
     assert!(!all.edges_beside.is_empty());
-    // Nothing is an edge: every new edge beside the surface goes again.
+    // Nothing is an edge: every new edge off the surface is flipped back.
     let back = with(&mut |_| false, false);
-    // Only net flips are told.
+    // Only net flips are listed.
     assert!(back.facet_flips.len() < all.facet_flips.len());
     assert!(net_flips(&back.facet_flips).unwrap() == back.facet_flips);
     // All are unwanted: they are not made.
@@ -252,14 +252,14 @@ fn flips_and_their_undoing_cancel() {
     let far = flip([10, 11], [12, 13], [5, 6]);
     let net = |list: &[FacetFlip]| net_flips(list).unwrap();
     assert_eq!(net(&[first, far]), [first, far]);
-    // Facet 0 has vertex 2 again: told from either facet.
+    // Facet 0 has vertex 2 again: recognized from either facet.
     for back in [flip([2, 3], [0, 1], [0, 1]), flip([3, 2], [1, 0], [1, 0])] {
         assert_eq!(net(&[first, far, back]), [far]);
     }
-    // The two facets have changed places: that is no undoing.
+    // The two facets have swapped places: this undoes nothing.
     let exchanged = flip([3, 2], [0, 1], [0, 1]);
     assert_eq!(net(&[first, exchanged]), [first, exchanged]);
-    // One in between at facet 1 keeps both, unless it is taken back itself.
+    // One in between at facet 1 keeps both, unless it is undone itself.
     let between = flip([1, 3], [2, 4], [1, 2]);
     let back = flip([2, 3], [0, 1], [0, 1]);
     assert_eq!(net(&[first, between, back]), [first, between, back]);
@@ -268,7 +268,7 @@ fn flips_and_their_undoing_cancel() {
 
 #[test]
 fn what_is_flipped_back_is_as_it_was() {
-    // Every flip taken back: each facet has the triangle it was given.
+    // Every flip undone: each facet has the triangle it was given.
     let plc = tube(24, 9);
     let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &mut Silent).unwrap();
     let given: Vec<_> = prepared.surface().triangles.iter().map(|&t| sorted(t)).collect();

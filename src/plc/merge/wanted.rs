@@ -1,7 +1,7 @@
 //! Measures that decide which flips are wanted: angles between triangles, angles opposite an edge, distances.
 //!
-//! Rounded arithmetic: any set of flips gives a valid surface as long as each is allowed, so only quality is at stake here. What
-//! cannot be computed (overflow) is not wanted.
+//! Rounded arithmetic: any sequence of allowed flips gives a valid surface, so only quality is at stake here. A flip whose measure
+//! overflows is not wanted.
 use crate::elementary::{cosine_of_degrees, exponent, quotient};
 use crate::predicates::scale;
 use crate::vector::{cross, dot, sub};
@@ -17,7 +17,7 @@ pub(super) struct Bound {
 }
 
 impl Bound {
-    /// Triangles may be exchanged where they meet above `degrees` (180 is flat).
+    /// Triangles may be flipped if they meet at more than `degrees` (180 is flat).
     pub(super) fn new(degrees: f64) -> Bound {
         let between = 180.0 - degrees.clamp(90.0, 180.0);
         let (sine, cosine) = (cosine_of_degrees(90.0 - between), cosine_of_degrees(between));
@@ -49,7 +49,8 @@ impl<'a> Quadrilateral<'a> {
         Quadrilateral { vertices, old, new }
     }
 
-    /// The angles at `c` and `d`, opposite `ab`, sum to more than 180 degrees: the sine of the sum is negative, beyond rounding.
+    /// Whether the angles at `c` and `d`, opposite `ab`, sum to more than 180 degrees: the sine of the sum is negative by more than
+    /// rounding.
     pub(super) fn is_not_delaunay(&self) -> bool {
         let [a, b, c, d] = self.vertices;
         let [area_c, area_d] = self.old.each_ref().map(|n| dot(n, n).sqrt());
@@ -59,25 +60,25 @@ impl<'a> Quadrilateral<'a> {
         sine < -1e-13 * sizes
     }
 
-    /// The two old triangles are parallel within the bound.
+    /// Whether the two old triangles are parallel within the bound.
     pub(super) fn meets_within(&self, bound: &Bound) -> bool {
         bound.holds(&self.old[0], &self.old[1])
     }
 
-    /// All four triangles, old and new, are parallel within the bound.
+    /// Whether all four triangles, old and new, are parallel within the bound.
     pub(super) fn is_within(&self, bound: &Bound) -> bool {
         let ([p, q], [r, s]) = (&self.old, &self.new);
         [(p, q), (r, s), (p, r), (p, s), (q, r), (q, s)].iter().all(|(u, v)| bound.holds(u, v))
     }
 }
 
-/// The distance of the lines `ab` and `cd`; infinite if they are parallel.
+/// The distance between the lines `ab` and `cd`; infinite if they are parallel.
 pub(super) fn distance([a, b, c, d]: [&Vector; 4]) -> f64 {
     let normal = cross(&sub(b, a), &sub(d, c));
     quotient(dot(&normal, &sub(c, a)).abs(), dot(&normal, &normal).sqrt()).unwrap_or(f64::INFINITY)
 }
 
-/// Times a power of two, so that the largest component is from 1 to 2; none of the zero vector.
+/// The vector times a power of two, so that its largest component is between 1 and 2; `None` for the zero vector.
 fn unit(v: &Vector) -> Option<Vector> {
     let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     (largest > 0.0).then(|| v.map(|x| scale(x, -exponent(largest))))

@@ -1,8 +1,8 @@
 //! Inserting edges into the triangulation of a facet.
 //!
-//! The triangles that an edge crosses leave a pseudo-polygon on each side, filled with triangles whose circles hold no other
-//! corner of it (Anglada 1997). A vertex on the edge divides it. The chain of a pseudo-polygon may pass a vertex, or both
-//! sides of an edge, more than once.
+//! Removing the triangles that an edge crosses leaves a pseudo-polygon on each side, which is filled with triangles whose circumcircles
+//! contain no other corner of it (Anglada 1997). A vertex on the edge splits it. The chain of a pseudo-polygon may pass through a vertex
+//! more than once, or along both sides of an edge.
 use super::delaunay::{next, prev, Triangulation, GHOST};
 use crate::error::Error;
 use crate::predicates::{incircle, Sign};
@@ -34,11 +34,11 @@ struct Side {
     inner: u32,
     outer: u32,
     mark: u32,
-    /// The half-edge that takes its place.
+    /// The half-edge that replaces it.
     own: u32,
 }
 
-/// Inserts edges; its storage is used again from facet to facet.
+/// Inserts edges; its storage is reused from facet to facet.
 #[derive(Default)]
 pub struct Inserter {
     /// All uses of edges by polygons.
@@ -50,7 +50,7 @@ pub struct Inserter {
     lower: Vec<u32>,
     upper_sides: Vec<Side>,
     lower_sides: Vec<Side>,
-    /// Per half-edge of a crossed triangle its place among the sides.
+    /// For each half-edge of a crossed triangle its index among the sides.
     side_of: Vec<u32>,
     tasks: Vec<(u32, u32, u32)>,
 }
@@ -96,7 +96,7 @@ impl Inserter {
         Ok(Ok(()))
     }
 
-    /// Notes a vertex inside an edge.
+    /// Records a vertex inside an edge.
     fn pass(&mut self, u: u32, v: u32, vertex: u32) -> Result<(), Error> {
         if vertex != v {
             self.hits.try_reserve(1)?;
@@ -106,7 +106,7 @@ impl Inserter {
         Ok(())
     }
 
-    /// Notes that `polygon` runs along half-edge `h`.
+    /// Records that `polygon` runs along half-edge `h`.
     fn cover(&mut self, mesh: &mut Triangulation, h: u32, polygon: u32) {
         let head = self.covers.len() as u32;
         self.covers.push(Cover { polygon, from: mesh.from(h), next: mesh.mark[h as usize] });
@@ -281,7 +281,7 @@ fn fill(
     Ok(base)
 }
 
-/// The vertex between `i` and `j` whose circle through their base is empty.
+/// The vertex between `i` and `j` whose circle through the base is empty.
 fn choose(mesh: &Triangulation, chain: &[u32], i: u32, j: u32) -> Option<u32> {
     let p = |k: u32| mesh.points[chain[k as usize] as usize];
     let mut best = None;

@@ -1,8 +1,8 @@
 //! Delaunay triangulation in the plane: the vertices of one facet, in projection.
 //!
-//! Lawson 1977: insert into a triangle, flip until all edges are locally Delaunay; points come in rounds, each along a Hilbert
-//! curve (Amenta, Choi & Rote 2003). The plane outside the convex hull is covered by ghost triangles with the vertex at infinity
-//! [`GHOST`], so every edge has two sides.
+//! Lawson 1977: insert into a triangle, flip until all edges are locally Delaunay; points are inserted in rounds, each along a Hilbert
+//! curve (Amenta, Choi & Rote 2003). The plane outside the convex hull is covered by ghost triangles with the vertex at infinity [`GHOST`],
+//! so every edge has two sides.
 //!
 //! Half-edge `h = 3 t + i` is the side of triangle `t` opposite its corner `i`; it runs from corner `i + 1` to `i + 2`, with the
 //! triangle on its left. Invariants: `twin[twin[h]] == h`; finite triangles are counter-clockwise.
@@ -33,7 +33,7 @@ pub enum Place {
     Vertex(u32),
 }
 
-/// A triangulation under construction; its storage is used again from facet to facet.
+/// A triangulation under construction; its storage is reused from facet to facet.
 #[derive(Default)]
 pub struct Triangulation {
     /// The vertices.
@@ -42,7 +42,7 @@ pub struct Triangulation {
     pub corner: Vec<u32>,
     /// The other side of each half-edge.
     pub twin: Vec<u32>,
-    /// The constraints on each half-edge: head of a list of the caller, or `INVALID`.
+    /// The constraints on each half-edge: head of a list owned by the caller, or `INVALID`.
     pub mark: Vec<u32>,
     /// One triangle at each vertex.
     pub triangle_of: Vec<u32>,
@@ -84,7 +84,7 @@ impl Triangulation {
         self.corner[prev(h) as usize]
     }
 
-    /// How many triangles there are, ghosts included.
+    /// The number of triangles, including ghosts.
     pub fn triangle_count(&self) -> u32 {
         (self.corner.len() / 3) as u32
     }
@@ -102,7 +102,7 @@ impl Triangulation {
         self.corners(t).contains(&GHOST)
     }
 
-    /// Turn of `a`, `b`, `c`, all finite.
+    /// The turn of `a`, `b`, `c`, all finite.
     #[inline(always)]
     pub fn turn(&self, a: u32, b: u32, c: u32) -> Sign {
         orient2d(self.points[a as usize], self.points[b as usize], self.points[c as usize])
@@ -134,14 +134,14 @@ impl Triangulation {
         t
     }
 
-    /// Triangulates `self.points`.
+    /// Triangulates `self.points`. Returns a flaw if there is no triangulation; fails if memory runs out.
     pub fn build(&mut self) -> Result<Result<(), Flaw>, Error> {
         let n = self.points.len();
         for list in [&mut self.corner, &mut self.twin, &mut self.mark] {
             list.clear();
             list.try_reserve(6 * n)?;
         }
-        // What waits for a look are edges of different triangles at the new vertex: at most as many as there are vertices and infinity.
+        // The stack holds edges of different triangles at the new vertex: at most as many as there are vertices, plus infinity.
         self.stack.clear();
         self.stack.try_reserve(n + 4)?;
         self.triangle_of.clear();
@@ -215,7 +215,7 @@ impl Triangulation {
         self.last = t;
     }
 
-    /// Finds `p` by a walk from the last triangle. It ends: the triangulation is Delaunay as long as points are inserted.
+    /// Finds `p` by a walk from the last triangle. It terminates because the triangulation is Delaunay while points are inserted.
     fn locate(&self, p: [f64; 2]) -> Place {
         let mut t = self.last;
         if let Some(i) = self.corners(t).iter().position(|&v| v == GHOST) {
@@ -240,13 +240,13 @@ impl Triangulation {
             return match zero {
                 [INVALID, _] => Place::Triangle(t),
                 [h, INVALID] => Place::Edge(h),
-                // The corner on both sides is the one opposite neither.
+                // The corner on both edges is the one opposite neither.
                 [g, h] => Place::Vertex(self.corner[(9 * t + 3 - g - h) as usize]),
             };
         }
     }
 
-    /// Inserts a vertex; false if an equal one is there.
+    /// Inserts a vertex; returns false if there is an equal one.
     fn insert(&mut self, v: u32) -> bool {
         let p = self.points[v as usize];
         match self.locate(p) {
@@ -305,7 +305,7 @@ impl Triangulation {
         }
     }
 
-    /// Turns the diagonal; returns the two sides now opposite the apex of `h`.
+    /// Flips the diagonal; returns the two sides now opposite the apex of `h`.
     pub(super) fn flip(&mut self, h: u32) -> [u32; 2] {
         let g = self.twin[h as usize];
         let (apex, from, to, beyond) =
@@ -324,7 +324,7 @@ impl Triangulation {
     }
 }
 
-/// The place of a cell along the Hilbert curve of a 65536 by 65536 grid.
+/// The position of a cell along the Hilbert curve of a 65536 by 65536 grid.
 fn hilbert(mut x: u32, mut y: u32) -> u32 {
     let mut d = 0;
     let mut s = 1 << 15;

@@ -1,17 +1,17 @@
-//! Circles in the plane of a facet, not in its projection: which diagonals a polygon gets.
+//! Circles in the plane of a facet, not in its projection, decide which diagonals a polygon gets.
 //!
-//! A projection stretches a plane that leans, so what is Delaunay in it is not in space. With squared distances in space for lifts
-//! (the plane need not be known) Lawson's flips (1977) lead to the Delaunay triangulation of the polygon itself, and those
-//! of its edges are the ones that the Delaunay tetrahedralization of all points is likely to have. Rounded arithmetic: any
-//! triangulation of a polygon will do. Whether a quadrilateral is convex is asked exactly, in the projection.
+//! A projection stretches an inclined plane, so a triangulation that is Delaunay in it is not Delaunay in space. With squared distances in
+//! space as lifts (the plane need not be known) Lawson's flips (1977) lead to the Delaunay triangulation of the polygon itself, whose edges
+//! the Delaunay tetrahedralization of all points is likely to have. Rounded arithmetic suffices: any triangulation of a polygon is valid.
+//! Whether a quadrilateral is convex is decided exactly, in the projection.
 use super::delaunay::{next, prev, Triangulation};
 use super::project;
 use crate::error::Error;
 use crate::predicates::Sign;
 use crate::INVALID;
 
-/// Relative to the size of its terms, a determinant below this counts as zero. Three orders above the rounding of the terms: points
-/// that were meant to lie on a circle do.
+/// Relative to the size of its terms, a determinant below this counts as zero. Three orders of magnitude above the rounding of the terms,
+/// so that points meant to lie on a circle do.
 const TIE: f64 = 1e-13;
 
 /// Whether the last point lies inside the circle through the others, counter-clockwise along `axis`, by more than rounding. Lifts
@@ -57,7 +57,7 @@ pub(super) fn improve(
         if !is_inside_circle(axis, &origin, at.each_ref()) || !convex() {
             continue;
         }
-        // A flip clears the marks of both triangles; the other sides of their edges have them still.
+        // A flip clears the marks of both triangles; the twins of their half-edges still have them.
         let [t, u] = mesh.flip(h).map(|side| side / 3);
         for side in (3 * t..3 * t + 3).chain(3 * u..3 * u + 3) {
             mesh.mark[side as usize] = mesh.mark[mesh.twin[side as usize] as usize];

@@ -1,12 +1,12 @@
 //! Triangulation of one facet: polygons of any number of corners, in projection along an axis.
 //!
-//! Projecting drops one coordinate, so it is exact. For exactly planar polygons every axis that does not lie in their plane
-//! gives the same answer; a polygon that is not exactly planar is taken as its projection shows it, and is refused only when no
-//! axis shows a valid region. Steps: Delaunay triangulation of the corners ([`delaunay`]), insertion of the polygons' edges
-//! ([`constraint`]), inside and outside ([`region`]), diagonals that are Delaunay in space ([`metric`]).
+//! Projecting drops one coordinate, so it is exact. For exactly planar polygons every axis not parallel to their plane gives the same
+//! result; other polygons are triangulated as projected, and refused only if no axis gives a valid region. Steps: Delaunay triangulation of
+//! the corners ([`delaunay`]), insertion of the polygons' edges ([`constraint`]), inside and outside ([`region`]), diagonals that are
+//! Delaunay in space ([`metric`]).
 //!
-//! Invariant of the result: each triangle has the sense of the outer ring, is not degenerate, and has only corners of the
-//! polygons; each vertex of a polygon that lies on an edge of one divides it.
+//! Invariant of the result: each triangle has the orientation of the outer ring, is not degenerate, and has only corners of the polygons;
+//! each polygon vertex that lies on a polygon's edge splits it.
 use crate::error::Error;
 use crate::plc::Interior;
 use crate::predicates::{orient2d, orient3d, Sign};
@@ -22,14 +22,14 @@ use constraint::{Inserter, Obstacle};
 use delaunay::{Flaw, Triangulation, GHOST};
 use region::Regions;
 
-/// What a polygon is for.
+/// The role of a polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// The outer ring.
     Outer,
     /// A hole in the outer ring.
     Hole,
-    /// Edges that constrain, and bound nothing.
+    /// Edges that constrain but bound nothing.
     Edge,
 }
 
@@ -50,7 +50,7 @@ pub enum FaultKind {
     Broken,
 }
 
-/// A fault, with the vertices where it is seen: two edges that cross, or one vertex four times, or `INVALID`.
+/// A fault, with the vertices that locate it: two edges that cross, or one vertex four times, or `INVALID`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// The kind.
@@ -59,18 +59,18 @@ pub struct Fault {
     pub vertices: [u32; 4],
 }
 
-/// Triangulates facets one after another; its storage is used again.
+/// Triangulates facets one after another, reusing its storage.
 #[derive(Default)]
 pub struct Triangulator {
     /// The result: triangles, as indices of points.
     pub triangles: Vec<[u32; 3]>,
-    /// The result: edges that constrain though the facet lies on both sides of them, or on none.
+    /// The result: edges that constrain although the facet lies on both sides of them, or on neither.
     pub edges: Vec<[u32; 2]>,
     mesh: Triangulation,
     inserter: Inserter,
     regions: Regions,
     vertices: Vec<u32>,
-    /// Per point its place in `vertices`.
+    /// For each point its index in `vertices`.
     local: Vec<u32>,
     input: Vec<[u32; 3]>,
     roles: Vec<Role>,
@@ -79,7 +79,7 @@ pub struct Triangulator {
 }
 
 impl Triangulator {
-    /// For facets with corners among this many points.
+    /// A triangulator for facets with corners among this many points.
     pub fn new(point_count: usize) -> Result<Self, Error> {
         let mut triangulator = Triangulator::default();
         triangulator.local.try_reserve_exact(point_count)?;
@@ -131,7 +131,8 @@ impl Triangulator {
         Ok(())
     }
 
-    /// Triangulates a facet that is a single ring of three or four corners, if that is simple; nothing needs to be added before.
+    /// Triangulates a facet that is a single ring of three or four corners, if it is simple; returns whether it did. Nothing needs to be
+    /// added before.
     pub fn triangulate_ring(&mut self, points: &[[f64; 3]], ring: &[u32]) -> Result<bool, Error> {
         self.clear();
         if let Some((triangles, count)) = small::triangulate_small(points, ring) {
@@ -173,7 +174,7 @@ impl Triangulator {
         Ok(Err(fault))
     }
 
-    /// Newell's normal of the edges of all polygons that bound, about the first vertex. Approximate.
+    /// Newell's normal of the edges of all bounding polygons, relative to the first vertex. Approximate.
     fn normal(&self, points: &[[f64; 3]]) -> [f64; 3] {
         let mut normal = [0.0; 3];
         let Some(&origin) = self.vertices.first() else { return normal };
@@ -214,7 +215,7 @@ impl Triangulator {
         self.vertices.iter().all(|&d| orient3d(at(a), at(b), at(c), at(d)) == Sign::Zero)
     }
 
-    /// Whether the vertices are farther from a plane than rounding explains. Only the name of a fault depends on it.
+    /// Whether the vertices are farther from a plane than rounding explains. Only the kind of a fault depends on it.
     fn is_warped(&self, points: &[[f64; 3]]) -> bool {
         let normal = self.normal(points);
         let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -280,7 +281,7 @@ impl Triangulator {
                 }
             }
         }
-        // What lies on an edge in projection alone would bend it.
+        // A vertex that lies on an edge only in projection would bend it.
         let global = |v: u32| self.vertices[v as usize];
         let bent =
             self.inserter.hits.iter().find(|&&[u, v, w]| !collinear(points, global(u), global(v), global(w)));
@@ -290,7 +291,7 @@ impl Triangulator {
         })
     }
 
-    /// Hands out the triangles inside, and the edges that constrain.
+    /// Stores the inner triangles and the constraining edges in the result.
     fn emit(&mut self, interior: Interior) -> Result<(), Error> {
         self.triangles.clear();
         self.edges.clear();

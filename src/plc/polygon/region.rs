@@ -1,8 +1,8 @@
 //! Which triangles of a facet's triangulation belong to the facet.
 //!
-//! A flood from the outside counts, for the outer ring and for the hole at hand, how often the ring winds round each triangle.
-//! A ring bounds a region exactly if its winding numbers are 0 and one of +1, −1: it may touch itself, or run along a bridge
-//! forth and back, but not cross itself.
+//! A flood fill from outside computes, for the outer ring and the current hole, the winding number around each triangle. A ring bounds a
+//! region exactly if its winding numbers are 0 and one of +1, −1: it may touch itself, or run back and forth along a bridge, but not cross
+//! itself.
 use super::constraint::Cover;
 use super::delaunay::{Triangulation, GHOST};
 use super::{Fault, FaultKind, Role};
@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::plc::Interior;
 use crate::INVALID;
 
-/// How the rings wind round a triangle.
+/// The winding numbers of the rings around a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Winding {
     outer: i32,
@@ -20,12 +20,12 @@ struct Winding {
 
 const OUTSIDE: Winding = Winding { outer: 0, hole: INVALID, hole_winding: 0 };
 
-/// Finds the inside; its storage is used again from facet to facet.
+/// Finds the inside; its storage is reused from facet to facet.
 #[derive(Default)]
 pub struct Regions {
-    /// Per triangle whether it belongs to the facet.
+    /// For each triangle whether it belongs to the facet.
     pub inside: Vec<bool>,
-    /// Whether the triangulation's triangles have the outer ring's sense.
+    /// Whether the outer ring is counter-clockwise, like the triangles of the triangulation.
     pub counter_clockwise: bool,
     winding: Vec<Winding>,
     visited: Vec<bool>,
@@ -69,7 +69,7 @@ impl Regions {
         })
     }
 
-    /// A triangle with the vertex at infinity: where every flood begins.
+    /// A triangle with the vertex at infinity, where every flood fill begins.
     fn start(mesh: &Triangulation) -> u32 {
         (0..mesh.triangle_count()).find(|&t| mesh.is_ghost(t)).unwrap_or(0)
     }
@@ -113,7 +113,7 @@ impl Regions {
         seeds: &[[f64; 2]],
     ) -> Result<(), Fault> {
         self.erase(mesh, Self::start(mesh));
-        // Before holes are taken out, only the outer boundary borders on the outside.
+        // Before holes are removed, only the outer boundary borders the outside.
         self.counter_clockwise = (0..mesh.corner.len() as u32)
             .find(|&h| {
                 self.inside[h as usize / 3]
@@ -131,7 +131,7 @@ impl Regions {
         Ok(())
     }
 
-    /// Marks as outside what can be reached without crossing a constrained edge.
+    /// Marks as outside all triangles that can be reached without crossing a constrained edge.
     fn erase(&mut self, mesh: &Triangulation, start: u32) {
         if std::mem::replace(&mut self.visited[start as usize], true) {
             return;
@@ -149,7 +149,7 @@ impl Regions {
     }
 }
 
-/// Whether a winding number agrees with the ring's sense, which the first non-zero one sets.
+/// Whether a winding number agrees with the ring's orientation, which the first non-zero one sets.
 fn fits(sense: &mut i32, winding: i32) -> bool {
     if *sense == 0 {
         *sense = winding;
@@ -162,7 +162,7 @@ fn fault(mesh: &Triangulation, t: u32, kind: FaultKind) -> Fault {
     Fault { kind, vertices: [v; 4] }
 }
 
-/// Carries the winding across half-edge `h`; false if that enters a second hole.
+/// Updates the winding numbers across half-edge `h`; returns false if that enters a second hole.
 fn step(mesh: &Triangulation, covers: &[Cover], roles: &[Role], h: u32, w: &mut Winding) -> bool {
     let uses = || {
         let mut at = mesh.mark[h as usize];
@@ -196,7 +196,7 @@ fn step(mesh: &Triangulation, covers: &[Cover], roles: &[Role], h: u32, w: &mut 
     true
 }
 
-/// The finite triangle that holds `p` in its closure, and whether `p` is on a constrained edge.
+/// The finite closed triangle that contains `p`, and whether `p` is on a constrained edge; `None` if `p` is outside.
 fn find(mesh: &Triangulation, p: [f64; 2]) -> Option<(u32, bool)> {
     use crate::predicates::{orient2d, Sign};
     let at = |v: u32| mesh.points[v as usize];
@@ -207,7 +207,7 @@ fn find(mesh: &Triangulation, p: [f64; 2]) -> Option<(u32, bool)> {
     })
 }
 
-/// Whether the edge of `h` is used by a polygon that constrains only.
+/// Whether the edge of `h` is used by a polygon that only constrains.
 pub fn constrains(mesh: &Triangulation, covers: &[Cover], roles: &[Role], h: u32) -> bool {
     let mut at = mesh.mark[h as usize];
     while let Some(cover) = covers.get(at as usize) {

@@ -1,9 +1,9 @@
-//! Shortcut for the facets most models consist of: one ring of three corners, or of four that are convex in projection.
+//! Shortcut for the facets of most models: one ring of three corners, or of four that are convex in projection.
 use super::metric::is_inside_circle;
 use super::{collinear, project};
 use crate::predicates::{incircle, orient2d, Sign};
 
-/// The triangles of a simple small ring; none if the general way must decide.
+/// The triangles of a simple small ring; `None` if the general algorithm must decide.
 pub fn triangulate_small(points: &[[f64; 3]], ring: &[u32]) -> Option<([[u32; 3]; 2], usize)> {
     match *ring {
         [a, b, c] if !collinear(points, a, b, c) => Some(([[a, b, c]; 2], 1)),
@@ -12,8 +12,8 @@ pub fn triangulate_small(points: &[[f64; 3]], ring: &[u32]) -> Option<([[u32; 3]
     }
 }
 
-/// A quadrilateral that is strictly convex along the axis of its largest projection: cut by its Delaunay diagonal in space, or
-/// in projection where it has a circle.
+/// Splits a quadrilateral that is strictly convex in its largest axis projection by its Delaunay diagonal in space, or in projection if it
+/// has a circumcircle. `None` for others.
 fn quad(points: &[[f64; 3]], ring: [u32; 4]) -> Option<[[u32; 3]; 2]> {
     let [p, q, r, s] = ring.map(|v| &points[v as usize]);
     let (d, e): ([f64; 3], [f64; 3]) = ([0, 1, 2].map(|k| r[k] - p[k]), [0, 1, 2].map(|k| s[k] - q[k]));

@@ -46,7 +46,7 @@ fn widest_integers() {
     assert!(wide_enough[0] > 300 && wide_enough[1] > 900, "{wide_enough:?}");
 }
 
-/// Leading bits decide rightly or not at all, and nearly always unless the five points are cospherical.
+/// Leading bits decide correctly or not at all, and they nearly always decide unless the five points are cospherical.
 #[test]
 fn leading_bits() {
     let mut random = Random(31);
@@ -74,7 +74,7 @@ fn leading_bits() {
             Some(sign) => assert_eq!(sign, exact_insphere(&exact)),
             None => undecided[usize::from(cospherical)] += 1,
         }
-        // What is lost counts: no decision may come from bits below it.
+        // The lost part matters: no decision may come from bits below it.
         if let Some(sign) = wide::insphere_leading(&p, scale(1.0, high - 60)) {
             let moved = p.map(|q| q.map(|[x, y]| integer(x) + integer(y) + integer(scale(0.9, high - 60))));
             let mixed =
@@ -213,7 +213,7 @@ fn range_and_scale() {
         assert_eq!(scale(scale(x, k), -k), x);
     }
     assert_eq!(range_scale(&[[1e300, 0.0, 0.0], [0.0, 0.0, 1e-300]]), Err(1));
-    // The point far from most is at fault, and a point that spans too much by itself.
+    // The point far from most others is at fault, and so is a point that spans too much by itself.
     assert_eq!(range_scale(&[[1.0; 3], [1.0, 0.1, 1e300], [0.1; 3]]), Err(1));
     assert_eq!(
         far_from_most(&[[1.0; 3], [0.1, 1e300, 0.0], [1e300; 3], [0.0; 3], [2.0; 3]]).collect::<Vec<_>>(),
