@@ -33,19 +33,27 @@ fn sorted<const N: usize>(mut corners: [u32; N]) -> [u32; N] {
 /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
 pub fn audit_promise(mesh: &TetMesh, promise: &Promise, max_defects: usize) -> Result<(), Error> {
     let mut report = Report::new(max_defects);
-    let at = |v: u32| mesh.points.get(v as usize).copied();
+    audit_triangles(mesh, promise, &mut report)?;
+    audit_polygons(mesh, promise, &mut report)?;
+    audit_segments(mesh, promise, &mut report)?;
+    report.finish()
+}
+
+fn audit_triangles(mesh: &TetMesh, promise: &Promise, report: &mut Report) -> Result<(), Error> {
+    if promise.triangles.is_empty() {
+        return Ok(());
+    }
     let mut faces: Vec<[u32; 3]> = Vec::new();
     faces.try_reserve_exact(mesh.subfaces.len())?;
     faces.extend(mesh.subfaces.iter().map(|face| sorted(face.corners)));
     faces.sort_unstable();
     for &(corners, facet) in &promise.triangles {
         if faces.binary_search(&sorted(corners)).is_err() {
-            report.add(DefectKind::FacetMissing, Element::Facet(facet), None, at(corners[0]));
+            let at = mesh.points.get(corners[0] as usize).copied();
+            report.add(DefectKind::FacetMissing, Element::Facet(facet), None, at);
         }
     }
-    audit_polygons(mesh, promise, &mut report)?;
-    audit_segments(mesh, promise, &mut report)?;
-    report.finish()
+    Ok(())
 }
 
 fn audit_polygons(mesh: &TetMesh, promise: &Promise, report: &mut Report) -> Result<(), Error> {

@@ -11,13 +11,17 @@ pub(super) fn set_apart(mesh: &mut TetMesh) -> Result<(), Error> {
     let mut used = Vec::new();
     used.try_reserve_exact(mesh.points.len())?;
     used.resize(mesh.points.len(), false);
-    for &v in mesh.tets.iter().flatten() {
-        used[v as usize] = true;
+    for tet in &mesh.tets {
+        for &v in tet {
+            used[v as usize] = true;
+        }
     }
     set_subsegments_apart(mesh, &used)?;
-    for (v, _) in (0..).zip(&used).filter(|x| !x.1) {
-        mesh.unmeshed_points.try_reserve(1)?;
-        mesh.unmeshed_points.push(v);
+    for (v, &used) in used.iter().enumerate() {
+        if !used {
+            mesh.unmeshed_points.try_reserve(1)?;
+            mesh.unmeshed_points.push(v as u32);
+        }
     }
     Ok(())
 }
