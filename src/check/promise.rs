@@ -40,15 +40,25 @@ pub fn audit_promise(mesh: &TetMesh, promise: &Promise, max_defects: usize) -> R
 }
 
 fn audit_triangles(mesh: &TetMesh, promise: &Promise, report: &mut Report) -> Result<(), Error> {
-    if promise.triangles.is_empty() {
+    // Mostly the pieces are listed in the order of the promise: only what breaks it is searched for.
+    let mut next = mesh.subfaces.iter().map(|face| sorted(face.corners)).peekable();
+    let mut rest: Vec<([u32; 3], u32)> = Vec::new();
+    for &(corners, facet) in &promise.triangles {
+        let corners = sorted(corners);
+        if next.next_if_eq(&corners).is_none() {
+            rest.try_reserve(1)?;
+            rest.push((corners, facet));
+        }
+    }
+    if rest.is_empty() {
         return Ok(());
     }
     let mut faces: Vec<[u32; 3]> = Vec::new();
     faces.try_reserve_exact(mesh.subfaces.len())?;
     faces.extend(mesh.subfaces.iter().map(|face| sorted(face.corners)));
     faces.sort_unstable();
-    for &(corners, facet) in &promise.triangles {
-        if faces.binary_search(&sorted(corners)).is_err() {
+    for (corners, facet) in rest {
+        if faces.binary_search(&corners).is_err() {
             let at = mesh.points.get(corners[0] as usize).copied();
             report.add(DefectKind::FacetMissing, Element::Facet(facet), None, at);
         }

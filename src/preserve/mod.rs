@@ -204,6 +204,13 @@ fn subfaces(
 ) -> Result<Vec<([u32; 3], u32)>, Error> {
     let mut out = Vec::new();
     out.try_reserve(target.triangles.len())?;
+    let any_will_do =
+        |facet: u32, patch: u32| facet >= target.first_polygon || internal.patches.contains(&patch);
+    let all = || target.triangles.iter().zip(target.patch).zip(target.facet);
+    if !all().any(|((_, &patch), &facet)| any_will_do(facet, patch)) {
+        out.extend(all().map(|((&corners, _), &facet)| (corners, facet)));
+        return Ok(out);
+    }
     let mut left = solid.patch_of.clone();
     let mut in_mesh: Vec<u32> = Vec::new();
     in_mesh.try_reserve(left.len())?;
@@ -211,10 +218,9 @@ fn subfaces(
     in_mesh.sort_unstable();
     in_mesh.dedup();
     let mut gone: Vec<Gone> = Vec::new();
-    for ((&corners, &patch), &facet) in target.triangles.iter().zip(target.patch).zip(target.facet) {
+    for ((&corners, &patch), &facet) in all() {
         let there = left.remove(&face_key(corners)).is_some();
-        let any_will_do = facet >= target.first_polygon || internal.patches.contains(&patch);
-        if there || !any_will_do || in_mesh.binary_search(&patch).is_err() {
+        if there || !any_will_do(facet, patch) || in_mesh.binary_search(&patch).is_err() {
             out.push((corners, facet));
         } else {
             gone.try_reserve(1)?;

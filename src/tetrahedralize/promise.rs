@@ -4,6 +4,7 @@ use crate::check::Promise;
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::error::Error;
+use crate::fallible;
 use crate::mesh::star::StarSearch;
 use crate::mesh::NONE;
 use crate::options::Preserve;
@@ -23,17 +24,18 @@ pub(super) fn promise(
     preserve: Preserve,
 ) -> Result<Promise, Error> {
     let internal = Internal::find(preserve, solid, segments)?;
-    let mut kept: Vec<u32> = Vec::new();
-    kept.try_reserve(solid.patch_of.len())?;
-    kept.extend(solid.patch_of.values().filter(|patch| !internal.patches.contains(patch)));
-    kept.sort_unstable();
-    kept.dedup();
+    // Whether a patch is in the domain and must be kept.
+    let patches = patch.iter().chain(solid.patch_of.values());
+    let mut kept = fallible::filled(false, patches.max().map_or(0, |&last| last as usize + 1))?;
+    for patch in solid.patch_of.values().filter(|patch| !internal.patches.contains(patch)) {
+        kept[*patch as usize] = true;
+    }
     let mut promise = Promise::default();
     promise.triangles.try_reserve(surface.triangles.len())?;
     let mut edges: Vec<([u32; 2], u32)> = Vec::new();
     let mut polygons: Vec<u32> = Vec::new();
-    for ((&corners, &facet), patch) in surface.triangles.iter().zip(&surface.triangle_facet).zip(patch) {
-        if kept.binary_search(patch).is_err() {
+    for ((&corners, &facet), &patch) in surface.triangles.iter().zip(&surface.triangle_facet).zip(patch) {
+        if !kept[patch as usize] {
             continue;
         }
         if facet < surface.first_polygon {
