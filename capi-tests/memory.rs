@@ -584,7 +584,7 @@ fn jobs() -> Vec<Job> {
     }
     for (model, expected) in [
         ("invalid/truncated.off", DelotetStatus::Format),
-        ("invalid/index.off", DelotetStatus::Format),
+        ("invalid/index.off", DelotetStatus::IndexOutOfRange),
         ("no such file.off", DelotetStatus::File),
         ("no_format.xyz", DelotetStatus::Unsupported),
     ] {

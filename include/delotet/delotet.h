@@ -2151,7 +2151,8 @@ enum DelotetStatus delotet_mesh_locate(const struct DelotetMesh *mesh,
  * Reads a PLC from a file; the extension names the format (src/doc/formats.md lists them).
  * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
  * on failure.
- * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, INDEX_OUT_OF_RANGE,
+ * TOO_LARGE, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE

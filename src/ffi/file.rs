@@ -35,7 +35,8 @@ pub(super) unsafe fn path_of<'a>(path: *const c_char) -> Result<&'a Path, Error>
 /// Reads a PLC from a file; the extension names the format (src/doc/formats.md lists them).
 /// `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: owned by the caller: free with delotet_plc_free; NULL
 /// on failure.
-/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, OUT_OF_MEMORY.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, FORMAT, INDEX_OUT_OF_RANGE,
+/// TOO_LARGE, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_read(

@@ -4,7 +4,7 @@
 //! skipped. What follows the corners of a face is its colour: one integer is an index into a colour map and becomes the marker,
 //! three or four numbers number groups where they are not the same everywhere, anything else is skipped. Homogeneous (`4OFF`), n-dimensional (`nOFF`) and binary files are refused.
 use super::groups::{Groups, Single};
-use super::surface::Surface;
+use super::surface::{no_such_point, Surface};
 use super::text::{bad, float, int, shown, Line, Lines};
 use crate::error::{Error, Status};
 use crate::plc::Plc;
@@ -40,9 +40,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
         for _ in 0..corners {
             let corner = line.int("a vertex index")?;
             if corner < 0 || corner >= vertex_count as i64 {
-                return Err(bad(
-                    line.number(),
-                    format_args!("vertex index {corner}, but there are {vertex_count} vertices"),
+                let number = line.number();
+                return Err(no_such_point(
+                    surface.next_element(corners),
+                    format_args!(
+                        "line {number}: vertex index {corner}, but there are {vertex_count} vertices"
+                    ),
                 ));
             }
             surface.corner(corner)?;

@@ -4,7 +4,7 @@
 //! `#` starts a comment. Indices start at the first point's number, 0 or 1. The corners of a polygon may go on over
 //! several lines. A facet whose polygons all have fewer than three corners is no facet: two corners are a segment, one
 //! corner is a point that is there anyway.
-use super::surface::out_of_range;
+use super::surface::{no_such_point, out_of_range};
 use super::text::{bad, Line, Lines};
 use crate::error::{Element, Error, Status};
 use crate::fallible;
@@ -111,13 +111,16 @@ fn node_section(lines: &mut Lines<'_>) -> Result<Nodes, Error> {
     Ok(nodes)
 }
 
-/// The corners of a polygon: the count is read from `line`, which is moved on where they continue on further lines.
+/// The corners of a polygon: the count is read from `line`, which is moved on where they continue on further lines. `facet` has its
+/// polygons so far.
 fn polygon<'a>(
     lines: &mut Lines<'a>,
     line: &mut Line<'a>,
+    plc: &Plc,
     base: i64,
-    points: usize,
+    facet: &Facet,
 ) -> Result<Vec<u32>, Error> {
+    let points = plc.points.len();
     let count = line.count("the number of corners", 2, line.rest().len() + lines.remaining().len())?;
     if count == 0 {
         return Err(bad(line.number(), "a polygon without corners"));
@@ -132,15 +135,24 @@ fn polygon<'a>(
         match number.checked_sub(base).and_then(|i| usize::try_from(i).ok()) {
             Some(index) if index < points => corners.push(index as u32),
             _ => {
-                let last = base + points as i64 - 1;
-                return Err(bad(
-                    line.number(),
-                    format_args!("point index {number}, but the points are {base} to {last}"),
+                let (at, last) = (line.number(), base + points as i64 - 1);
+                return Err(no_such_point(
+                    next_element(plc, facet, count),
+                    format_args!("line {at}: point index {number}, but the points are {base} to {last}"),
                 ));
             }
         }
     }
     Ok(corners)
+}
+
+/// What a polygon of so many corners is a part of, behind those of `facet`; see [`add_facet`].
+fn next_element(plc: &Plc, facet: &Facet, corners: usize) -> Element {
+    let segments = || facet.polygons.iter().filter(|p| p.len() == 2).count();
+    match corners == 2 && facet.polygons.iter().all(|p| p.len() <= 2) {
+        true => Element::Segment((plc.segments.len() + segments()) as u32),
+        false => Element::Facet(plc.facets.len() as u32),
+    }
 }
 
 fn facet_section(lines: &mut Lines<'_>, plc: &mut Plc, base: i64, smesh: bool) -> Result<(), Error> {
@@ -161,7 +173,8 @@ fn facet_section(lines: &mut Lines<'_>, plc: &mut Plc, base: i64, smesh: bool) -
 }
 
 fn smesh_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i64) -> Result<Facet, Error> {
-    let polygons = fallible::collect([polygon(lines, &mut line, base, plc.points.len())?])?;
+    let corners = polygon(lines, &mut line, plc, base, &Facet::default())?;
+    let polygons = fallible::collect([corners])?;
     let marker = line.optional_marker()?;
     Ok(Facet { polygons, holes: Vec::new(), interior: Interior::FirstMinusOthers, marker })
 }
@@ -180,7 +193,8 @@ fn poly_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i6
     facet.polygons.try_reserve_exact(polygon_count)?;
     for _ in 0..polygon_count {
         let mut line = lines.expect("a polygon")?;
-        facet.polygons.push(polygon(lines, &mut line, base, plc.points.len())?);
+        let corners = polygon(lines, &mut line, plc, base, &facet)?;
+        facet.polygons.push(corners);
     }
     for _ in 0..hole_count {
         let mut line = lines.expect("a hole of the facet")?;
