@@ -410,7 +410,7 @@ typedef struct DelotetOptions DelotetOptions;
 typedef struct DelotetPlc DelotetPlc;
 
 /**
- * How a mesh is written. One object may serve any number of calls, also at the same time (the log is then called from all their
+ * How a mesh or a PLC is written. One object may serve any number of calls, also at the same time (the log is then called from all their
  * threads).
  */
 typedef struct DelotetWriteOptions DelotetWriteOptions;
@@ -2161,7 +2161,8 @@ enum DelotetStatus delotet_plc_read(const char *path,
                                     struct DelotetError **out_error);
 
 /**
- * Writes a PLC to a file; the extension names the format (src/doc/formats.md lists the surface formats).
+ * Writes a PLC to a file; the extension names the format (src/doc/formats.md lists the surface formats). Nothing is told of values that
+ * the format cannot hold: delotet_plc_write_with() does.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
  * NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
  */
@@ -2173,7 +2174,7 @@ enum DelotetStatus delotet_plc_write(const struct DelotetPlc *plc,
 
 /**
  * Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
- * formats carry its markers and attributes.
+ * formats carry its markers and attributes. Nothing is told of values that the format cannot hold: delotet_mesh_write_with() does.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -2307,6 +2308,19 @@ enum DelotetStatus delotet_mesh_write_with(const struct DelotetMesh *mesh,
                                            const char *path,
                                            const struct DelotetWriteOptions *options,
                                            struct DelotetError **out_error);
+
+/**
+ * Writes a PLC to a file as delotet_plc_write() does, and tells the options' log what the format cannot hold as it is (NULL: nobody). No
+ * other option has an effect on surface formats; the log is told of those that are set.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
+ * NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_write_with(const struct DelotetPlc *plc,
+                                          const char *path,
+                                          const struct DelotetWriteOptions *options,
+                                          struct DelotetError **out_error);
 
 #ifdef __cplusplus
 }  // extern "C"

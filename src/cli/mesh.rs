@@ -120,6 +120,7 @@ fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
             (UnusedOption::Compress, _) => "--compress: only .vtu is compressed",
             (UnusedOption::Subfaces, Format::Vtk) => "--subfaces: only .vtu has a second file for them",
             (UnusedOption::Subfaces, _) => "--subfaces: the file holds the subfaces in any case",
+            (UnusedOption::SecondOrder, _) => "--second-order: the file holds no tetrahedra",
             (UnusedOption::MshVersion, _) => "--msh-version: the file is no .msh",
             (UnusedOption::RegionNames, _) => "--region-name: only .msh and .inp have names for regions",
         };

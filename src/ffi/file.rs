@@ -54,7 +54,8 @@ pub unsafe extern "C" fn delotet_plc_read(
     }
 }
 
-/// Writes a PLC to a file; the extension names the format (src/doc/formats.md lists the surface formats).
+/// Writes a PLC to a file; the extension names the format (src/doc/formats.md lists the surface formats). Nothing is told of values that
+/// the format cannot hold: delotet_plc_write_with() does.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
 /// NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
 #[no_mangle]
@@ -65,11 +66,16 @@ pub unsafe extern "C" fn delotet_plc_write(
     out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
     // SAFETY: the caller passes a PLC that nothing changes meanwhile and a zero-terminated path.
-    unsafe { guard(out_error, || files::write_surface(path_of(path)?, &get(plc, "plc")?.plc)) }
+    unsafe {
+        guard(out_error, || {
+            let plc = &get(plc, "plc")?.plc;
+            write_surface(path_of(path)?, plc, &WriteOptions::default(), &mut Silent)
+        })
+    }
 }
 
 /// Writes a mesh to a file; the extension names the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made of: some
-/// formats carry its markers and attributes.
+/// formats carry its markers and attributes. Nothing is told of values that the format cannot hold: delotet_mesh_write_with() does.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, or a library built without files), FILE, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -88,10 +94,11 @@ pub unsafe extern "C" fn delotet_mesh_write(
     }
 }
 
-pub(super) use files::write;
+pub(super) use files::{write, write_surface};
 
 #[cfg(feature = "io")]
 mod files {
+    use crate::io::Format;
     use crate::{error::Error, fallible, Observer, Plc, TetMesh, WriteOptions};
     use std::path::Path;
 
@@ -99,8 +106,16 @@ mod files {
         crate::io::read(path)
     }
 
-    pub(super) fn write_surface(path: &Path, plc: &Plc) -> Result<(), Error> {
-        crate::io::write_surface(path, plc).map(|_| ())
+    pub(in crate::ffi) fn write_surface(
+        path: &Path,
+        plc: &Plc,
+        options: &WriteOptions,
+        log: &mut dyn Observer,
+    ) -> Result<(), Error> {
+        let lost = crate::io::write_surface(path, plc)?;
+        log_unused(path, options, log)?;
+        lost.log(log);
+        Ok(())
     }
 
     pub(in crate::ffi) fn write(
@@ -111,12 +126,17 @@ mod files {
         log: &mut dyn Observer,
     ) -> Result<(), Error> {
         let lost = crate::io::write(path, mesh, plc, options)?;
-        for option in options.unused(crate::io::Format::of(path)?) {
-            let name = option.name();
-            log.log(&fallible::text(format_args!("warning: {name} has no effect in this format"))?);
-        }
+        log_unused(path, options, log)?;
         lost.log(log);
         Ok(())
+    }
+
+    fn log_unused(path: &Path, options: &WriteOptions, log: &mut dyn Observer) -> Result<(), Error> {
+        options.unused(Format::of(path)?).try_for_each(|option| {
+            let name = option.name();
+            log.log(&fallible::text(format_args!("warning: {name} has no effect in this format"))?);
+            Ok(())
+        })
     }
 }
 
@@ -134,7 +154,12 @@ mod files {
         Err(absent())
     }
 
-    pub(super) fn write_surface(_: &Path, _: &Plc) -> Result<(), Error> {
+    pub(in crate::ffi) fn write_surface(
+        _: &Path,
+        _: &Plc,
+        _: &WriteOptions,
+        _: &mut dyn Observer,
+    ) -> Result<(), Error> {
         Err(absent())
     }
 

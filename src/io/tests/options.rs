@@ -192,6 +192,10 @@ fn options_without_effect_and_impossible_ones_are_known_before_meshing() {
     assert_eq!(unused(&all, Format::Msh), [Compress, Subfaces]);
     assert_eq!(unused(&all, Format::Inp), [Compress, Subfaces, MSH]);
     assert_eq!(unused(&WriteOptions::default(), Format::Vtk), []);
+    assert_eq!(unused(&second_order(), Format::Vtk), []);
+    let surface = WriteOptions { second_order: true, ..all.clone() };
+    let none = [Compress, Subfaces, UnusedOption::SecondOrder, MSH, RegionNames];
+    assert_eq!(unused(&surface, Format::Poly), none);
     let check = |options: &WriteOptions, name: &str| options.check(Path::new(name)).map_err(|e| e.status);
     assert_eq!(check(&second_order(), "m.mesh"), Err(Status::Unsupported));
     assert_eq!(check(&all, "m.off"), Err(Status::Unsupported));
