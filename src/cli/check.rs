@@ -7,6 +7,10 @@ use delotet::{Defect, DefectKind, Element, Error, Guarantee, Status, SteinerPoin
 
 /// Reads a mesh and its input and checks the one against the other.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
+    let mut inputs = io::sources(&args.input)?;
+    // Another kind of file is refused by what reads it.
+    inputs.extend(io::mesh_sources(&args.mesh).unwrap_or_default());
+    paths::check_report(args.report.as_deref(), &inputs)?;
     let outcome = check(args);
     report::write_if_asked(args.report.as_deref(), outcome, |()| {
         report::of_success(None, &Warnings::default())
@@ -16,7 +20,6 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
 fn check(args: &CheckArgs) -> Result<(), Failure> {
     paths::check_input(&args.input)?;
     paths::check_input(&args.mesh)?;
-    args.report.as_deref().map_or(Ok(()), paths::check_output)?;
     let plc = io::read(&args.input)?;
     let mesh = io::read_mesh(&args.mesh).map_err(|e| Failure::from(e).with_code(1))?;
     let mesh = match mesh.dropped {

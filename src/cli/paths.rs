@@ -28,10 +28,11 @@ pub fn check_output(path: &Path) -> Result<(), Failure> {
     Err(Failure::usage(Error::new(Status::File, format!("{}: {what}", path.display()))))
 }
 
-/// Refuses outputs of which one would replace another or the input.
-pub fn check_distinct(input: &Path, outputs: &[PathBuf]) -> Result<(), Failure> {
+/// Refuses outputs of which one would replace another or a file of the input. Asked before anything is written, reports of failure
+/// included.
+pub fn check_distinct(inputs: &[PathBuf], outputs: &[PathBuf]) -> Result<(), Failure> {
     for (i, output) in outputs.iter().enumerate() {
-        if is_same(input, output) {
+        if inputs.iter().any(|input| is_same(input, output)) {
             return Err(usage(&format!(
                 "{}: the output would replace the input; choose another name",
                 output.display()
@@ -42,6 +43,14 @@ pub fn check_distinct(input: &Path, outputs: &[PathBuf]) -> Result<(), Failure> 
         }
     }
     Ok(())
+}
+
+/// Refuses a report that cannot be one by its name, or would replace a file that the command reads. Asked before anything that may fail
+/// and be reported.
+pub fn check_report(report: Option<&Path>, inputs: &[PathBuf]) -> Result<(), Failure> {
+    let Some(report) = report else { return Ok(()) };
+    check_output(report)?;
+    check_distinct(inputs, &[report.to_path_buf()])
 }
 
 /// The files that a mesh is written to.

@@ -69,6 +69,12 @@ pub(super) fn read_plc(
     Ok(plc)
 }
 
+/// Whether a `.poly` or `.smesh` file announces no points: they are in the `.node` file beside it.
+pub(super) fn lacks_points(bytes: &[u8]) -> bool {
+    let first = Lines::new(bytes).next_line();
+    first.and_then(|mut line| line.int("the number of points").ok()) == Some(0)
+}
+
 fn node_section(lines: &mut Lines<'_>) -> Result<Nodes, Error> {
     let mut line = lines.expect("the number of points")?;
     let available = lines.remaining().len();
