@@ -342,17 +342,18 @@ pub fn mesh_sources(path: &Path) -> Result<Vec<PathBuf>, Error> {
 
 /// Reads a mesh from TetGen's files: `STEM.node`, `STEM.ele` and, where it exists, `STEM.face`; `path` is any of these, or
 /// the stem. Filled are `points`, `tets`, `tet_region`, `regions` and the corners and markers of `subfaces`; where there is
-/// also our own `STEM.parents`, `steiner`, `steiner_terms`, `facet_flips`, `hull_kept` and the facets of `subfaces`.
+/// also our own `STEM.parents`, `steiner`, `steiner_terms`, `facet_flips`, `hull_kept` and the facets of `subfaces`. Of second
+/// order, nodes in the middle of edges are left out, once it is certain that they are there: tetrahedra have four points.
 ///
 /// # Errors
 /// As [`read`].
 pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
     let MeshFiles { node, ele, face, parents } = MeshFiles::of(path)?;
-    let tetgen::Tets { nodes, tets, attributes } =
+    let tetgen::Tets { nodes, middles, tets, attributes } =
         tetgen::read_tets(&bytes_of(&node)?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
     let mut mesh = TetMesh { tets, ..TetMesh::default() };
     if face.exists() {
-        let faces = tetgen::read_faces(&bytes_of(&face)?, &nodes).map_err(|e| at(&face, e))?;
+        let faces = tetgen::read_faces(&bytes_of(&face)?, &nodes, middles).map_err(|e| at(&face, e))?;
         mesh.subfaces.try_reserve_exact(faces.len())?;
         mesh.subfaces.extend(faces.into_iter().map(|(corners, marker)| Subface {
             corners,

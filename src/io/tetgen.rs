@@ -8,6 +8,7 @@ use super::surface::{no_such_point, out_of_range};
 use super::text::{bad, Line, Lines};
 use crate::error::{Element, Error, Status};
 use crate::fallible;
+use crate::mesh_query::NodeOrder;
 use crate::plc::{Facet, Interior, Plc, RegionSeed, Segment};
 
 /// What a `.node` section holds.
@@ -278,44 +279,99 @@ fn region_section(lines: &mut Lines<'_>, plc: &mut Plc) -> Result<(), Error> {
 pub(super) struct Tets {
     /// The points.
     pub nodes: Nodes,
+    /// How many further nodes there were, in the middle of edges.
+    pub middles: usize,
     /// The tetrahedra.
     pub tets: Vec<[u32; 4]>,
     /// The first attribute of each tetrahedron; empty if they have none.
     pub attributes: Vec<f64>,
 }
 
-/// Reads a mesh from the contents of its `.node` and `.ele` files.
+/// Reads a mesh from the contents of its `.node` and `.ele` files. Of tetrahedra of ten nodes the six others must be the middles of
+/// the edges, and come after all points.
 pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<Tets, Error> {
-    let nodes = read_nodes(node).map_err(|e| e.at(format_args!(".node file")))?;
+    let mut nodes = read_nodes(node).map_err(|e| e.at(format_args!(".node file")))?;
     let mut lines = Lines::new(ele);
     let mut line = lines.expect("the number of tetrahedra")?;
     let count = line.count("the number of tetrahedra", 10, lines.remaining().len())?;
     let corners = line.optional_int("the number of corners")?.unwrap_or(4);
-    if corners != 4 {
+    if corners != 4 && corners != 10 {
         return Err(Error::new(
             Status::Unsupported,
             format_args!("tetrahedra of {corners} corners are not supported"),
         ));
     }
     let attributed = line.optional_int("the number of attributes")?.unwrap_or(0) > 0;
-    let (mut tets, mut attributes) = (Vec::new(), Vec::new());
+    let (mut tets, mut attributes, mut middles) = (Vec::new(), Vec::new(), Vec::new());
     tets.try_reserve_exact(count)?;
     attributes.try_reserve_exact(if attributed { count } else { 0 })?;
+    middles.try_reserve_exact(if corners == 10 { count.saturating_mul(6) } else { 0 })?;
     for tet in 0..count {
         let mut line = lines.expect("a tetrahedron")?;
         line.int("the number of a tetrahedron")?;
-        let corners = index_row::<4>(&mut line, &nodes, Element::Tet(tet as u32))?;
-        tets.push(corners);
+        let element = Element::Tet(tet as u32);
+        let row = index_row::<4>(&mut line, &nodes, element)?;
+        tets.push(row);
+        if corners == 10 {
+            let six = index_row::<6>(&mut line, &nodes, element)?;
+            let edges = NodeOrder::Tetgen.edges().map(|i| EDGES[i].map(|k| row[k]));
+            middles.extend(six.into_iter().zip(edges).map(|(node, [a, b])| [node, a.min(b), a.max(b)]));
+        }
         if attributed {
             attributes.push(line.float("an attribute")?);
         }
     }
     lines.expect_end("tetrahedron")?;
-    Ok(Tets { nodes, tets, attributes })
+    let middles = take_off_middles(middles, &mut nodes)?;
+    Ok(Tets { nodes, middles, tets, attributes })
 }
 
-/// The triangles of a `.face` file with their markers.
-pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes) -> Result<Vec<([u32; 3], i32)>, Error> {
+/// The edges 01 02 03 12 13 23 of a tetrahedron.
+const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+
+/// Takes the nodes in the middle of edges off the end of the points, and returns how many there were. `uses`: the node and the ends of
+/// the edge, for each tetrahedron.
+fn take_off_middles(mut uses: Vec<[u32; 3]>, nodes: &mut Nodes) -> Result<usize, Error> {
+    uses.sort_unstable();
+    uses.dedup();
+    let Some(&[first, ..]) = uses.first() else { return Ok(0) };
+    let refused = |node: u32, what: &str| {
+        let number = i64::from(node) + nodes.base;
+        Error::new(Status::Unsupported, format_args!("node {number} {what}: not read"))
+    };
+    let count = nodes.points.len() - first as usize;
+    if let Some((_, &[node, ..])) = (first..).zip(&uses).find(|(expected, [node, ..])| expected != node) {
+        return Err(refused(node, "is in the middle of two edges, or not behind all points"));
+    }
+    for &[node, a, b] in &uses {
+        let at = |v: u32| nodes.points.get(v as usize).copied().unwrap_or_default();
+        let (ends, middle) = ([at(a), at(b)], at(node));
+        // As they are written.
+        let finite = ends.iter().flatten().all(|x| x.is_finite());
+        let straight = finite && (0..3).all(|k| middle[k] == 0.5 * ends[0][k] + 0.5 * ends[1][k]);
+        if b >= first {
+            return Err(refused(b, "is in the middle of an edge and a corner"));
+        }
+        if !straight {
+            return Err(refused(node, "is not in the middle of the straight edge that it belongs to"));
+        }
+    }
+    if uses.len() != count {
+        return Err(refused(first, "is in the middle of an edge, and points come after the last such node"));
+    }
+    // Each edge has one node.
+    uses.sort_unstable_by_key(|&[node, a, b]| [a, b, node]);
+    if let Some(two) = uses.windows(2).find(|two| two[0][1..] == two[1][1..]) {
+        return Err(refused(two[1][0], "is in the middle of an edge that has another such node"));
+    }
+    nodes.points.truncate(first as usize);
+    nodes.markers.truncate(first as usize);
+    nodes.attributes.truncate(first as usize * nodes.attribute_count);
+    Ok(count)
+}
+
+/// The triangles of a `.face` file with their markers. If there are nodes in the middle of edges, three follow the corners.
+pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes, middles: usize) -> Result<Vec<([u32; 3], i32)>, Error> {
     let mut lines = Lines::new(bytes);
     let mut line = lines.expect("the number of faces")?;
     let count = line.count("the number of faces", 8, lines.remaining().len())?;
@@ -324,7 +380,17 @@ pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes) -> Result<Vec<([u32; 3], i
     for face in 0..count {
         let mut line = lines.expect("a face")?;
         line.int("the number of a face")?;
-        let corners = index_row::<3>(&mut line, nodes, Element::Facet(face as u32))?;
+        let element = Element::Facet(face as u32);
+        let corners = index_row::<3>(&mut line, nodes, element)?;
+        for _ in 0..if middles > 0 { 3 } else { 0 } {
+            let number = line.int("a node in the middle of an edge")?;
+            let place = number.saturating_sub(nodes.base).saturating_sub(nodes.points.len() as i64);
+            if !(0..middles as i64).contains(&place) {
+                let at = line.number();
+                let what = format_args!("line {at}: node {number} is not in the middle of an edge");
+                return Err(no_such_point(element, what));
+            }
+        }
         faces.push((corners, line.optional_marker()?));
     }
     lines.expect_end("face")?;

@@ -98,7 +98,8 @@ fn malformed_meshes_are_refused() {
         (good.replace("1 0 2 1 4", "1 0 2 1 -1"), Status::IndexOutOfRange),
         (good.replace("2  4  1", "3  4  1"), Status::Format),
         (good.replace("2  4  1", "1  4  1"), Status::Format),
-        (good.replace("2  4  1", "2  10  1"), Status::Unsupported),
+        (good.replace("2  4  1", "2  10  1"), Status::Format),
+        (good.replace("2  4  1", "2  5  1"), Status::Unsupported),
     ] {
         std::fs::write(folder.file("m.ele"), &bad).unwrap();
         assert_eq!(read_mesh(&folder.file("m.ele")).unwrap_err().status, status, "{bad}");
