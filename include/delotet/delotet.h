@@ -1977,7 +1977,9 @@ enum DelotetStatus delotet_mesh_stats(const struct DelotetMesh *mesh,
 
 /**
  * Checks a mesh against its PLC, exactly: all tetrahedra positive and conforming, points unmoved, segments and facets covered;
- * with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
+ * with `constrained_delaunay` also that every unconstrained face is locally Delaunay. A facet that the mesh has no subfaces of is a
+ * defect, unless the mesh was made in mode DELOTET_MODE_DELAUNAY, which promises no facets and segments: these are not asked for
+ * then. The error lists at most `max_defects`.
  * Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -1991,7 +1993,7 @@ enum DelotetStatus delotet_mesh_check(const struct DelotetMesh *mesh,
 /**
  * Checks a mesh like delotet_mesh_check(), without the Delaunay property, and that it keeps the surface as DELOTET_MODE_PRESERVE
  * promises: every input triangle is a face (or, if input points lie on it, a union of faces between these) and no added point
- * lies on a facet or segment. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+ * lies on a facet or segment. That is asked of any mesh, whatever its mode. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE

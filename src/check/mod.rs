@@ -13,7 +13,8 @@
 //! What follows from these: the mesh's boundary is the input's. What does not: that no two layers of tetrahedra without a
 //! common vertex cover the same space.
 //!
-//! Of a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not asked for.
+//! Of a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not asked for, unless it shall keep the surface.
+//! A mesh of another mode that lists no subfaces covers no facet: if the input has any, that is a defect.
 //!
 //! A mesh read from files does not know the parents of its Steiner points and subfaces. Then only doubles are judged: topology,
 //! orientation, points; segments if there are no Steiner points. Of faces that have such points the Delaunay property is only counted
@@ -117,7 +118,7 @@ fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<()
     arrays::check_arrays(plc, mesh, &mut report);
     let mut points_only = Plc::default();
     let plc = match mesh.guarantee {
-        Guarantee::Delaunay => {
+        Guarantee::Delaunay if wish.preserved.is_none() => {
             points_only.points.try_reserve_exact(plc.points.len())?;
             points_only.points.extend_from_slice(&plc.points);
             &points_only

@@ -4,6 +4,7 @@ use super::page::Page;
 use super::{paths, report, Failure};
 use delotet::io;
 use delotet::{Defect, DefectKind, Element, Error, Guarantee, Status, SteinerPoint, TetMesh, Warnings};
+use std::path::Path;
 
 /// Reads a mesh and its input and checks the one against the other.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
@@ -52,6 +53,10 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         mesh.steiner = vec![SteinerPoint::INSIDE; mesh.points.len().saturating_sub(plc.points.len())];
     }
     super::attribute::attribute_subfaces(&plc, &mut mesh)?;
+    let judged = mesh.steiner.len() + plc.points.len() == mesh.points.len();
+    if judged && plc.facet_count() > 0 && mesh.guarantee != Guarantee::Delaunay {
+        require_faces(&args.mesh)?;
+    }
     let limit = if args.report.is_some() { 10_000_000 } else { 1000 };
     let verdict = match preserved {
         Some(PreserveArg::All) => delotet::check_preserved(&plc, &mesh, limit),
@@ -59,7 +64,6 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         None => delotet::check_mesh(&plc, &mesh, !args.no_delaunay, limit),
     };
     verdict.map_err(|e| Failure::from(e).with_code(1))?;
-    let judged = mesh.steiner.len() + plc.points.len() == mesh.points.len();
     let what = match (preserved, mesh.guarantee) {
         (Some(PreserveArg::All), _) => "; the surface is kept",
         (Some(PreserveArg::Outer), _) => "; the outer boundary is kept",
@@ -75,4 +79,16 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         if judged { "" } else { "; no .parents file of this input: conformity was not judged" }
     ));
     page.print()
+}
+
+/// Refuses a mesh without a `.face` file, of which it cannot be said that it has the input's facets.
+fn require_faces(mesh: &Path) -> Result<(), Failure> {
+    match io::mesh_sources(mesh)?.into_iter().find(|file| file.extension().is_some_and(|e| e == "face")) {
+        Some(file) if !file.exists() => {
+            let message =
+                format!("{}: no such file; it says which faces of the mesh are on facets", file.display());
+            Err(Failure::from(Error::new(Status::File, message)).with_code(1))
+        }
+        _ => Ok(()),
+    }
 }

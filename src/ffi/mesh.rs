@@ -357,7 +357,9 @@ unsafe fn compared<'a>(
 }
 
 /// Checks a mesh against its PLC, exactly: all tetrahedra positive and conforming, points unmoved, segments and facets covered;
-/// with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
+/// with `constrained_delaunay` also that every unconstrained face is locally Delaunay. A facet that the mesh has no subfaces of is a
+/// defect, unless the mesh was made in mode DELOTET_MODE_DELAUNAY, which promises no facets and segments: these are not asked for
+/// then. The error lists at most `max_defects`.
 /// Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -380,7 +382,7 @@ pub unsafe extern "C" fn delotet_mesh_check(
 
 /// Checks a mesh like delotet_mesh_check(), without the Delaunay property, and that it keeps the surface as DELOTET_MODE_PRESERVE
 /// promises: every input triangle is a face (or, if input points lie on it, a union of faces between these) and no added point
-/// lies on a facet or segment. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+/// lies on a facet or segment. That is asked of any mesh, whatever its mode. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_check_preserved(
