@@ -10,8 +10,8 @@ pub enum Mode {
     /// on segments only.
     #[default]
     Constrained,
-    /// A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation)
-    /// is a face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+    /// A tetrahedralization that keeps the surface as it is: every triangle is a face, every segment and every edge of a polygon is an
+    /// edge, without any point added on them; a polygon may get any diagonals. Points are added inside only, as few as possible.
     Preserve,
 }
 

@@ -205,7 +205,7 @@ pub struct TetMesh {
     pub hull_kept: bool,
     /// What the mesh is beyond being valid.
     pub guarantee: Guarantee,
-    /// The surface's triangles and segments are faces and edges as they are: Steiner points lie inside, and faces are not
+    /// The surface's triangles are faces, its segments and the edges of its polygons edges: Steiner points lie inside, and faces are not
     /// necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)). With [`Preserve::Outer`](crate::Preserve::Outer) that
     /// holds for the outer boundary.
     pub preserved: bool,

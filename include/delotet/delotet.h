@@ -1145,8 +1145,8 @@ typedef uint32_t DelotetMshVersion;
 #define DELOTET_MODE_CONSTRAINED 1
 
 /**
- * A tetrahedralization that keeps the surface as it is: every triangle of a facet (of general facets: of their triangulation) is a
- * face and every segment an edge, without any point added on them. Points are added inside only, as few as possible.
+ * A tetrahedralization that keeps the surface as it is: every triangle is a face, every segment and every edge of a polygon is an
+ * edge, without any point added on them; a polygon may get any diagonals. Points are added inside only, as few as possible.
  */
 #define DELOTET_MODE_PRESERVE 2
 
@@ -1992,8 +1992,8 @@ enum DelotetStatus delotet_mesh_check(const struct DelotetMesh *mesh,
 
 /**
  * Checks a mesh like delotet_mesh_check(), without the Delaunay property, and that it keeps the surface as DELOTET_MODE_PRESERVE
- * promises: every input triangle is a face (or, if input points lie on it, a union of faces between these) and no added point
- * lies on a facet or segment. That is asked of any mesh, whatever its mode. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+ * promises: every input triangle is a face (or, if input points lie on it, a union of faces between these), every polygon a union of
+ * faces and every segment one of edges between input points, and no added point lies on a facet or segment. That is asked of any mesh, whatever its mode. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE

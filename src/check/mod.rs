@@ -70,7 +70,8 @@ pub fn check_mesh(
 
 /// Checks `mesh` like [`check_mesh`], without the Delaunay property, and that it keeps the surface as
 /// [`Mode::Preserve`](crate::Mode::Preserve) promises: every input triangle is a face (or, if input points lie on it, a union of
-/// faces between these) and no added point lies on a facet or segment.
+/// faces between these), every polygon a union of faces and every segment one of edges between input points, and no added point lies
+/// on a facet or segment.
 ///
 /// # Errors
 /// As [`check_mesh`].

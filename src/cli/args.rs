@@ -30,7 +30,7 @@ pub enum ModeArg {
     Delaunay,
     /// The constrained Delaunay tetrahedralization of the surface.
     Cdt,
-    /// The surface kept as it is: points are added inside only.
+    /// The surface kept as it is, but for diagonals of polygons: points are added inside only.
     Preserve,
 }
 

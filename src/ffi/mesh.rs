@@ -381,8 +381,8 @@ pub unsafe extern "C" fn delotet_mesh_check(
 }
 
 /// Checks a mesh like delotet_mesh_check(), without the Delaunay property, and that it keeps the surface as DELOTET_MODE_PRESERVE
-/// promises: every input triangle is a face (or, if input points lie on it, a union of faces between these) and no added point
-/// lies on a facet or segment. That is asked of any mesh, whatever its mode. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+/// promises: every input triangle is a face (or, if input points lie on it, a union of faces between these), every polygon a union of
+/// faces and every segment one of edges between input points, and no added point lies on a facet or segment. That is asked of any mesh, whatever its mode. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_check_preserved(
