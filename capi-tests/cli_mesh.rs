@@ -484,3 +484,23 @@ fn meshes_of_any_seeds_pass_their_check() {
     std::fs::write(dir.join("m.ele"), changed).unwrap();
     assert_eq!(delotet(&["check", "m.ele", "--input", "turned.poly"], &dir).status.code(), Some(1));
 }
+
+#[test]
+fn a_mesh_without_its_faces_is_not_called_correct() {
+    let dir = folder("faceless");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    assert_eq!(delotet(&["mesh", "cube.off", "-o", "c.ele", "-q"], &dir).status.code(), Some(0));
+    for name in ["c.face", "c.parents"] {
+        std::fs::remove_file(dir.join(name)).unwrap();
+    }
+    for mesh in ["c.ele", "c"] {
+        let output = delotet(&["check", mesh, "--input", "cube.off"], &dir);
+        assert_eq!(output.status.code(), Some(1), "{mesh}");
+        assert!(error_line(&output).contains("c.face: no such file"), "{}", error_line(&output));
+    }
+    // A file that lists none does not help.
+    std::fs::write(dir.join("c.face"), "0 1\n").unwrap();
+    let output = delotet(&["check", "c.ele", "--input", "cube.off"], &dir);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("facet missing"));
+}
