@@ -131,15 +131,64 @@ fn an_output_replaces_neither_the_input_nor_another_output() {
         &["mesh", "a.node", "-o", "b.vtu", "--stats", "a.node"],
         &["mesh", "a.node", "-o", "b.vtu", "--stats", "b.json", "--report", "b.json"],
         &["mesh", "a.node", "-o", "b.vtu", "--subfaces", "--stats", "b_subfaces.vtu"],
+        &["mesh", "a.node", "-o", "b.vtu", "--report", "a.node"],
+        &["info", "a.node", "--report", "a.node"],
     ] {
         let output = delotet(arguments, &dir);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {:?}", error_lines(&output));
+        assert_eq!(text(dir.join("a.node")), nodes, "{arguments:?}");
     }
-    assert_eq!(text(dir.join("a.node")), nodes);
     assert_eq!(delotet(&["mesh", "a.node", "-o", "b.ele", "-q"], &dir).status.code(), Some(0));
     // A surface may be converted onto itself.
     assert_eq!(delotet(&["convert", "cube.off", "-o", "cube.off"], &dir).status.code(), Some(0));
     assert_eq!(delotet(&["info", "cube.off"], &dir).status.code(), Some(0));
+}
+
+/// What a command reads is not only the file that it is given.
+#[test]
+fn an_output_does_not_replace_what_belongs_to_the_input() {
+    let dir = folder("belongs");
+    let nodes = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
+    let facets = "4 0\n3 1 3 2\n3 1 2 4\n3 1 4 3\n3 2 3 4\n0\n0\n";
+    std::fs::write(dir.join("s.node"), nodes).unwrap();
+    std::fs::write(dir.join("s.smesh"), format!("# points beside\n0 3 0 0\n{facets}")).unwrap();
+    let one_line_each = facets.replace("\n3 ", "\n1\n3 ");
+    std::fs::write(dir.join("s.poly"), format!("0\n{one_line_each}")).unwrap();
+    std::fs::write(dir.join("own.smesh"), format!("{nodes}{facets}")).unwrap();
+    std::fs::write(dir.join("own.node"), nodes).unwrap();
+    assert_eq!(delotet(&["mesh", "s.smesh", "-o", "m.ele", "-q"], &dir).status.code(), Some(0));
+    let files = ["s.node", "s.smesh", "s.poly", "m.node", "m.ele", "m.face", "m.parents"];
+    let before = files.map(|name| text(dir.join(name)));
+    for arguments in [
+        &["mesh", "s.smesh", "-o", "s.ele"][..],
+        &["mesh", "s.poly", "-o", "s.ele"],
+        &["mesh", "s.poly", "-o", "s.ele", "--report", "r.json"],
+        &["mesh", "s.poly", "-o", "b.vtu", "--stats", "s.node"],
+        &["mesh", "s.poly", "-o", "b.vtu", "--report", "s.node"],
+        &["convert", "s.poly", "-o", "s.node"],
+        &["info", "s.smesh", "--report", "./s.node"],
+        &["check", "m.ele", "--input", "s.poly", "--report", "s.poly"],
+        &["check", "m.ele", "--input", "s.poly", "--report", "s.node"],
+        &["check", "m.ele", "--input", "s.poly", "--report", "m.ele"],
+        &["check", "m.ele", "--input", "s.poly", "--report", "m.node"],
+        &["check", "m.node", "--input", "s.poly", "--report", "m.face"],
+        &["check", "m", "--input", "s.poly", "--report", "m.parents"],
+        &["mesh", "s.poly", "-o", "b.vtu", "--report", "-"],
+    ] {
+        let output = delotet(arguments, &dir);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {:?}", error_lines(&output));
+        assert_eq!(error_lines(&output).len(), 1, "{arguments:?}: {:?}", error_lines(&output));
+        assert_eq!(files.map(|name| text(dir.join(name))), before, "{arguments:?}");
+    }
+    assert!(["s.ele", "b.vtu", "-"].iter().all(|name| !dir.join(name).exists()));
+    // A file that is not read may be replaced: that of an earlier run, say.
+    for arguments in [
+        &["mesh", "own.smesh", "-o", "own.ele", "-q"][..],
+        &["convert", "own.smesh", "-o", "own.node"],
+        &["convert", "s.poly", "-o", "s.poly"],
+    ] {
+        assert_eq!(delotet(arguments, &dir).status.code(), Some(0), "{arguments:?}");
+    }
 }
 
 #[test]

@@ -400,3 +400,71 @@ fn a_shell_that_leaks_beside_others_is_said_and_not_written() {
         assert!(String::from_utf8_lossy(&output.stderr).contains("facet missing: facet 6"));
     }
 }
+
+/// The input does not know the seeds of the command line, and files do not tell regions of one attribute apart.
+#[test]
+fn meshes_of_any_seeds_pass_their_check() {
+    let dir = folder("any-seeds");
+    let rooms = two_rooms();
+    let seeds = "2\n0 0.5 0.5 0.5 10\n1 1.5 0.5 0.5 20\n";
+    let with = |name: &str, to: &str| {
+        assert!(rooms.ends_with(seeds));
+        std::fs::write(dir.join(name), rooms.replace(seeds, to)).unwrap();
+    };
+    with("none.poly", "");
+    with("right.poly", "1\n0 1.5 0.5 0.5 20\n");
+    with("same.poly", "2\n0 0.5 0.5 0.5 10\n1 1.5 0.5 0.5 10\n");
+    with("turned.poly", "2\n0 1.5 0.5 0.5 10\n1 0.5 0.5 0.5 10\n");
+    let (left, right) = ("0.5,0.5,0.5,", "1.5,0.5,0.5,");
+    let at = |place: &str, attribute: u32| format!("--region={place}{attribute}");
+    for (input, seeds) in [
+        ("none.poly", vec![]),
+        ("none.poly", vec![at(left, 7)]),
+        ("none.poly", vec![at(right, 7)]),
+        ("none.poly", vec![at(left, 7), at(right, 3)]),
+        ("none.poly", vec![at(right, 7), at(left, 3)]),
+        ("none.poly", vec![at(left, 5), at(right, 5)]),
+        ("none.poly", vec![at(right, 5), at(left, 5)]),
+        ("right.poly", vec![]),
+        ("right.poly", vec![at(left, 3)]),
+        ("right.poly", vec![at(left, 20)]),
+        ("same.poly", vec![]),
+        ("turned.poly", vec![]),
+    ] {
+        for mode in ["cdt", "preserve"] {
+            let mut arguments = vec!["mesh", input, "-o", "m.ele", "-q", "--mode", mode];
+            arguments.extend(seeds.iter().map(String::as_str));
+            let output = delotet(&arguments, &dir);
+            assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", error_line(&output));
+            let output = delotet(&["check", "m.ele", "--input", input], &dir);
+            assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", error_line(&output));
+        }
+    }
+    // An attribute that changes where there is no wall is still found.
+    let ele = text(dir.join("m.ele"));
+    let (first, rest) = ele.split_once('\n').unwrap();
+    let (tet, others) = rest.split_once('\n').unwrap();
+    let changed = format!("{first}\n{} 11\n{others}", tet.rsplit_once(' ').unwrap().0);
+    std::fs::write(dir.join("m.ele"), changed).unwrap();
+    assert_eq!(delotet(&["check", "m.ele", "--input", "turned.poly"], &dir).status.code(), Some(1));
+}
+
+#[test]
+fn a_mesh_without_its_faces_is_not_called_correct() {
+    let dir = folder("faceless");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    assert_eq!(delotet(&["mesh", "cube.off", "-o", "c.ele", "-q"], &dir).status.code(), Some(0));
+    for name in ["c.face", "c.parents"] {
+        std::fs::remove_file(dir.join(name)).unwrap();
+    }
+    for mesh in ["c.ele", "c"] {
+        let output = delotet(&["check", mesh, "--input", "cube.off"], &dir);
+        assert_eq!(output.status.code(), Some(1), "{mesh}");
+        assert!(error_line(&output).contains("c.face: no such file"), "{}", error_line(&output));
+    }
+    // A file that lists none does not help.
+    std::fs::write(dir.join("c.face"), "0 1\n").unwrap();
+    let output = delotet(&["check", "c.ele", "--input", "cube.off"], &dir);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("facet missing"));
+}

@@ -405,3 +405,32 @@ fn every_kind_of_warning_is_produced() {
     }
     assert_eq!(produced, listed("DELOTET_WARNING_KIND_"));
 }
+
+/// A mesh may be the result of several attempts: with facets merged and without, with fewer points here or there. What is said of seeds
+/// is said of the mesh that is returned, once.
+#[test]
+fn seeds_are_warned_of_once_however_many_attempts_there_are() {
+    let chazelle = Path::new(env!("CARGO_MANIFEST_DIR")).join("capi-tests/data/chazelle.off");
+    let mut chazelle = io::read(&chazelle).unwrap();
+    let mut schoenhardt = schoenhardt();
+    for plc in [&mut chazelle, &mut schoenhardt] {
+        plc.holes.push([1e6, 1e6, 1e6]);
+    }
+    let preserve = Options { mode: Mode::Preserve, ..Options::default() };
+    let limited = Options { keep_hull: true, steiner_limit: Some(256), ..preserve.clone() };
+    assert_eq!(
+        tetrahedralize(&chazelle, &limited, &mut Silent).unwrap_err().status,
+        Status::SteinerLimit,
+        "the mesh below is the merged one"
+    );
+    for (plc, options) in [
+        (&chazelle, Options { merge_facets: Some(150.0), ..limited }),
+        (&schoenhardt, Options { merge_facets: Some(150.0), ..preserve.clone() }),
+        (&schoenhardt, Options { merge_facets: Some(150.0), ..Options::default() }),
+        (&schoenhardt, preserve),
+    ] {
+        let mesh = tetrahedralize(plc, &options, &mut Silent).unwrap();
+        let warned: Vec<_> = mesh.warnings.of(WarningKind::HoleOutside).map(|w| w.first).collect();
+        assert_eq!((&warned[..], mesh.warnings.total()), (&[Element::Hole(0)][..], 1), "{options:?}");
+    }
+}

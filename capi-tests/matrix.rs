@@ -66,12 +66,15 @@ fn what_is_made_passes_its_check_from_files() {
         assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
         String::from_utf8(output.stdout).unwrap()
     };
-    for (model, mesh) in models().iter().map(|model| (name(model), name(&mesh))) {
-        for (options, mode) in options().filter(|(options, _)| !options.exact_form) {
+    for (turn, (model, mesh)) in models().iter().map(|model| (name(model), name(&mesh))).enumerate() {
+        for (round, (options, mode)) in options().filter(|(options, _)| !options.exact_form).enumerate() {
             let mut arguments = vec!["mesh", &model, "-q", "-o", &mesh];
             arguments.extend(mode);
             arguments.extend(options.merge_facets.map(|_| "--merge-facets"));
             arguments.extend(options.keep_hull.then_some("--keep-hull"));
+            // What only the files have: by turns, so that each mode with each other option meets them.
+            arguments.extend([None, Some("--second-order")][(turn + round) % 2]);
+            arguments.extend([None, Some("--drop-points")][(turn + round) / 2 % 2]);
             delotet(&arguments);
             let said = delotet(&["check", &mesh, "--input", &model]);
             assert!(!said.contains("was not judged"), "{said}");

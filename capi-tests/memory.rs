@@ -23,8 +23,8 @@ use delotet::ffi::{
     write::*,
 };
 
-/// Modules with requests whose refusal still aborts the process: stages of the engine, and zlib's memory for compressed `.vtu` files.
-const KNOWN: &[&str] = &["constrain", "delaunay", "io::vtu", "mesh", "preserve", "rounding"];
+/// Modules with requests whose refusal still aborts the process: stages of the engine.
+const KNOWN: &[&str] = &["constrain", "delaunay", "mesh", "preserve", "rounding"];
 
 /// At most about this many requests of a job are refused, one run each, unless all are requested, since meshing takes long.
 const RUNS_PER_MESH: u64 = 16;
@@ -583,7 +583,7 @@ fn jobs() -> Vec<Job> {
     }
     for (model, expected) in [
         ("invalid/truncated.off", DelotetStatus::Format),
-        ("invalid/index.off", DelotetStatus::Format),
+        ("invalid/index.off", DelotetStatus::IndexOutOfRange),
         ("no such file.off", DelotetStatus::File),
         ("no_format.xyz", DelotetStatus::Unsupported),
     ] {
@@ -734,7 +734,6 @@ fn sweep(job: usize, name: &str, on: bool, tally: &mut Tally) {
         let site = match (cfg!(debug_assertions), name) {
             (true, _) => site(&trace),
             (false, name) if name.starts_with("mesh ") => "mesh".into(),
-            (false, name) if name.ends_with(", compressed") => "io::vtu".into(),
             (false, name) => name.into(),
         };
         if site == "unknown" || std::env::var_os("DELOTET_MEMORY_SHOW").is_some() {

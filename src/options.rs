@@ -10,8 +10,8 @@ pub enum Mode {
     /// on segments only.
     #[default]
     Constrained,
-    /// A tetrahedralization that keeps the surface as it is: every facet triangle (for general facets, every triangle of their
-    /// triangulation) is a face, every segment is an edge, and no point is added on them. Points are added only inside, as few as possible.
+    /// A tetrahedralization that keeps the surface as it is: every triangle is a face, every segment and every edge of a polygon is an
+    /// edge, and no point is added on them; a polygon may get any diagonals. Points are added only inside, as few as possible.
     Preserve,
 }
 

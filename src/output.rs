@@ -207,9 +207,9 @@ pub struct TetMesh {
     pub hull_kept: bool,
     /// What the mesh guarantees beyond validity.
     pub guarantee: Guarantee,
-    /// The triangles and segments of the surface are themselves faces and edges: Steiner points lie inside, and faces are not necessarily
-    /// Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)). With [`Preserve::Outer`](crate::Preserve::Outer) this holds for the outer
-    /// boundary.
+    /// The triangles of the surface are faces, its segments and the edges of its polygons are edges: Steiner points lie inside, and faces are
+    /// not necessarily Delaunay ([`Mode::Preserve`](crate::Mode::Preserve)). With [`Preserve::Outer`](crate::Preserve::Outer) this holds for
+    /// the outer boundary.
     pub preserved: bool,
     /// Warnings about leaks, parts of the input that are not meshed, and seeds without effect. At most
     /// [`Options::max_defects`](crate::Options::max_defects) of each kind are listed.

@@ -45,8 +45,9 @@ pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer)
     let (statistics, warnings) = (Statistics::default(), Warnings::default());
     let promise = Promise::default();
     let observer = &mut Steady::new(observer);
+    let seeds = Warnings::default();
     let mut run =
-        Run { clock: Instant::now(), statistics, warnings, unmerged_at_least: 0, promise, observer };
+        Run { clock: Instant::now(), statistics, warnings, seeds, unmerged_at_least: 0, promise, observer };
     let outcome = run.mesh(plc, options);
     match &outcome {
         Ok(mesh) => mesh.warnings.log(run.observer),
@@ -92,6 +93,8 @@ struct Run<'a> {
     clock: Instant,
     statistics: Statistics,
     warnings: Warnings,
+    /// Warnings about seeds, of the last mesh made.
+    seeds: Warnings,
     /// The number of Steiner points certain to be needed without merging.
     unmerged_at_least: u64,
     /// What the mesh must have, if it is to keep the surface.
@@ -217,6 +220,7 @@ impl Run<'_> {
         };
         self.audit(plc, options, &mut mesh)?;
         unmeshed::set_apart(&mut mesh)?;
+        self.warnings.append(&self.seeds);
         warn::about_mesh(&mesh, options, &mut self.warnings)?;
         mesh.warnings = std::mem::take(&mut self.warnings);
         if options.drop_unmeshed_points {
@@ -443,7 +447,7 @@ impl Run<'_> {
             let mut mesh =
                 assemble::mesh(engine, plc, surface, &components, &regions, &rounded, constraints)?;
             mesh.hull_kept = options.keep_hull;
-            warn::about_seeds(plc, &regions, options, &mut self.warnings);
+            self.seeds = warn::about_seeds(plc, &regions, options);
             self.statistics.missing_segments = segments.missing;
             self.statistics.steiner = segments.steiner_t.len() as u64;
             self.statistics.steiner_moved = rounded.moved;

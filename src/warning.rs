@@ -1,5 +1,5 @@
 //! Warnings: what a caller should know about a mesh that is valid nonetheless. No C types here: `ffi` translates.
-use crate::error::{Element, Error};
+use crate::error::Element;
 use crate::fallible;
 use crate::progress::Observer;
 use std::fmt;
@@ -136,11 +136,6 @@ impl Warnings {
         if listed && self.list.try_reserve(1).is_ok() {
             self.list.push(warning);
         }
-    }
-
-    /// A copy.
-    pub(crate) fn copied(&self) -> Result<Warnings, Error> {
-        Ok(Warnings { list: fallible::copied(&self.list)?, counts: self.counts })
     }
 
     /// Appends the warnings of another list.

@@ -120,6 +120,17 @@ static void files()
     CHECK(mesh.write(plc, "cxx_wrapper.mesh", options, error) == DELOTET_STATUS_UNSUPPORTED);
     CHECK(mesh.write(plc, "cxx_wrapper.vtu", delotet::WriteOptions().compress(true), error) == DELOTET_STATUS_OK);
     std::remove("cxx_wrapper.vtu");
+
+    told.clear();
+    const delotet::Marker markers[8] = {0, 0, 5};
+    delotet::WriteOptions telling;
+    telling.on_log([&](const char *text) { told += text; });
+    plc.set_point_markers(markers).write("cxx_wrapper.off", telling);
+    CHECK(told.find("point 2") != std::string::npos);
+    CHECK(plc.write("cxx_wrapper.vtu", telling, error) == DELOTET_STATUS_UNSUPPORTED);
+    telling.on_log([](const char *) { throw std::string("log"); });
+    CHECK(caught<std::string>([&] { plc.write("cxx_wrapper.off", telling); }) == "log");
+    CHECK(std::remove("cxx_wrapper.off") == 0);
 }
 
 static void options()

@@ -411,8 +411,8 @@ typedef struct DelotetOptions DelotetOptions;
 typedef struct DelotetPlc DelotetPlc;
 
 /**
- * How a mesh is written. One object may serve any number of calls, even concurrent ones (the log callback is then called from all their
- * threads).
+ * How a mesh or a PLC is written. One object may serve any number of calls, even concurrent ones (the log callback is then called
+ * from all their threads).
  */
 typedef struct DelotetWriteOptions DelotetWriteOptions;
 
@@ -1149,8 +1149,8 @@ typedef uint32_t DelotetMshVersion;
 #define DELOTET_MODE_CONSTRAINED 1
 
 /**
- * A tetrahedralization that keeps the surface as it is: every facet triangle (for general facets, every triangle of their triangulation)
- * is a face, every segment is an edge, and no point is added on them. Points are added only inside, as few as possible.
+ * A tetrahedralization that keeps the surface as it is: every triangle is a face, every segment and every edge of a polygon is an
+ * edge, and no point is added on them; a polygon may get any diagonals. Points are added only inside, as few as possible.
  */
 #define DELOTET_MODE_PRESERVE 2
 
@@ -1262,7 +1262,8 @@ DELOTET_API enum DelotetStatus delotet_error_status(const struct DelotetError *e
 /**
  * The message: one line of English, UTF-8. Borrowed from `error`: valid until it is freed. "" for NULL; never NULL.
  */
-DELOTET_API const char *delotet_error_message(const struct DelotetError *error);
+DELOTET_API
+const char *delotet_error_message(const struct DelotetError *error);
 
 /**
  * The defects that the error lists, at most as many as delotet_options_set_max_defects() allows. Borrowed from `error`: valid until it is
@@ -1471,7 +1472,8 @@ DELOTET_API bool delotet_options_exact_form(const struct DelotetOptions *options
 /**
  * Whether points that belong to no tetrahedron are left out, as set by delotet_options_set_drop_unmeshed_points().
  */
-DELOTET_API bool delotet_options_drop_unmeshed_points(const struct DelotetOptions *options);
+DELOTET_API
+bool delotet_options_drop_unmeshed_points(const struct DelotetOptions *options);
 
 /**
  * Whether sorting is skipped, as set by delotet_options_set_points_sorted().
@@ -1818,8 +1820,7 @@ struct DelotetPointsView delotet_plc_facet_hole_seeds(const struct DelotetPlc *p
  * The number of facet markers with names: from the groups, solids, materials or colours of a file, or set by
  * delotet_plc_set_marker_name(). 0 for NULL.
  */
-DELOTET_API
-size_t delotet_plc_marker_name_count(const struct DelotetPlc *plc);
+DELOTET_API size_t delotet_plc_marker_name_count(const struct DelotetPlc *plc);
 
 /**
  * The name of a facet marker, UTF-8, zero-terminated; NULL if it has none or `plc` is NULL. Borrowed from `plc`: valid until it is changed
@@ -1911,7 +1912,8 @@ struct DelotetTetsView delotet_mesh_neighbors(const struct DelotetMesh *mesh);
 /**
  * For each tetrahedron the index of its region in delotet_mesh_regions(). Borrowed from `mesh`. Empty for NULL.
  */
-DELOTET_API struct DelotetIndicesView delotet_mesh_tet_regions(const struct DelotetMesh *mesh);
+DELOTET_API
+struct DelotetIndicesView delotet_mesh_tet_regions(const struct DelotetMesh *mesh);
 
 /**
  * The regions. Borrowed from `mesh`. Empty for NULL.
@@ -1983,7 +1985,9 @@ enum DelotetStatus delotet_mesh_stats(const struct DelotetMesh *mesh,
 
 /**
  * Checks a mesh against its PLC exactly: all tetrahedra are positive and conforming, points are unmoved, segments and facets are covered;
- * with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
+ * with `constrained_delaunay` also that every unconstrained face is locally Delaunay. A facet without any subfaces in the mesh is a
+ * defect, unless the mesh was made in mode DELOTET_MODE_DELAUNAY: then facets and segments are not checked. The error lists at most
+ * `max_defects`.
  * Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -1996,8 +2000,9 @@ enum DelotetStatus delotet_mesh_check(const struct DelotetMesh *mesh,
 
 /**
  * Checks a mesh like delotet_mesh_check() without the Delaunay property, and also that it keeps the surface as DELOTET_MODE_PRESERVE
- * promises: every input triangle is a face (or, if input points lie on it, a union of faces with these as corners), and no added point
- * lies on a facet or segment. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+ * promises: every input triangle is a face (or, if input points lie on it, a union of faces with these as corners), every polygon is a
+ * union of faces and every segment one of edges between input points, and no added point lies on a facet or segment. This is checked
+ * whatever the mode of the mesh. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2034,9 +2039,7 @@ struct DelotetWarningsView delotet_mesh_warnings(const struct DelotetMesh *mesh)
 /**
  * The number of warnings of a kind (a DelotetWarningKind), listed or not. 0 for NULL and for unknown kinds.
  */
-DELOTET_API
-uint64_t delotet_mesh_warning_count(const struct DelotetMesh *mesh,
-                                    uint32_t kind);
+DELOTET_API uint64_t delotet_mesh_warning_count(const struct DelotetMesh *mesh, uint32_t kind);
 
 /**
  * Makes the mesh of a PLC.
@@ -2157,7 +2160,8 @@ enum DelotetStatus delotet_mesh_locate(const struct DelotetMesh *mesh,
  * Reads a PLC from a file; the extension determines the format (src/doc/formats.md lists them).
  * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: the PLC, owned by the caller; free it with delotet_plc_free().
  * NULL on failure.
- * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, FORMAT, OUT_OF_MEMORY.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, FORMAT,
+ * INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2166,7 +2170,8 @@ enum DelotetStatus delotet_plc_read(const char *path,
                                     struct DelotetError **out_error);
 
 /**
- * Writes a PLC to a file; the extension determines the format (src/doc/formats.md lists the surface formats).
+ * Writes a PLC to a file; the extension determines the format (src/doc/formats.md lists the surface formats). Values that the format
+ * cannot hold are lost without a warning; delotet_plc_write_with() reports them.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
  * file formats), NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
  */
@@ -2178,7 +2183,8 @@ enum DelotetStatus delotet_plc_write(const struct DelotetPlc *plc,
 
 /**
  * Writes a mesh to a file; the extension determines the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made
- * from: some formats store its markers and attributes.
+ * from: some formats store its markers and attributes. Values that the format cannot hold are lost without a warning;
+ * delotet_mesh_write_with() reports them.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, OUT_OF_MEMORY.
  */
 DELOTET_API
@@ -2263,7 +2269,8 @@ enum DelotetStatus delotet_write_options_set_log(struct DelotetWriteOptions *opt
 /**
  * Whether arrays are compressed, as set by delotet_write_options_set_compress(). All getters return the default for NULL.
  */
-DELOTET_API bool delotet_write_options_compress(const struct DelotetWriteOptions *options);
+DELOTET_API
+bool delotet_write_options_compress(const struct DelotetWriteOptions *options);
 
 /**
  * Whether subfaces are also written, as set by delotet_write_options_set_subfaces().
@@ -2314,6 +2321,19 @@ enum DelotetStatus delotet_mesh_write_with(const struct DelotetMesh *mesh,
                                            const char *path,
                                            const struct DelotetWriteOptions *options,
                                            struct DelotetError **out_error);
+
+/**
+ * Writes a PLC to a file as delotet_plc_write() does, and tells the options' log what the format cannot hold as it is (NULL: nobody). No
+ * other option has an effect on surface formats; the log is told of those that are set.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
+ * NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_write_with(const struct DelotetPlc *plc,
+                                          const char *path,
+                                          const struct DelotetWriteOptions *options,
+                                          struct DelotetError **out_error);
 
 #ifdef __cplusplus
 }  // extern "C"

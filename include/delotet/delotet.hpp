@@ -703,7 +703,7 @@ class Options {
     LogFunction log_;
 };
 
-/// How a mesh is written. Setters throw or take an Error, like those of Options.
+/// How a mesh or a PLC is written. Setters throw or take an Error, like those of Options.
 class WriteOptions {
   public:
     WriteOptions() noexcept : handle_(delotet_write_options_new())
@@ -987,6 +987,13 @@ class Plc {
     {
         return detail::run(error, [&](DelotetError **e) { return delotet_plc_write(get(), path.c_str(), e); });
     }
+    /// As above; values that the format cannot hold are reported to the log of `options`.
+    Status write(const Path &path, const WriteOptions &options, Error &error) const
+    {
+        return detail::run(options, error, [&](DelotetError **e) {
+            return delotet_plc_write_with(get(), path.c_str(), options.get(), e);
+        });
+    }
     /// Looks for defects; see delotet_plc_check().
     Status check(const Options &options, Error &error) const
     {
@@ -1025,6 +1032,10 @@ class Plc {
     void write(const Path &path) const
     {
         detail::require([&](Error &e) { return write(path, e); });
+    }
+    void write(const Path &path, const WriteOptions &options) const
+    {
+        detail::require([&](Error &e) { return write(path, options, e); });
     }
     Plc &set_marker_name(Marker marker, const Text &name) &
     {

@@ -75,11 +75,9 @@ impl<'a> Context<'a> {
         star.chain(carved.iter().take_while(move |e| e[0] == a).map(|e| e[1]))
     }
 
-    /// Whether the mesh names the facets of its subfaces (or has no facet to name).
+    /// Whether the mesh names the facets of its subfaces. One that lists none says that no face lies on a facet.
     pub(super) fn subfaces_known(&self) -> bool {
-        self.parents_known
-            && (!self.subfaces.is_empty() || self.plc.facet_count() == 0)
-            && self.subfaces.iter().all(|face| face.facet != INVALID)
+        self.parents_known && self.subfaces.iter().all(|face| face.facet != INVALID)
     }
 
     /// The ends of the input edge that a Steiner point lies on; `None` for a point inside.

@@ -14,7 +14,8 @@
 //! It follows that the boundary of the mesh is that of the input. It does not follow that no two layers of tetrahedra without a common
 //! vertex cover the same space.
 //!
-//! For a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not checked.
+//! For a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not checked, unless it is to keep the surface.
+//! A mesh of another mode that lists no subfaces covers no facet: if the input has any, that is a defect.
 //!
 //! In a mesh read from files the parents of Steiner points and subfaces may be unknown. Then only doubles are checked: topology,
 //! orientation, points; segments if there are no Steiner points. Faces with such points that are not locally Delaunay are only counted
@@ -70,7 +71,8 @@ pub fn check_mesh(
 
 /// Checks `mesh` like [`check_mesh`], without the Delaunay property, and that it keeps the surface as
 /// [`Mode::Preserve`](crate::Mode::Preserve) promises: every input triangle is a face (or, if input points lie on it, a union of faces with
-/// these as corners), and no added point lies on a facet or segment.
+/// these as corners), every polygon is a union of faces and every segment one of edges between input points, and no added point lies on a
+/// facet or segment.
 ///
 /// # Errors
 /// As [`check_mesh`].
@@ -118,7 +120,7 @@ fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<()
     arrays::check_arrays(plc, mesh, &mut report);
     let mut points_only = Plc::default();
     let plc = match mesh.guarantee {
-        Guarantee::Delaunay => {
+        Guarantee::Delaunay if wish.preserved.is_none() => {
             points_only.points.try_reserve_exact(plc.points.len())?;
             points_only.points.extend_from_slice(&plc.points);
             &points_only

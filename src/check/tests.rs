@@ -1,7 +1,7 @@
 //! Hand-made meshes, all valid; then each kind of defect, made by one change to a valid mesh, must be found.
-use super::check_mesh;
+use super::{check_mesh, check_preserved, check_preserved_outer};
 use crate::error::{DefectKind, Error, Status};
-use crate::output::{Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+use crate::output::{Guarantee, Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::{Facet, Plc, Segment};
 use crate::predicates::{orient3d, Sign};
 use crate::INVALID;
@@ -158,6 +158,25 @@ fn valid_meshes_pass() {
     let plc = Plc { triangles: boundary(&[[0, 1, 2, 3]]), points: points.clone(), ..Plc::default() };
     assert_eq!(check(&plc, &mesh(&plc, points, vec![[0, 1, 2, 3]])), vec![]);
     assert_eq!(check(&Plc::default(), &TetMesh::default()), vec![]);
+}
+
+/// A mesh that lists no faces does not pass for that.
+#[test]
+fn a_mesh_without_subfaces_covers_no_facet() {
+    let (plc, mut mesh) = cube(kuhn());
+    mesh.subfaces.clear();
+    let found = check(&plc, &mesh);
+    assert!(found.contains(&DefectKind::FacetMissing), "{found:?}");
+    let missing = kinds(check_mesh(&plc, &mesh, false, 100));
+    assert!(missing.contains(&DefectKind::FacetMissing), "{missing:?}");
+    // Mode Delaunay promises no facets; that it keeps the surface is asked all the same.
+    (mesh.guarantee, mesh.hull_kept) = (Guarantee::Delaunay, true);
+    mesh.subsegments.clear();
+    assert_eq!(check(&plc, &mesh), vec![]);
+    for kept in [check_preserved(&plc, &mesh, 100), check_preserved_outer(&plc, &mesh, 100)] {
+        let found = kinds(kept);
+        assert!(found.contains(&DefectKind::FacetMissing), "{found:?}");
+    }
 }
 
 /// Exactly coplanar facets may be retriangulated across their common edges: six tetrahedra against the surface of five.

@@ -30,7 +30,7 @@ pub enum ModeArg {
     Delaunay,
     /// The constrained Delaunay tetrahedralization of the surface.
     Cdt,
-    /// The surface kept as it is: points are added only inside.
+    /// The surface kept as it is, except for diagonals of polygons: points are added only inside.
     Preserve,
 }
 

@@ -4,8 +4,8 @@
 //! the surface, where the corners of a face are corners of its facet. (The checker does not judge the facets of other meshes, since it
 //! cannot know where such points lie.)
 use delotet::predicates::{orient3d, Sign};
-use delotet::{Error, Plc, Status, Subface, TetMesh, INVALID};
-use std::collections::HashMap;
+use delotet::{Error, Plc, Region, Status, Subface, TetMesh, INVALID};
+use std::collections::{HashMap, HashSet};
 
 /// Sets facet and sides of every subface of a mesh whose added points are all said to lie inside; drops the subfaces of any other mesh, or
 /// if that turns out to be wrong.
@@ -18,7 +18,9 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
     if named && mesh.steiner.len() + plc.points.len() == points {
         let sides = sides_of_faces(mesh);
         mesh.subfaces.iter_mut().for_each(|face| face.tets = sides_of(face, &sides));
+        separate_regions(mesh, &sides);
         attribute_regions(plc, mesh);
+        order_unknown(mesh);
         return Ok(());
     }
     let known = mesh.steiner.len() == points.saturating_sub(plc.points.len());
@@ -58,11 +60,59 @@ pub fn attribute_subfaces(plc: &Plc, mesh: &mut TetMesh) -> Result<(), Error> {
     Ok(())
 }
 
-/// Assigns to every region the seed with its attribute, if there is only one.
+/// Makes a region of every part that subfaces bound: files do not tell regions of equal attributes apart.
+fn separate_regions(mesh: &mut TetMesh, sides: &Sides) {
+    fn root(parent: &mut [u32], mut t: u32) -> u32 {
+        while parent[t as usize] != t {
+            parent[t as usize] = parent[parent[t as usize] as usize];
+            t = parent[t as usize];
+        }
+        t
+    }
+    let walls: HashSet<[u32; 3]> = mesh.subfaces.iter().map(|face| sorted(face.corners).0).collect();
+    let mut parent: Vec<u32> = (0..mesh.tets.len() as u32).collect();
+    for (_, &[s, t]) in sides.iter().filter(|(face, [s, t])| *s.max(t) != INVALID && !walls.contains(*face)) {
+        // Whether the region may change there is left to the check.
+        if mesh.tet_region[s as usize] == mesh.tet_region[t as usize] {
+            let (s, t) = (root(&mut parent, s), root(&mut parent, t));
+            parent[s.max(t) as usize] = s.min(t);
+        }
+    }
+    let mut regions: Vec<Region> = Vec::new();
+    let mut number = vec![0; parent.len()];
+    for t in 0..parent.len() as u32 {
+        let first = root(&mut parent, t);
+        if first == t {
+            number[t as usize] = regions.len() as u32;
+            regions.push(mesh.regions[mesh.tet_region[t as usize] as usize]);
+        }
+        number[t as usize] = number[first as usize];
+    }
+    (mesh.tet_region, mesh.regions) = (number, regions);
+}
+
+/// Turns subfaces between regions as the check expects them where files do not tell whether the regions had seeds, and in which order.
+fn order_unknown(mesh: &mut TetMesh) {
+    let region = |t: u32| mesh.tet_region.get(t as usize).and_then(|&r| mesh.regions.get(r as usize));
+    let attributes: Vec<f64> =
+        (0..mesh.tets.len() as u32).map(|t| region(t).map_or(0.0, |r| r.attribute)).collect();
+    for face in &mut mesh.subfaces {
+        let unknown =
+            |(r, q): (&Region, &Region)| r.seed == INVALID && q.seed == INVALID && r.attribute != q.attribute;
+        if region(face.tets[0]).zip(region(face.tets[1])).is_some_and(unknown) {
+            *face = ordered(*face, &attributes);
+        }
+    }
+}
+
+/// Assigns to every region the seed with its attribute, if only one seed and only this region has it.
 fn attribute_regions(plc: &Plc, mesh: &mut TetMesh) {
+    let mut counts: HashMap<u64, u32> = HashMap::new();
+    let key = |region: &Region| (region.attribute + 0.0).to_bits();
+    mesh.regions.iter().for_each(|region| *counts.entry(key(region)).or_default() += 1);
     let mut seeds: Vec<(f64, u32)> = plc.regions.iter().map(|seed| seed.attribute + 0.0).zip(0..).collect();
     seeds.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
-    for region in &mut mesh.regions {
+    for region in mesh.regions.iter_mut().filter(|region| counts[&key(region)] == 1) {
         let attribute = region.attribute + 0.0;
         let from = seeds.partition_point(|x| x.0.total_cmp(&attribute).is_lt());
         let mut equal = seeds[from..].iter().take_while(|x| x.0 == attribute);

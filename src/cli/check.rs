@@ -4,9 +4,14 @@ use super::page::Page;
 use super::{paths, report, Failure};
 use delotet::io;
 use delotet::{Defect, DefectKind, Element, Error, Guarantee, Status, SteinerPoint, TetMesh, Warnings};
+use std::path::Path;
 
 /// Reads a mesh and its input and checks the mesh against the input.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
+    let mut inputs = io::sources(&args.input)?;
+    // Another kind of file is refused by what reads it.
+    inputs.extend(io::mesh_sources(&args.mesh).unwrap_or_default());
+    paths::check_report(args.report.as_deref(), &inputs)?;
     let outcome = check(args);
     report::write_if_asked(args.report.as_deref(), outcome, |()| {
         report::of_success(None, &Warnings::default())
@@ -16,7 +21,6 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
 fn check(args: &CheckArgs) -> Result<(), Failure> {
     paths::check_input(&args.input)?;
     paths::check_input(&args.mesh)?;
-    args.report.as_deref().map_or(Ok(()), paths::check_output)?;
     let plc = io::read(&args.input)?;
     let mesh = io::read_mesh(&args.mesh).map_err(|e| Failure::from(e).with_code(1))?;
     let mesh = match mesh.dropped {
@@ -49,6 +53,10 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         mesh.steiner = vec![SteinerPoint::INSIDE; mesh.points.len().saturating_sub(plc.points.len())];
     }
     super::attribute::attribute_subfaces(&plc, &mut mesh)?;
+    let judged = mesh.steiner.len() + plc.points.len() == mesh.points.len();
+    if judged && plc.facet_count() > 0 && mesh.guarantee != Guarantee::Delaunay {
+        require_faces(&args.mesh)?;
+    }
     let limit = if args.report.is_some() { 10_000_000 } else { 1000 };
     let verdict = match preserved {
         Some(PreserveArg::All) => delotet::check_preserved(&plc, &mesh, limit),
@@ -56,7 +64,6 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         None => delotet::check_mesh(&plc, &mesh, !args.no_delaunay, limit),
     };
     verdict.map_err(|e| Failure::from(e).with_code(1))?;
-    let judged = mesh.steiner.len() + plc.points.len() == mesh.points.len();
     let what = match (preserved, mesh.guarantee) {
         (Some(PreserveArg::All), _) => "; the surface is kept",
         (Some(PreserveArg::Outer), _) => "; the outer boundary is kept",
@@ -72,4 +79,16 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         if judged { "" } else { "; no .parents file for this input: conformity was not judged" }
     ));
     page.print()
+}
+
+/// Refuses a mesh without a `.face` file, of which it cannot be said that it has the input's facets.
+fn require_faces(mesh: &Path) -> Result<(), Failure> {
+    match io::mesh_sources(mesh)?.into_iter().find(|file| file.extension().is_some_and(|e| e == "face")) {
+        Some(file) if !file.exists() => {
+            let message =
+                format!("{}: no such file; it says which faces of the mesh are on facets", file.display());
+            Err(Failure::from(Error::new(Status::File, message)).with_code(1))
+        }
+        _ => Ok(()),
+    }
 }

@@ -12,6 +12,10 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
         let message = format!("{}: not a surface format", args.output.display());
         return Err(Error::new(Status::Unsupported, message).into());
     }
+    // The file itself may be written anew, for it has been read then; what it refers to may not.
+    let mut beside = delotet::io::sources(&args.input)?;
+    beside.retain(|file| *file != args.input);
+    paths::check_distinct(&beside, std::slice::from_ref(&args.output))?;
     let plc = delotet::io::read(&args.input)?;
     let warnings = delotet::io::write_surface(&args.output, &plc).map_err(|error| match error.status {
         Status::File => Failure::usage(error),

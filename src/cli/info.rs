@@ -7,13 +7,13 @@ use delotet::{Options, Warnings};
 
 /// Reads a file, prints what is in it, and validates it.
 pub fn run(args: &InfoArgs) -> Result<(), Failure> {
+    paths::check_report(args.report.as_deref(), &delotet::io::sources(&args.input)?)?;
     let outcome = info(args);
     report::write_if_asked(args.report.as_deref(), outcome, |w| report::of_success(None, w)).map(|_| ())
 }
 
 fn info(args: &InfoArgs) -> Result<Warnings, Failure> {
     paths::check_input(&args.input)?;
-    args.report.as_deref().map_or(Ok(()), paths::check_output)?;
     let plc = delotet::io::read(&args.input)?;
     let mut page = Page::default();
     summary::describe_plc(&mut page, &args.input, &plc);

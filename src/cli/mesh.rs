@@ -7,10 +7,14 @@ use delotet::io::{Format, MshVersion, UnusedOption, WriteOptions};
 use delotet::progress::report as tell;
 use delotet::{Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
 use serde_json::{json, Map, Value};
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// Reads the input, meshes it and writes the mesh.
 pub fn run(args: &MeshArgs) -> Result<(), Failure> {
+    let inputs = delotet::io::sources(&args.input)?;
+    paths::check_report(args.report.as_deref(), &inputs)?;
+    paths::check_distinct(&inputs, &outputs(args))?;
     let mut console = Console::new(args.quiet);
     let outcome = mesh(args, &mut console);
     console.finish();
@@ -103,12 +107,16 @@ fn write_options(args: &MeshArgs) -> WriteOptions {
 /// Fails early for file names and options that would fail only after meshing.
 fn check_files(args: &MeshArgs, options: &WriteOptions) -> Result<(), Failure> {
     paths::check_input(&args.input)?;
-    let mut outputs = paths::of_mesh(&args.output, options.subfaces);
+    outputs(args).iter().try_for_each(|path| paths::check_output(path))?;
+    Ok(options.check(&args.output)?)
+}
+
+/// All files that are written.
+fn outputs(args: &MeshArgs) -> Vec<PathBuf> {
+    let mut outputs = paths::of_mesh(&args.output, args.subfaces);
     outputs.extend(args.stats.clone());
     outputs.extend(args.report.clone());
-    outputs.iter().try_for_each(|path| paths::check_output(path))?;
-    options.check(&args.output)?;
-    paths::check_distinct(&args.input, &outputs)
+    outputs
 }
 
 /// Warns of options that have no effect together with the others.
@@ -120,6 +128,7 @@ fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
             (UnusedOption::Compress, _) => "--compress: only .vtu can be compressed",
             (UnusedOption::Subfaces, Format::Vtk) => "--subfaces: only .vtu writes them to a second file",
             (UnusedOption::Subfaces, _) => "--subfaces: the file always contains the subfaces",
+            (UnusedOption::SecondOrder, _) => "--second-order: the file holds no tetrahedra",
             (UnusedOption::MshVersion, _) => "--msh-version: the file is not .msh",
             (UnusedOption::RegionNames, _) => "--region-name: only .msh and .inp store names of regions",
         };

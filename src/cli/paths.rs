@@ -30,10 +30,11 @@ pub fn check_output(path: &Path) -> Result<(), Failure> {
     Err(Failure::usage(Error::new(Status::File, format!("{}: {what}", path.display()))))
 }
 
-/// Fails if an output would replace another output or the input.
-pub fn check_distinct(input: &Path, outputs: &[PathBuf]) -> Result<(), Failure> {
+/// Fails if an output would replace another output or a file that is read. To be called before anything is written, including reports of
+/// failure.
+pub fn check_distinct(inputs: &[PathBuf], outputs: &[PathBuf]) -> Result<(), Failure> {
     for (i, output) in outputs.iter().enumerate() {
-        if is_same(input, output) {
+        if inputs.iter().any(|input| is_same(input, output)) {
             return Err(usage(&format!(
                 "{}: the output would replace the input; choose another name",
                 output.display()
@@ -44,6 +45,14 @@ pub fn check_distinct(input: &Path, outputs: &[PathBuf]) -> Result<(), Failure> 
         }
     }
     Ok(())
+}
+
+/// Fails if the name of a report cannot be one, or if the report would replace a file that the command reads. To be called before anything
+/// that may fail and be reported.
+pub fn check_report(report: Option<&Path>, inputs: &[PathBuf]) -> Result<(), Failure> {
+    let Some(report) = report else { return Ok(()) };
+    check_output(report)?;
+    check_distinct(inputs, &[report.to_path_buf()])
 }
 
 /// All files to which a mesh is written.

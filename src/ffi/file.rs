@@ -35,7 +35,8 @@ pub(super) unsafe fn path_of<'a>(path: *const c_char) -> Result<&'a Path, Error>
 /// Reads a PLC from a file; the extension determines the format (src/doc/formats.md lists them).
 /// `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: the PLC, owned by the caller; free it with delotet_plc_free().
 /// NULL on failure.
-/// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, FORMAT, OUT_OF_MEMORY.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, FORMAT,
+/// INDEX_OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_read(
@@ -53,7 +54,8 @@ pub unsafe extern "C" fn delotet_plc_read(
     }
 }
 
-/// Writes a PLC to a file; the extension determines the format (src/doc/formats.md lists the surface formats).
+/// Writes a PLC to a file; the extension determines the format (src/doc/formats.md lists the surface formats). Values that the format
+/// cannot hold are lost without a warning; delotet_plc_write_with() reports them.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
 /// file formats), NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
 #[no_mangle]
@@ -64,11 +66,17 @@ pub unsafe extern "C" fn delotet_plc_write(
     out_error: *mut *mut DelotetError,
 ) -> DelotetStatus {
     // SAFETY: the caller passes a PLC that nothing changes meanwhile and a zero-terminated path.
-    unsafe { guard(out_error, || files::write_surface(path_of(path)?, &get(plc, "plc")?.plc)) }
+    unsafe {
+        guard(out_error, || {
+            let plc = &get(plc, "plc")?.plc;
+            write_surface(path_of(path)?, plc, &WriteOptions::default(), &mut Silent)
+        })
+    }
 }
 
 /// Writes a mesh to a file; the extension determines the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made
-/// from: some formats store its markers and attributes.
+/// from: some formats store its markers and attributes. Values that the format cannot hold are lost without a warning;
+/// delotet_mesh_write_with() reports them.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -87,10 +95,11 @@ pub unsafe extern "C" fn delotet_mesh_write(
     }
 }
 
-pub(super) use files::write;
+pub(super) use files::{write, write_surface};
 
 #[cfg(feature = "io")]
 mod files {
+    use crate::io::Format;
     use crate::{error::Error, fallible, Observer, Plc, TetMesh, WriteOptions};
     use std::path::Path;
 
@@ -98,8 +107,16 @@ mod files {
         crate::io::read(path)
     }
 
-    pub(super) fn write_surface(path: &Path, plc: &Plc) -> Result<(), Error> {
-        crate::io::write_surface(path, plc).map(|_| ())
+    pub(in crate::ffi) fn write_surface(
+        path: &Path,
+        plc: &Plc,
+        options: &WriteOptions,
+        log: &mut dyn Observer,
+    ) -> Result<(), Error> {
+        let lost = crate::io::write_surface(path, plc)?;
+        log_unused(path, options, log)?;
+        lost.log(log);
+        Ok(())
     }
 
     pub(in crate::ffi) fn write(
@@ -110,12 +127,17 @@ mod files {
         log: &mut dyn Observer,
     ) -> Result<(), Error> {
         let lost = crate::io::write(path, mesh, plc, options)?;
-        for option in options.unused(crate::io::Format::of(path)?) {
-            let name = option.name();
-            log.log(&fallible::text(format_args!("warning: {name} has no effect in this format"))?);
-        }
+        log_unused(path, options, log)?;
         lost.log(log);
         Ok(())
+    }
+
+    fn log_unused(path: &Path, options: &WriteOptions, log: &mut dyn Observer) -> Result<(), Error> {
+        options.unused(Format::of(path)?).try_for_each(|option| {
+            let name = option.name();
+            log.log(&fallible::text(format_args!("warning: {name} has no effect in this format"))?);
+            Ok(())
+        })
     }
 }
 
@@ -133,7 +155,12 @@ mod files {
         Err(absent())
     }
 
-    pub(super) fn write_surface(_: &Path, _: &Plc) -> Result<(), Error> {
+    pub(in crate::ffi) fn write_surface(
+        _: &Path,
+        _: &Plc,
+        _: &WriteOptions,
+        _: &mut dyn Observer,
+    ) -> Result<(), Error> {
         Err(absent())
     }
 

@@ -358,7 +358,9 @@ unsafe fn compared<'a>(
 }
 
 /// Checks a mesh against its PLC exactly: all tetrahedra are positive and conforming, points are unmoved, segments and facets are covered;
-/// with `constrained_delaunay` also that every unconstrained face is locally Delaunay. The error lists at most `max_defects`.
+/// with `constrained_delaunay` also that every unconstrained face is locally Delaunay. A facet without any subfaces in the mesh is a
+/// defect, unless the mesh was made in mode DELOTET_MODE_DELAUNAY: then facets and segments are not checked. The error lists at most
+/// `max_defects`.
 /// Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
@@ -380,8 +382,9 @@ pub unsafe extern "C" fn delotet_mesh_check(
 }
 
 /// Checks a mesh like delotet_mesh_check() without the Delaunay property, and also that it keeps the surface as DELOTET_MODE_PRESERVE
-/// promises: every input triangle is a face (or, if input points lie on it, a union of faces with these as corners), and no added point
-/// lies on a facet or segment. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
+/// promises: every input triangle is a face (or, if input points lie on it, a union of faces with these as corners), every polygon is a
+/// union of faces and every segment one of edges between input points, and no added point lies on a facet or segment. This is checked
+/// whatever the mode of the mesh. The error lists at most `max_defects`. Errors: INVALID_ARGUMENT, CHECK_FAILED, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_check_preserved(

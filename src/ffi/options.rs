@@ -15,8 +15,8 @@ pub const DELOTET_MODE_DELAUNAY: DelotetMode = 0;
 /// The constrained Delaunay tetrahedralization: segments and facets are unions of edges and faces, with Steiner points on
 /// segments only. The default.
 pub const DELOTET_MODE_CONSTRAINED: DelotetMode = 1;
-/// A tetrahedralization that keeps the surface as it is: every facet triangle (for general facets, every triangle of their triangulation)
-/// is a face, every segment is an edge, and no point is added on them. Points are added only inside, as few as possible.
+/// A tetrahedralization that keeps the surface as it is: every triangle is a face, every segment and every edge of a polygon is an
+/// edge, and no point is added on them; a polygon may get any diagonals. Points are added only inside, as few as possible.
 pub const DELOTET_MODE_PRESERVE: DelotetMode = 2;
 
 /// What DELOTET_MODE_PRESERVE keeps: one of the DELOTET_PRESERVE_ constants.

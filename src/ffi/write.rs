@@ -18,8 +18,8 @@ pub const DELOTET_MSH_4_1: DelotetMshVersion = 41;
 /// Version 2.2, which many solvers read; some read no other.
 pub const DELOTET_MSH_2_2: DelotetMshVersion = 22;
 
-/// How a mesh is written. One object may serve any number of calls, even concurrent ones (the log callback is then called from all their
-/// threads).
+/// How a mesh or a PLC is written. One object may serve any number of calls, even concurrent ones (the log callback is then called
+/// from all their threads).
 pub struct DelotetWriteOptions {
     options: WriteOptions,
     /// The names of `options.region_names` as C strings.
@@ -308,6 +308,29 @@ pub unsafe extern "C" fn delotet_mesh_write_with(
             let mut log = options.as_ref().map_or(Callbacks::NONE, |o| o.callbacks);
             let path = path_of(path)?;
             setting(options, |o| super::file::write(path, mesh, plc, o, &mut log))
+        })
+    }
+}
+
+/// Writes a PLC to a file as delotet_plc_write() does, and tells the options' log what the format cannot hold as it is (NULL: nobody). No
+/// other option has an effect on surface formats; the log is told of those that are set.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
+/// NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_write_with(
+    plc: *const DelotetPlc,
+    path: *const c_char,
+    options: *const DelotetWriteOptions,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes handles that nothing changes meanwhile and a zero-terminated path.
+    unsafe {
+        guard(out_error, || {
+            let plc = &get(plc, "plc")?.plc;
+            let mut log = options.as_ref().map_or(Callbacks::NONE, |o| o.callbacks);
+            let path = path_of(path)?;
+            setting(options, |o| super::file::write_surface(path, plc, o, &mut log))
         })
     }
 }

@@ -13,7 +13,7 @@ use crate::plc::Plc;
 use crate::warning::Warnings;
 use crate::INVALID;
 use rustc_hash::FxHashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 mod groups;
 mod inp;
@@ -162,6 +162,29 @@ pub fn read(path: &Path) -> Result<Plc, Error> {
         .map_err(|e| at(path, e))
 }
 
+/// The files that [`read`] reads: `path`, and the `.node` file beside it where that has the points. Of what cannot be read twice the
+/// second one is listed in any case.
+///
+/// # Errors
+/// [`Status::OutOfMemory`]. A file that cannot be read is none here.
+pub fn sources(path: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut list = Vec::new();
+    let own =
+        output_files::copied(path, 0).map_err(|e| output_files::file_error(path, "copy the name", &e))?;
+    fallible::push(&mut list, own)?;
+    if !matches!(Format::of(path), Ok(Format::Poly | Format::Smesh)) {
+        return Ok(list);
+    }
+    let beside = match std::fs::metadata(path) {
+        Ok(metadata) if metadata.is_file() => bytes_of(path).is_ok_and(|bytes| tetgen::lacks_points(&bytes)),
+        _ => true,
+    };
+    if beside {
+        fallible::push(&mut list, output_files::with_extension(path, "node")?)?;
+    }
+    Ok(list)
+}
+
 /// Reads a PLC from the content of a file of a surface format.
 ///
 /// # Errors
@@ -275,32 +298,62 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Error> {
     files.commit()
 }
 
+/// The files that a mesh is read from.
+struct MeshFiles {
+    node: PathBuf,
+    ele: PathBuf,
+    face: PathBuf,
+    parents: PathBuf,
+}
+
+impl MeshFiles {
+    /// By the name of one of them but `.parents`, or the stem.
+    fn of(path: &Path) -> Result<MeshFiles, Error> {
+        let known = path
+            .extension()
+            .is_some_and(|e| ["ele", "node", "face"].iter().any(|k| e.eq_ignore_ascii_case(k)));
+        if !known && Format::of(path).is_ok() {
+            return Err(Error::new(
+                Status::Unsupported,
+                format_args!("{}: meshes are read from .ele files", path.display()),
+            ));
+        }
+        let beside = |suffix: &str| match known {
+            true => output_files::with_extension(path, suffix),
+            false => output_files::with_suffix(path, &[".", suffix]),
+        };
+        Ok(MeshFiles {
+            node: beside("node")?,
+            ele: beside("ele")?,
+            face: beside("face")?,
+            parents: beside("parents")?,
+        })
+    }
+}
+
+/// The files that [`read_mesh`] reads, those that need not be there included.
+///
+/// # Errors
+/// As [`read_mesh`] for the name; [`Status::OutOfMemory`].
+pub fn mesh_sources(path: &Path) -> Result<Vec<PathBuf>, Error> {
+    let MeshFiles { node, ele, face, parents } = MeshFiles::of(path)?;
+    Ok(fallible::collect([node, ele, face, parents])?)
+}
+
 /// Reads a mesh from TetGen's files: `STEM.node`, `STEM.ele` and, where it exists, `STEM.face`; `path` is any of these, or
 /// the stem. Filled are `points`, `tets`, `tet_region`, `regions` and the corners and markers of `subfaces`; where there is
-/// also our own `STEM.parents`, `steiner`, `steiner_terms`, `facet_flips`, `hull_kept` and the facets of `subfaces`.
+/// also our own `STEM.parents`, `steiner`, `steiner_terms`, `facet_flips`, `hull_kept` and the facets of `subfaces`. Of second
+/// order, nodes in the middle of edges are left out, once it is certain that they are there: tetrahedra have four points.
 ///
 /// # Errors
 /// As [`read`].
 pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
-    let known =
-        path.extension().is_some_and(|e| ["ele", "node", "face"].iter().any(|k| e.eq_ignore_ascii_case(k)));
-    if !known && Format::of(path).is_ok() {
-        return Err(Error::new(
-            Status::Unsupported,
-            format_args!("{}: meshes are read from .ele files", path.display()),
-        ));
-    }
-    let beside = |suffix: &str| match known {
-        true => output_files::with_extension(path, suffix),
-        false => output_files::with_suffix(path, &[".", suffix]),
-    };
-    let ele = beside("ele")?;
-    let tetgen::Tets { nodes, tets, attributes } =
-        tetgen::read_tets(&bytes_of(&beside("node")?)?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
+    let MeshFiles { node, ele, face, parents } = MeshFiles::of(path)?;
+    let tetgen::Tets { nodes, middles, tets, attributes } =
+        tetgen::read_tets(&bytes_of(&node)?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
     let mut mesh = TetMesh { tets, ..TetMesh::default() };
-    let face = beside("face")?;
     if face.exists() {
-        let faces = tetgen::read_faces(&bytes_of(&face)?, &nodes).map_err(|e| at(&face, e))?;
+        let faces = tetgen::read_faces(&bytes_of(&face)?, &nodes, middles).map_err(|e| at(&face, e))?;
         mesh.subfaces.try_reserve_exact(faces.len())?;
         mesh.subfaces.extend(faces.into_iter().map(|(corners, marker)| Subface {
             corners,
@@ -310,7 +363,6 @@ pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
         }));
     }
     mesh.points = nodes.points;
-    let parents = beside("parents")?;
     if parents.exists() {
         parents::read(&bytes_of(&parents)?, &mut mesh).map_err(|e| at(&parents, e))?;
     }

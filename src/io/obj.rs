@@ -5,7 +5,7 @@
 //! a group `marker_K NAME` has marker K, whatever its material. Texture coordinates, normals and display attributes are skipped, free-form
 //! curves and surfaces refused. Equal points are joined.
 use super::groups::{self, Groups, Single};
-use super::surface::{out_of_range, Surface};
+use super::surface::{no_such_point, out_of_range, Surface};
 use super::text::{bad, int, shown, Line, Lines};
 use crate::error::{Element, Error, Status};
 use crate::plc::{Plc, Segment};
@@ -125,17 +125,20 @@ impl Reader {
     /// An index from 0: positive ones count from the first point, negative ones back from the last so far.
     fn index(&mut self, token: &[u8], element: Element, line: usize) -> Result<i64, Error> {
         let mut parts = token.split(|&b| b == b'/');
-        let index = parts.next().and_then(int).filter(|&i| i != 0);
+        let index = parts.next().and_then(int);
         let rest_fine = parts.all(|part| part.is_empty() || int(part).is_some());
         let (Some(index), true) = (index, rest_fine) else {
             return Err(bad(line, format_args!("a vertex index expected, found '{}'", shown(token))));
         };
+        if index == 0 {
+            let what = format_args!("line {line}: vertex index 0, but vertices are counted from 1");
+            return Err(no_such_point(element, what));
+        }
         let index = if index > 0 { index - 1 } else { self.surface.points.len() as i64 + index };
         if index < 0 {
-            return Err(bad(
-                line,
-                format_args!("vertex index {} reaches before the first vertex", shown(token)),
-            ));
+            let token = shown(token);
+            let what = format_args!("line {line}: vertex index {token} reaches before the first vertex");
+            return Err(no_such_point(element, what));
         }
         if self.largest.is_none_or(|(largest, ..)| index > largest) {
             self.largest = Some((index, element, line));

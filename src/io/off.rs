@@ -5,7 +5,7 @@
 //! colours of three or four numbers are numbered as groups, if there is more than one; anything else is skipped. Homogeneous (`4OFF`),
 //! n-dimensional (`nOFF`) and binary files are refused.
 use super::groups::{Groups, Single};
-use super::surface::Surface;
+use super::surface::{no_such_point, Surface};
 use super::text::{bad, float, int, shown, Line, Lines};
 use crate::error::{Error, Status};
 use crate::plc::Plc;
@@ -41,9 +41,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
         for _ in 0..corners {
             let corner = line.int("a vertex index")?;
             if corner < 0 || corner >= vertex_count as i64 {
-                return Err(bad(
-                    line.number(),
-                    format_args!("vertex index {corner}, but there are {vertex_count} vertices"),
+                let number = line.number();
+                return Err(no_such_point(
+                    surface.next_element(corners),
+                    format_args!(
+                        "line {number}: vertex index {corner}, but there are {vertex_count} vertices"
+                    ),
                 ));
             }
             surface.corner(corner)?;

@@ -107,7 +107,7 @@ impl Drop for OutputFiles {
 }
 
 /// A copy of a path with room for `more` bytes.
-fn copied(path: &Path, more: usize) -> io::Result<PathBuf> {
+pub(super) fn copied(path: &Path, more: usize) -> io::Result<PathBuf> {
     let mut copy = PathBuf::new();
     copy.try_reserve(path.as_os_str().len() + more)?;
     copy.push(path);

@@ -241,5 +241,7 @@ fn index(line: &mut Line<'_>) -> Result<u32, Error> {
     if value == -1 {
         return Ok(INVALID);
     }
-    u32::try_from(value).map_err(|_| bad(line.number(), format_args!("{value} is no index")))
+    u32::try_from(value).map_err(|_| {
+        Error::new(Status::IndexOutOfRange, format_args!("line {}: {value} is no index", line.number()))
+    })
 }

@@ -38,6 +38,14 @@ impl Surface {
         Ok(())
     }
 
+    /// What a polygon of so many corners will be when it ends.
+    pub fn next_element(&self, corners: i64) -> Element {
+        match corners {
+            2 => Element::Segment(self.segments.len() as u32),
+            _ => Element::Facet(self.ends.len() as u32),
+        }
+    }
+
     /// Adds a corner to the polygon under construction. What is no index of a point is refused by [`Surface::finish`].
     pub fn corner(&mut self, corner: i64) -> Result<(), Error> {
         if self.corners.len() == self.corners.capacity() {
@@ -129,12 +137,14 @@ impl Surface {
 
 /// The error for an element that refers to a point that does not exist.
 pub(super) fn out_of_range(element: Element, count: usize) -> Error {
+    let what = format_args!("{element} refers to a point that does not exist (there are {count} points)");
+    no_such_point(element, what)
+}
+
+/// As [`out_of_range`], in words of the file's format.
+pub(super) fn no_such_point(element: Element, what: std::fmt::Arguments<'_>) -> Error {
     let defect = Defect { kind: DefectKind::IndexOutOfRange, first: element, second: None, point: None };
-    Error::with_defect(
-        Status::IndexOutOfRange,
-        format_args!("{element} refers to a point that does not exist (there are {count} points)"),
-        defect,
-    )
+    Error::with_defect(Status::IndexOutOfRange, what, defect)
 }
 
 /// Removes every point that equals an earlier one (0 and -0 are equal) and returns the new index of each.

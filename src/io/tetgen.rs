@@ -4,10 +4,11 @@
 //! `#` starts a comment. Indices start at the first point's number, 0 or 1. The corners of a polygon may go on over
 //! several lines. A facet whose polygons all have fewer than three corners is no facet: two corners are a segment, one
 //! corner is a point that is there anyway.
-use super::surface::out_of_range;
+use super::surface::{no_such_point, out_of_range};
 use super::text::{bad, Line, Lines};
 use crate::error::{Element, Error, Status};
 use crate::fallible;
+use crate::mesh_query::NodeOrder;
 use crate::plc::{Facet, Interior, Plc, RegionSeed, Segment};
 
 /// What a `.node` section holds.
@@ -69,6 +70,12 @@ pub(super) fn read_plc(
     Ok(plc)
 }
 
+/// Whether a `.poly` or `.smesh` file announces no points: they are in the `.node` file beside it.
+pub(super) fn lacks_points(bytes: &[u8]) -> bool {
+    let first = Lines::new(bytes).next_line();
+    first.and_then(|mut line| line.int("the number of points").ok()) == Some(0)
+}
+
 fn node_section(lines: &mut Lines<'_>) -> Result<Nodes, Error> {
     let mut line = lines.expect("the number of points")?;
     let available = lines.remaining().len();
@@ -111,13 +118,16 @@ fn node_section(lines: &mut Lines<'_>) -> Result<Nodes, Error> {
     Ok(nodes)
 }
 
-/// The corners of a polygon: the count is read from `line`, which is moved on where they continue on further lines.
+/// The corners of a polygon: the count is read from `line`, which is moved on where they continue on further lines. `facet` has its
+/// polygons so far.
 fn polygon<'a>(
     lines: &mut Lines<'a>,
     line: &mut Line<'a>,
+    plc: &Plc,
     base: i64,
-    points: usize,
+    facet: &Facet,
 ) -> Result<Vec<u32>, Error> {
+    let points = plc.points.len();
     let count = line.count("the number of corners", 2, line.rest().len() + lines.remaining().len())?;
     if count == 0 {
         return Err(bad(line.number(), "a polygon without corners"));
@@ -132,15 +142,24 @@ fn polygon<'a>(
         match number.checked_sub(base).and_then(|i| usize::try_from(i).ok()) {
             Some(index) if index < points => corners.push(index as u32),
             _ => {
-                let last = base + points as i64 - 1;
-                return Err(bad(
-                    line.number(),
-                    format_args!("point index {number}, but the points are {base} to {last}"),
+                let (at, last) = (line.number(), base + points as i64 - 1);
+                return Err(no_such_point(
+                    next_element(plc, facet, count),
+                    format_args!("line {at}: point index {number}, but the points are {base} to {last}"),
                 ));
             }
         }
     }
     Ok(corners)
+}
+
+/// What a polygon of so many corners is a part of, behind those of `facet`; see [`add_facet`].
+fn next_element(plc: &Plc, facet: &Facet, corners: usize) -> Element {
+    let segments = || facet.polygons.iter().filter(|p| p.len() == 2).count();
+    match corners == 2 && facet.polygons.iter().all(|p| p.len() <= 2) {
+        true => Element::Segment((plc.segments.len() + segments()) as u32),
+        false => Element::Facet(plc.facets.len() as u32),
+    }
 }
 
 fn facet_section(lines: &mut Lines<'_>, plc: &mut Plc, base: i64, smesh: bool) -> Result<(), Error> {
@@ -161,7 +180,8 @@ fn facet_section(lines: &mut Lines<'_>, plc: &mut Plc, base: i64, smesh: bool) -
 }
 
 fn smesh_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i64) -> Result<Facet, Error> {
-    let polygons = fallible::collect([polygon(lines, &mut line, base, plc.points.len())?])?;
+    let corners = polygon(lines, &mut line, plc, base, &Facet::default())?;
+    let polygons = fallible::collect([corners])?;
     let marker = line.optional_marker()?;
     Ok(Facet { polygons, holes: Vec::new(), interior: Interior::FirstMinusOthers, marker })
 }
@@ -180,7 +200,8 @@ fn poly_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i6
     facet.polygons.try_reserve_exact(polygon_count)?;
     for _ in 0..polygon_count {
         let mut line = lines.expect("a polygon")?;
-        facet.polygons.push(polygon(lines, &mut line, base, plc.points.len())?);
+        let corners = polygon(lines, &mut line, plc, base, &facet)?;
+        facet.polygons.push(corners);
     }
     for _ in 0..hole_count {
         let mut line = lines.expect("a hole of the facet")?;
@@ -258,44 +279,99 @@ fn region_section(lines: &mut Lines<'_>, plc: &mut Plc) -> Result<(), Error> {
 pub(super) struct Tets {
     /// The points.
     pub nodes: Nodes,
+    /// How many further nodes there were, in the middle of edges.
+    pub middles: usize,
     /// The tetrahedra.
     pub tets: Vec<[u32; 4]>,
     /// The first attribute of each tetrahedron; empty if they have none.
     pub attributes: Vec<f64>,
 }
 
-/// Reads a mesh from the contents of its `.node` and `.ele` files.
+/// Reads a mesh from the contents of its `.node` and `.ele` files. Of tetrahedra of ten nodes the six others must be the middles of
+/// the edges, and come after all points.
 pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<Tets, Error> {
-    let nodes = read_nodes(node).map_err(|e| e.at(format_args!(".node file")))?;
+    let mut nodes = read_nodes(node).map_err(|e| e.at(format_args!(".node file")))?;
     let mut lines = Lines::new(ele);
     let mut line = lines.expect("the number of tetrahedra")?;
     let count = line.count("the number of tetrahedra", 10, lines.remaining().len())?;
     let corners = line.optional_int("the number of corners")?.unwrap_or(4);
-    if corners != 4 {
+    if corners != 4 && corners != 10 {
         return Err(Error::new(
             Status::Unsupported,
             format_args!("tetrahedra of {corners} corners are not supported"),
         ));
     }
     let attributed = line.optional_int("the number of attributes")?.unwrap_or(0) > 0;
-    let (mut tets, mut attributes) = (Vec::new(), Vec::new());
+    let (mut tets, mut attributes, mut middles) = (Vec::new(), Vec::new(), Vec::new());
     tets.try_reserve_exact(count)?;
     attributes.try_reserve_exact(if attributed { count } else { 0 })?;
+    middles.try_reserve_exact(if corners == 10 { count.saturating_mul(6) } else { 0 })?;
     for tet in 0..count {
         let mut line = lines.expect("a tetrahedron")?;
         line.int("the number of a tetrahedron")?;
-        let corners = index_row::<4>(&mut line, &nodes, Element::Tet(tet as u32))?;
-        tets.push(corners);
+        let element = Element::Tet(tet as u32);
+        let row = index_row::<4>(&mut line, &nodes, element)?;
+        tets.push(row);
+        if corners == 10 {
+            let six = index_row::<6>(&mut line, &nodes, element)?;
+            let edges = NodeOrder::Tetgen.edges().map(|i| EDGES[i].map(|k| row[k]));
+            middles.extend(six.into_iter().zip(edges).map(|(node, [a, b])| [node, a.min(b), a.max(b)]));
+        }
         if attributed {
             attributes.push(line.float("an attribute")?);
         }
     }
     lines.expect_end("tetrahedron")?;
-    Ok(Tets { nodes, tets, attributes })
+    let middles = take_off_middles(middles, &mut nodes)?;
+    Ok(Tets { nodes, middles, tets, attributes })
 }
 
-/// The triangles of a `.face` file with their markers.
-pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes) -> Result<Vec<([u32; 3], i32)>, Error> {
+/// The edges 01 02 03 12 13 23 of a tetrahedron.
+const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+
+/// Takes the nodes in the middle of edges off the end of the points, and returns how many there were. `uses`: the node and the ends of
+/// the edge, for each tetrahedron.
+fn take_off_middles(mut uses: Vec<[u32; 3]>, nodes: &mut Nodes) -> Result<usize, Error> {
+    uses.sort_unstable();
+    uses.dedup();
+    let Some(&[first, ..]) = uses.first() else { return Ok(0) };
+    let refused = |node: u32, what: &str| {
+        let number = i64::from(node) + nodes.base;
+        Error::new(Status::Unsupported, format_args!("node {number} {what}: not read"))
+    };
+    let count = nodes.points.len() - first as usize;
+    if let Some((_, &[node, ..])) = (first..).zip(&uses).find(|(expected, [node, ..])| expected != node) {
+        return Err(refused(node, "is in the middle of two edges, or not behind all points"));
+    }
+    for &[node, a, b] in &uses {
+        let at = |v: u32| nodes.points.get(v as usize).copied().unwrap_or_default();
+        let (ends, middle) = ([at(a), at(b)], at(node));
+        // As they are written.
+        let finite = ends.iter().flatten().all(|x| x.is_finite());
+        let straight = finite && (0..3).all(|k| middle[k] == 0.5 * ends[0][k] + 0.5 * ends[1][k]);
+        if b >= first {
+            return Err(refused(b, "is in the middle of an edge and a corner"));
+        }
+        if !straight {
+            return Err(refused(node, "is not in the middle of the straight edge that it belongs to"));
+        }
+    }
+    if uses.len() != count {
+        return Err(refused(first, "is in the middle of an edge, and points come after the last such node"));
+    }
+    // Each edge has one node.
+    uses.sort_unstable_by_key(|&[node, a, b]| [a, b, node]);
+    if let Some(two) = uses.windows(2).find(|two| two[0][1..] == two[1][1..]) {
+        return Err(refused(two[1][0], "is in the middle of an edge that has another such node"));
+    }
+    nodes.points.truncate(first as usize);
+    nodes.markers.truncate(first as usize);
+    nodes.attributes.truncate(first as usize * nodes.attribute_count);
+    Ok(count)
+}
+
+/// The triangles of a `.face` file with their markers. If there are nodes in the middle of edges, three follow the corners.
+pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes, middles: usize) -> Result<Vec<([u32; 3], i32)>, Error> {
     let mut lines = Lines::new(bytes);
     let mut line = lines.expect("the number of faces")?;
     let count = line.count("the number of faces", 8, lines.remaining().len())?;
@@ -304,7 +380,17 @@ pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes) -> Result<Vec<([u32; 3], i
     for face in 0..count {
         let mut line = lines.expect("a face")?;
         line.int("the number of a face")?;
-        let corners = index_row::<3>(&mut line, nodes, Element::Facet(face as u32))?;
+        let element = Element::Facet(face as u32);
+        let corners = index_row::<3>(&mut line, nodes, element)?;
+        for _ in 0..if middles > 0 { 3 } else { 0 } {
+            let number = line.int("a node in the middle of an edge")?;
+            let place = number.saturating_sub(nodes.base).saturating_sub(nodes.points.len() as i64);
+            if !(0..middles as i64).contains(&place) {
+                let at = line.number();
+                let what = format_args!("line {at}: node {number} is not in the middle of an edge");
+                return Err(no_such_point(element, what));
+            }
+        }
         faces.push((corners, line.optional_marker()?));
     }
     lines.expect_end("face")?;

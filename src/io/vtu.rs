@@ -12,7 +12,6 @@ use crate::error::Error;
 use crate::fallible;
 use crate::mesh_query::NodeOrder;
 use crate::INVALID;
-use flate2::{Compress, Compression, FlushCompress, Status};
 use std::fmt;
 use std::io::{self, Write};
 
@@ -217,10 +216,8 @@ impl<'a> Grid<'a> {
         let compress = self.model.options.compress;
         let mut packed: Vec<Vec<u8>> = Vec::new();
         if compress {
-            // Its state, one per file, is allocated infallibly.
-            let mut zlib = Compress::new(Compression::fast(), true);
             for array in sections.iter().flat_map(|(_, arrays)| arrays) {
-                let bytes = self.compressed(array, &mut zlib)?;
+                let bytes = self.compressed(array)?;
                 fallible::push(&mut packed, bytes).map_err(|_| io::ErrorKind::OutOfMemory)?;
             }
         }
@@ -258,7 +255,7 @@ impl<'a> Grid<'a> {
 
     /// An array as VTK's zlib compressor lays it out: the number of blocks, their size, the size of a last partial one, the
     /// compressed sizes (64 bits each), then the blocks.
-    fn compressed(&self, array: &Array, zlib: &mut Compress) -> io::Result<Vec<u8>> {
+    fn compressed(&self, array: &Array) -> io::Result<Vec<u8>> {
         const BLOCK: usize = 1 << 17;
         let room = |_| io::Error::from(io::ErrorKind::OutOfMemory);
         let mut block = Vec::new();
@@ -268,7 +265,7 @@ impl<'a> Grid<'a> {
         self.fill(array, &mut |bytes| {
             block.write_all(bytes)?;
             if block.len() >= BLOCK {
-                let size = deflate(zlib, &block[..BLOCK], &mut data)?;
+                let size = deflate(&block[..BLOCK], &mut data)?;
                 fallible::push(&mut sizes, size).map_err(room)?;
                 block.drain(..BLOCK);
             }
@@ -276,7 +273,7 @@ impl<'a> Grid<'a> {
         })?;
         let partial = block.len() as u64;
         if partial > 0 {
-            let size = deflate(zlib, &block, &mut data)?;
+            let size = deflate(&block, &mut data)?;
             fallible::push(&mut sizes, size).map_err(room)?;
         }
         let header = [sizes.len() as u64, BLOCK as u64, partial];
@@ -288,15 +285,22 @@ impl<'a> Grid<'a> {
     }
 }
 
-/// Appends one zlib stream and returns its size.
-fn deflate(zlib: &mut Compress, block: &[u8], data: &mut Vec<u8>) -> io::Result<u64> {
+/// The least effort that adapts the code to the data.
+const LEVEL: i32 = 2;
+
+/// Appends one zlib stream and returns its size. Memory for its state is asked for by zlib, which says so if there is none.
+fn deflate(block: &[u8], data: &mut Vec<u8>) -> io::Result<u64> {
     let start = data.len();
-    zlib.reset();
-    // zlib's bound for incompressible data, so that one call does it.
-    let bound = block.len() + block.len() / 1000 + 64;
+    let bound = zlib_rs::compress_bound(block.len());
     data.try_reserve(bound).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
-    match zlib.compress_vec(block, data, FlushCompress::Finish) {
-        Ok(Status::StreamEnd) => Ok((data.len() - start) as u64),
+    data.resize(start + bound, 0);
+    let (stream, code) =
+        zlib_rs::compress_slice(&mut data[start..], block, zlib_rs::DeflateConfig::new(LEVEL));
+    let size = stream.len();
+    data.truncate(start + size);
+    match code {
+        zlib_rs::ReturnCode::Ok => Ok(size as u64),
+        zlib_rs::ReturnCode::MemError => Err(io::ErrorKind::OutOfMemory.into()),
         // More than its own bound, or a fault of its state: neither happens.
         _ => Err(io::ErrorKind::Other.into()),
     }

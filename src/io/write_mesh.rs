@@ -18,6 +18,8 @@ pub enum UnusedOption {
     Compress,
     /// [`WriteOptions::subfaces`].
     Subfaces,
+    /// [`WriteOptions::second_order`].
+    SecondOrder,
     /// [`WriteOptions::msh_version`].
     MshVersion,
     /// [`WriteOptions::region_names`].
@@ -30,6 +32,7 @@ impl UnusedOption {
         match self {
             UnusedOption::Compress => "compress",
             UnusedOption::Subfaces => "subfaces",
+            UnusedOption::SecondOrder => "second_order",
             UnusedOption::MshVersion => "msh_version",
             UnusedOption::RegionNames => "region_name",
         }
@@ -53,12 +56,13 @@ impl WriteOptions {
         Err(Error::new(Status::Unsupported, fallible::text(format_args!("{}: {what}", path.display()))?))
     }
 
-    /// Options that differ from the default and do nothing in a format.
+    /// Options that differ from the default and do nothing in a format, of meshes or of surfaces.
     pub fn unused(&self, format: Format) -> impl Iterator<Item = UnusedOption> {
         let named = matches!(format, Format::Msh | Format::Inp);
         let set = [
             (self.compress && format != Format::Vtu, UnusedOption::Compress),
             (self.subfaces && format != Format::Vtu, UnusedOption::Subfaces),
+            (self.second_order && format.is_surface(), UnusedOption::SecondOrder),
             (self.msh_version != MshVersion::V41 && format != Format::Msh, UnusedOption::MshVersion),
             (!self.region_names.is_empty() && !named, UnusedOption::RegionNames),
         ];

@@ -66,13 +66,12 @@ impl Run<'_> {
         prepared: Prepared,
     ) -> Result<TetMesh, Error> {
         self.unmerged_at_least = 0;
-        let warnings = self.warnings.copied()?;
         let merged = match self.mesh_surface(plc, options, prepared.copied()?) {
             Ok(mesh) if mesh.steiner.len() as u64 <= self.unmerged_at_least => return Ok(mesh),
             Err(error) if !may_be_avoided(&error) => return Err(error),
             other => other,
         };
-        self.warnings = warnings;
+        let seeds = std::mem::take(&mut self.seeds);
         let seconds = self.statistics.seconds;
         let statistics = std::mem::take(&mut self.statistics);
         let promise = std::mem::take(&mut self.promise);
@@ -101,6 +100,7 @@ impl Run<'_> {
         self.statistics = statistics;
         self.statistics.seconds = seconds;
         self.promise = promise;
+        self.seeds = seeds;
         merged
     }
 

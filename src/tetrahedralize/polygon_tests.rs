@@ -251,6 +251,7 @@ fn a_broken_promise_is_internal() {
         clock: Instant::now(),
         statistics: Statistics::default(),
         warnings: Warnings::default(),
+        seeds: Warnings::default(),
         unmerged_at_least: 0,
         promise: Promise::default(),
         observer: &mut Silent,

@@ -137,7 +137,7 @@ impl Run<'_> {
             Preserve::All => Guarantee::Preserved,
             Preserve::Outer => Guarantee::PreservedOuter,
         };
-        warn::about_seeds(plc, &regions, options, &mut self.warnings);
+        self.seeds = warn::about_seeds(plc, &regions, options);
         self.lap(Phase::Preserve);
         Ok(mesh)
     }

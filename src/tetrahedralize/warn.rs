@@ -39,7 +39,8 @@ pub(super) fn about_input(plc: &Plc, alias: &[u32], options: &Options, warnings:
 }
 
 /// Warns of seeds that have no effect.
-pub(super) fn about_seeds(plc: &Plc, regions: &Regions, options: &Options, warnings: &mut Warnings) {
+pub(super) fn about_seeds(plc: &Plc, regions: &Regions, options: &Options) -> Warnings {
+    let mut warnings = Warnings::default();
     for &hole in &regions.holes_outside {
         let (kind, first) = (WarningKind::HoleOutside, Element::Hole(hole));
         let point = plc.holes.get(hole as usize).copied();
@@ -53,6 +54,7 @@ pub(super) fn about_seeds(plc: &Plc, regions: &Regions, options: &Options, warni
             options.max_defects,
         );
     }
+    warnings
 }
 
 /// Warns of what is not meshed, and of the open edges where it leaks.

@@ -67,6 +67,45 @@ fn tetgen_second_order_has_the_order_of_tetgen() {
 }
 
 #[test]
+fn tetgen_second_order_is_read_back_without_the_middles() {
+    let folder = Folder::new("ele-second-read");
+    let (mesh, plc) = small_mesh();
+    write(&folder.file("a.ele"), &mesh, &plc, &WriteOptions::default()).unwrap();
+    write(&folder.file("b.ele"), &mesh, &plc, &second_order()).unwrap();
+    assert_eq!(read_mesh(&folder.file("b.ele")), read_mesh(&folder.file("a.ele")));
+    let change = |suffix: &str, from: &str, to: &str| {
+        for name in ["ele", "node", "face", "parents"] {
+            std::fs::copy(folder.file(&format!("b.{name}")), folder.file(&format!("c.{name}"))).unwrap();
+        }
+        let file = folder.file(&format!("c.{suffix}"));
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.contains(from), "{text}");
+        std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
+        read_mesh(&folder.file("c.ele")).unwrap_err()
+    };
+    for (suffix, from, to, said) in [
+        ("node", "\n5 0.5 0 0", "\n5 0.5 0.01 0", "node 5 is not in the middle of the straight edge"),
+        ("node", "\n5 0.5 0 0", "\n5 inf 0 0", "node 5 is not in the middle of the straight edge"),
+        ("ele", " 12 7 5 9", " 12 7 5 8", "node 8 is in the middle of two edges"),
+        ("ele", " 12 7 5 9", " 12 7 5 2", "not behind all points"),
+        ("ele", "9 10 6 2.5", "9 10 12 2.5", "node 12 is in the middle of two edges"),
+    ] {
+        let error = change(suffix, from, to);
+        assert_eq!(error.status, Status::Unsupported, "{from} to {to}: {error}");
+        assert!(error.message.contains(said), "{from} to {to}: {error}");
+    }
+    for (suffix, from, to) in [
+        ("ele", " 12 7 5 9", " 14 7 5 9"),
+        ("ele", " 12 7 5 9", " -1 7 5 9"),
+        ("face", "0 0 1 2 5", "0 0 1 2 14"),
+        ("face", "0 0 1 2 5", "0 0 1 2 4"),
+        ("face", "0 0 1 2 5", "0 0 1 5 5"),
+    ] {
+        assert_eq!(change(suffix, from, to).status, Status::IndexOutOfRange, "{from} to {to}");
+    }
+}
+
+#[test]
 fn vtk_formats_in_second_order() {
     let folder = Folder::new("vtk-second");
     let (mesh, plc) = small_mesh();
@@ -192,6 +231,10 @@ fn options_without_effect_and_impossible_ones_are_known_before_meshing() {
     assert_eq!(unused(&all, Format::Msh), [Compress, Subfaces]);
     assert_eq!(unused(&all, Format::Inp), [Compress, Subfaces, MSH]);
     assert_eq!(unused(&WriteOptions::default(), Format::Vtk), []);
+    assert_eq!(unused(&second_order(), Format::Vtk), []);
+    let surface = WriteOptions { second_order: true, ..all.clone() };
+    let none = [Compress, Subfaces, UnusedOption::SecondOrder, MSH, RegionNames];
+    assert_eq!(unused(&surface, Format::Poly), none);
     let check = |options: &WriteOptions, name: &str| options.check(Path::new(name)).map_err(|e| e.status);
     assert_eq!(check(&second_order(), "m.mesh"), Err(Status::Unsupported));
     assert_eq!(check(&all, "m.off"), Err(Status::Unsupported));

@@ -1,6 +1,7 @@
 //! Round trips of the surface formats, and malformed files.
 use super::super::*;
 use super::Folder;
+use crate::error::{DefectKind, Element};
 use crate::plc::{Facet, Interior, RegionSeed, Segment};
 use proptest::prelude::*;
 
@@ -290,7 +291,7 @@ fn malformed_files_are_refused_with_the_line() {
             "line 6: 'vertex' expected",
         ),
         (Obj, "v 0 0 0\nf 1 1\n", "line 2: a face of 2 corners"),
-        (Obj, "v 0 0 0\nf 1 1 0\n", "line 2: a vertex index expected, found '0'"),
+        (Obj, "v 0 0 0\nf 1 1 x\n", "line 2: a vertex index expected, found 'x'"),
         (Obj, "v 0 0 0\nf 1 1 -2\n", "line 2: vertex index -2 reaches before"),
         (Obj, "v 0 0 0\nf 1 1 2\n", "line 2: facet 0 refers to a point that does not exist"),
         (Obj, "v 0 0 0\nsurf 0 1\n", "free-form"),
@@ -311,6 +312,44 @@ fn malformed_files_are_refused_with_the_line() {
     ] {
         let error = read_bytes(text.as_bytes(), format).expect_err(text);
         assert!(error.message.contains(message), "{text:?}: {}", error.message);
+    }
+}
+
+/// It is another status than that of a malformed file, and says which element it is.
+#[test]
+fn an_index_of_no_point_is_out_of_range_in_every_reader() {
+    use Format::*;
+    let off = "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+               element face 2\nproperty list uchar int vertex_index\nelement edge 1\nproperty int vertex1\n\
+               property int vertex2\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let poly = "3 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n";
+    for (format, start, rest, element) in [
+        (Off, off, "3 0 1 3\n", Element::Facet(1)),
+        (Off, off, "3 0 1 -1\n", Element::Facet(1)),
+        (Off, off, "2 0 3\n", Element::Segment(0)),
+        (Obj, obj, "f 1 2 4\n", Element::Facet(1)),
+        (Obj, obj, "f 1 2 0\n", Element::Facet(1)),
+        (Obj, obj, "f 1 2 -4\n", Element::Facet(1)),
+        (Obj, obj, "l 1 4\n", Element::Segment(0)),
+        (Obj, obj, "l 1 -4\n", Element::Segment(0)),
+        (Ply, ply, "3 0 1 3\n0 1\n", Element::Facet(1)),
+        (Ply, ply, "3 0 1 -1\n0 1\n", Element::Facet(1)),
+        (Ply, ply, "3 0 2 1\n0 3\n", Element::Segment(0)),
+        (Poly, poly, "2 0\n1\n3 1 2 3\n1\n3 1 2 4\n", Element::Facet(1)),
+        (Poly, poly, "2 0\n1\n3 1 2 3\n1\n3 1 2 0\n", Element::Facet(1)),
+        (Poly, poly, "2 0\n1\n2 1 2\n1\n2 1 4\n", Element::Segment(1)),
+        (Poly, poly, "1 0\n2\n2 1 2\n2 1 4\n", Element::Segment(1)),
+        (Poly, poly, "1 0\n2\n3 1 2 3\n2 1 4\n", Element::Facet(0)),
+        (Smesh, poly, "2 0\n3 1 2 3\n3 1 2 4\n", Element::Facet(1)),
+    ] {
+        let text = [start, rest].concat();
+        let error = read_bytes(text.as_bytes(), format).expect_err(&text);
+        assert_eq!(error.status, Status::IndexOutOfRange, "{text:?}: {}", error.message);
+        let [defect] = error.defects[..] else { panic!("{text:?}: {error:?}") };
+        assert_eq!((defect.kind, defect.first), (DefectKind::IndexOutOfRange, element), "{text:?}");
     }
 }
 
