@@ -326,17 +326,27 @@ fn writing_with(job: &Job) -> Box<dyn Fn() -> Outcome> {
     })
 }
 
-/// The input in a surface format.
+/// Somebody listens.
+unsafe extern "C" fn line(_: *mut std::ffi::c_void, _: *const std::ffi::c_char) {}
+
+/// The input in a surface format, with words on what it cannot hold and what has no effect.
 fn writing_input(job: &Job) -> Box<dyn Fn() -> Outcome> {
     let plc = plc_of(job);
     let path = c_path(&scratch().join(job.file));
+    let options = delotet_write_options_new();
+    // SAFETY: the options are alive and nothing else uses them.
+    unsafe {
+        assert_eq!(delotet_write_options_set_compress(options, true, null_mut()), DelotetStatus::Ok);
+        let status = delotet_write_options_set_log(options, Some(line), null_mut(), null_mut());
+        assert_eq!(status, DelotetStatus::Ok);
+    }
     Box::new(move || {
         let (mut copy, mut error) = (null_mut(), null_mut());
-        // SAFETY: the handle and the path are alive.
+        // SAFETY: the handles and the path are alive.
         let status = unsafe {
             let mut status = delotet_plc_clone(plc, &mut copy, &mut error);
             if status == DelotetStatus::Ok {
-                status = delotet_plc_write(copy, path.as_ptr(), &mut error);
+                status = delotet_plc_write_with(copy, path.as_ptr(), options, &mut error);
                 delotet_plc_free(copy);
             }
             finish(status, error)
