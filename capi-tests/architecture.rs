@@ -23,7 +23,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     // The engine, from the bottom up.
     ("mesh", &["error"]),
     ("delaunay", &["mesh", "predicates", "error", "progress", "options"]),
-    ("constrain", &["delaunay", "mesh", "predicates", "plc", "error", "progress", "options"]),
+    ("constrain", &["delaunay", "mesh", "predicates", "plc", "vector", "error", "progress", "options"]),
     ("region", &["constrain", "mesh", "predicates", "plc", "output", "error", "progress", "options"]),
     (
         "rounding",

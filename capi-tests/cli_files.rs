@@ -27,7 +27,7 @@ fn files_that_are_none_are_one_line_and_the_right_code() {
     std::fs::write(dir.join("cube.ply"), CUBE).unwrap();
     for (input, code, message) in [
         ("-", 2, "standard input is not supported"),
-        ("cube", 2, "it has no extension"),
+        ("cube", 2, "the name has no extension"),
         ("cube.xyz", 2, "unknown file format '.xyz'"),
         ("absent.off", 1, "cannot read"),
         ("dir.off", 1, "it is a folder"),
@@ -51,7 +51,7 @@ fn files_that_are_none_are_one_line_and_the_right_code() {
     }
     for (output, message) in [
         ("-", "standard output is not supported"),
-        ("m", "it has no extension"),
+        ("m", "the name has no extension"),
         ("dir.off/", "is a folder"),
         ("absent/m.vtu", "its folder does not exist"),
         ("m.off", "not a mesh format"),
@@ -200,7 +200,7 @@ fn what_has_no_effect_is_said() {
         .unwrap();
     for (arguments, said) in [
         (&["cube.off", "-o", "m.msh", "--compress"][..], "--compress: only .vtu"),
-        (&["cube.off", "-o", "m.msh", "--subfaces"], "--subfaces: the file holds the subfaces"),
+        (&["cube.off", "-o", "m.msh", "--subfaces"], "--subfaces: the file always contains the subfaces"),
         (&["cube.off", "-o", "m.vtk", "--subfaces"], "--subfaces: only .vtu"),
         (&["cube.off", "-o", "m.vtu", "--msh-version", "2.2"], "--msh-version: "),
         (&["cube.off", "-o", "m.vtu", "--region-name", "1=a"], "--region-name: "),
@@ -245,7 +245,7 @@ fn what_has_no_effect_is_said() {
     assert_eq!(mesh.status.code(), Some(2));
     assert!(error_lines(&mesh)[0].contains("second-order tetrahedra have no common form in .mesh"));
     let convert = delotet(&["convert", "marked.node", "-o", "m.off"], &dir);
-    assert!(convert.status.success() && error_lines(&convert)[0].contains("cannot be held"));
+    assert!(convert.status.success() && error_lines(&convert)[0].contains("cannot be stored"));
 }
 
 #[test]

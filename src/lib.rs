@@ -20,7 +20,7 @@
 //! main (the command line) ──► everything above through the public API
 //! doc: pages of text
 //! elementary, error, fallible, options, panics, progress, warning: leaves, imported anywhere
-//! vector: floating-point arithmetic, below plc, rounding, reconnect, preserve, io
+//! vector: floating-point arithmetic, below plc, constrain, rounding, reconnect, preserve, io
 //! ```
 //!
 //! # Conventions

@@ -32,16 +32,16 @@ int main(void)
     OK(delotet_plc_write_with(plc, "plc_write_with.off", options, &error));
     CHECK(count == 0);
     OK(delotet_plc_write_with(plc, "plc_write_with.stl", options, &error));
-    CHECK(told("cannot be held by the file\'s format (point 3)")); /* 0.1 is rounded to single precision. */
+    CHECK(told("cannot be stored in this file format (point 3)")); /* 0.1 is rounded to single precision. */
     OK(delotet_plc_set_point_markers(plc, markers, &error));
     OK(delotet_plc_write_with(plc, "plc_write_with.off", options, &error));
-    CHECK(told("cannot be held by the file\'s format (point 1)"));
+    CHECK(told("cannot be stored in this file format (point 1)"));
     OK(delotet_plc_write_with(plc, "plc_write_with.node", options, &error));
-    CHECK(told("cannot be held by the file\'s format (facet 0)"));
+    CHECK(told("cannot be stored in this file format (facet 0)"));
     OK(delotet_plc_set_point_markers(plc, NULL, &error));
     OK(delotet_plc_set_point_attributes(plc, attributes, 1, &error));
     OK(delotet_plc_write_with(plc, "plc_write_with.ply", options, &error));
-    CHECK(told("cannot be held by the file\'s format (point 3)"));
+    CHECK(told("cannot be stored in this file format (point 3)"));
     OK(delotet_plc_write_with(plc, "plc_write_with.poly", options, &error));
     CHECK(count == 0);
     OK(delotet_write_options_set_second_order(options, true, &error));
