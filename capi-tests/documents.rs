@@ -1,6 +1,7 @@
 //! Rules for README and guide that need no build; `capi-tests/readme.py` runs their code blocks.
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// The first page should be readable in one go.
 const LONGEST_README: usize = 200;
@@ -41,6 +42,38 @@ fn every_page_is_shown() {
         );
         assert!(readme.contains(&format!("(src/doc/{name})")), "README.md does not lead to {name}");
     }
+}
+
+/// The guide lists what the library contains, with its licences, all of which leave the program that links it free to choose its own.
+#[test]
+fn licences_of_all_that_is_linked_are_listed() {
+    const PERMISSIVE: [&str; 3] = ["MIT", "Apache-2.0", "Zlib"];
+    let tree = Command::new(env!("CARGO"))
+        .args(["tree", "--locked", "--edges=normal", "--no-default-features", "--features=io"])
+        .args(["--prefix=none", "--format={p}: {l}", "--manifest-path"])
+        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"))
+        .output()
+        .unwrap();
+    assert!(tree.status.success(), "{}", String::from_utf8_lossy(&tree.stderr));
+    let page = read("src/doc/install.md");
+    let listed = page.split("## Licences").nth(1).expect("the section on licences");
+    let mut crates = 0;
+    for line in String::from_utf8(tree.stdout).unwrap().lines() {
+        let (package, licences) = line.split_once(": ").unwrap();
+        let name = package.split(' ').next().unwrap();
+        if name == env!("CARGO_PKG_NAME") {
+            continue;
+        }
+        crates += 1;
+        let row = listed.lines().find(|row| row.starts_with('|') && row.contains(&format!("`{name}`")));
+        let row = row.unwrap_or_else(|| panic!("{name} ({licences}) is not listed"));
+        for licence in licences.split(" OR ") {
+            let short = licence.trim_end_matches("-2.0");
+            assert!(row.contains(short), "{name}: {licence} is not in {row}");
+            assert!(PERMISSIVE.contains(&licence), "{name}: {licence}");
+        }
+    }
+    assert!(crates >= 6, "{crates} crates: has the form of the list changed?");
 }
 
 /// The versions requested from CMake and the fetched tag are those of this release.
