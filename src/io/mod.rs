@@ -275,8 +275,8 @@ fn at(path: &Path, error: Error) -> Error {
 /// `.poly` and `.smesh` carry everything that TetGen's formats can; `.off`, `.obj` and `.ply` points, simple polygons and
 /// segments with markers; `.stl` triangles: in single precision without markers, as text in full precision with markers. All but
 /// `.node` keep the names of markers. Returns warnings of the kind [`WarningKind::LostValue`](crate::WarningKind::LostValue): a
-/// point whose coordinates are rounded, the first one with an attribute or a marker where the format has none, the first facet
-/// and segment where it has none.
+/// point whose coordinates are rounded or that no triangle of an `.stl` has, the first one with an attribute or a marker where the format
+/// has none, the first facet and segment where it has none.
 ///
 /// # Errors
 /// [`Status::Unsupported`]: no surface format, or the PLC has what the format cannot express (the message says what).
@@ -284,8 +284,9 @@ fn at(path: &Path, error: Error) -> Error {
 pub fn write_surface(path: &Path, plc: &Plc) -> Result<Warnings, Error> {
     let mut files = output_files::OutputFiles::default();
     write_surface::write(&mut files, path, plc)?;
+    let lost = write_surface::lost(Format::of(path)?, plc)?;
     files.commit()?;
-    Ok(write_surface::lost(Format::of(path)?, plc))
+    Ok(lost)
 }
 
 /// Writes a text (a report, say) to a file: complete or not at all.

@@ -3,6 +3,7 @@
 use super::output_files::{Out, OutputFiles};
 use super::{Format, WriteOptions};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::fallible;
 use crate::plc::{Facet, Interior, Plc};
 use crate::warning::{Warning, WarningKind, Warnings};
 use std::io;
@@ -40,15 +41,26 @@ pub(super) fn write(files: &mut OutputFiles, path: &Path, plc: &Plc) -> Result<(
 }
 
 /// Warnings about values of a PLC that the format cannot hold.
-pub(super) fn lost(format: Format, plc: &Plc) -> Warnings {
+pub(super) fn lost(format: Format, plc: &Plc) -> Result<Warnings, Error> {
     let mut warnings = Warnings::default();
     let mut lose = |first: Element| {
         let warning = Warning { kind: WarningKind::LostValue, first, second: None, point: None };
         warnings.push(warning, WriteOptions::default().max_warnings);
     };
-    if format == Format::Stl && is_plain(plc) {
-        let rounded = |p: &[f64; 3]| p.iter().any(|&x| f64::from(x as f32) != x);
-        (0..).zip(&plc.points).filter(|(_, p)| rounded(p)).for_each(|(i, _)| lose(Element::Point(i)));
+    if format == Format::Stl {
+        let mut used = fallible::filled(false, plc.points.len())?;
+        for &corner in rings(plc).flat_map(|(ring, _)| ring) {
+            if let Some(used) = used.get_mut(corner as usize) {
+                *used = true;
+            }
+        }
+        let plain = is_plain(plc);
+        let rounded = |p: &[f64; 3]| plain && p.iter().any(|&x| f64::from(x as f32) != x);
+        for (i, (point, used)) in plc.points.iter().zip(used).enumerate() {
+            if !used || rounded(point) {
+                lose(Element::Point(i as u32));
+            }
+        }
     }
     if !matches!(format, Format::Poly | Format::Smesh | Format::Node) {
         let width = plc.point_attribute_count.max(1);
@@ -60,7 +72,7 @@ pub(super) fn lost(format: Format, plc: &Plc) -> Warnings {
         (plc.facet_count() > 0).then(|| lose(Element::Facet(0)));
         (!plc.segments.is_empty()).then(|| lose(Element::Segment(0)));
     }
-    warnings
+    Ok(warnings)
 }
 
 fn check_finite(plc: &Plc) -> Result<(), Error> {

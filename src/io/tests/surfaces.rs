@@ -110,6 +110,21 @@ fn stl_is_rounded_to_single_precision_and_joined() {
 }
 
 #[test]
+fn points_of_no_triangle_are_lost_in_stl_and_reported() {
+    let folder = Folder::new("stl-lone");
+    let points = vec![[0.0, 0.0, 0.0], [5.0, 5.0, 5.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let mut plc = Plc { points, triangles: vec![[0, 2, 3]], ..Plc::default() };
+    let lost = |plc: &Plc| {
+        let lost = write_surface(&folder.file("a.stl"), plc).unwrap();
+        lost.list().iter().map(|w| w.first).collect::<Vec<_>>()
+    };
+    assert_eq!(lost(&plc), [crate::Element::Point(1)]);
+    plc.triangle_markers = vec![4];
+    assert_eq!(lost(&plc), [crate::Element::Point(1)]);
+    assert!(write_surface(&folder.file("a.off"), &plc).unwrap().is_empty());
+}
+
+#[test]
 fn stl_beyond_single_precision_is_text() {
     let folder = Folder::new("stl-range");
     let points = vec![[0.0, 0.0, 0.0], [1e39, 0.0, 0.0], [0.0, 1e39, 0.0]];
