@@ -1,5 +1,8 @@
 //! All points off the segments: those that go easily first, the last made first; relocation comes last.
 //!
+//! Which points inside the others leave room for depends on the order: later attempts
+//! ([`Target::attempt`](super::retarget::Target)) have another.
+//!
 //! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place.
 use super::inside::Inside;
 use super::internal::Internal;
@@ -93,6 +96,9 @@ pub fn remove_all(
     let total = left.len().max(1) as f64;
     let mut counts = [0, 0];
     let mut unsplit = Unsplit::new(solid, points, &wanted, &mut removal.isolated, inside);
+    if target.attempt > 0 {
+        left.sort_unstable_by_key(|&v| (shuffled(v - along.first, target.attempt), v));
+    }
     for effort in EFFORTS {
         let mut lasting = Memory::default();
         loop {
@@ -121,6 +127,12 @@ pub fn remove_all(
     removal.staying.reverse();
     [removal.deleted, removal.relocated] = counts;
     Ok(removal)
+}
+
+/// A key that looks random (Knuth's multiplier), another one in each attempt.
+fn shuffled(index: u32, attempt: u32) -> u64 {
+    let key = (u64::from(attempt) << 32 | u64::from(index)).wrapping_mul(6364136223846793005);
+    (key ^ key >> 29).wrapping_mul(6364136223846793005) >> 16
 }
 
 /// Takes one point away and counts it as deleted or relocated; false if it stays.
