@@ -434,7 +434,7 @@ impl Run<'_> {
                 let engine = engine.take();
                 let patch = fallible::copied(&surface.triangle_patch)?;
                 let segments = recovered.segments;
-                let embedded = Embedded { engine, segments, subfaces, patch, inside: Vec::new() };
+                let embedded = Embedded { engine, segments, subfaces, patch, inside: Vec::new(), attempt: 0 };
                 return self.without_boundary_points(plc, surface, options, embedded).map_err(|other| {
                     if other.status != Status::Rounding {
                         return other;

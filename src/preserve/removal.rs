@@ -1,5 +1,8 @@
 //! Removal of all points from segments: easy ones first, the last added before earlier ones; relocation comes last.
 //!
+//! For which points inside there is room depends on the order of removal: later attempts
+//! ([`Target::attempt`](super::retarget::Target)) have another one.
+//!
 //! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place.
 use super::inside::Inside;
 use super::memory::Memory;
@@ -91,6 +94,9 @@ pub(super) fn remove_all(
     let total = left.len().max(1) as f64;
     let mut counts = [0, 0];
     let mut unsplit = Unsplit::new(solid, points, &wanted, &mut removal.isolated, inside);
+    if target.attempt > 0 {
+        left.sort_unstable_by_key(|&v| (shuffled(v - along.first, target.attempt), v));
+    }
     for effort in EFFORTS {
         let mut lasting = Memory::default();
         loop {
@@ -119,6 +125,12 @@ pub(super) fn remove_all(
     removal.staying.reverse();
     [removal.deleted, removal.relocated] = counts;
     Ok(removal)
+}
+
+/// A pseudo-random key (with Knuth's multiplier), a different one in each attempt.
+fn shuffled(index: u32, attempt: u32) -> u64 {
+    let key = (u64::from(attempt) << 32 | u64::from(index)).wrapping_mul(6364136223846793005);
+    (key ^ key >> 29).wrapping_mul(6364136223846793005) >> 16
 }
 
 /// Takes one point away and counts it as deleted or relocated; false if it stays.

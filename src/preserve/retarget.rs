@@ -33,6 +33,8 @@ pub struct Target<'a> {
     pub first_polygon: u32,
     /// Which of them must be faces.
     pub preserve: Preserve,
+    /// How many attempts have failed.
+    pub attempt: u32,
 }
 
 /// A triangle of the target.

@@ -86,6 +86,7 @@ impl Model {
             facet: &facet,
             first_polygon: u32::MAX,
             preserve,
+            attempt: 0,
         };
         let mut statistics = PreserveStatistics::default();
         let Freed { inside, .. } = from_constrained(

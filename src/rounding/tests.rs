@@ -1,11 +1,16 @@
 //! Prisms whose caps are nearly flat fans of slivers: tetrahedra on them are thinner than a unit in the last place.
+use super::untangle::Site;
 use crate::check::check_mesh;
+use crate::delaunay::Delaunay;
 use crate::error::Status;
+use crate::mesh::refill::Refill;
 use crate::options::Options;
 use crate::output::TetMesh;
 use crate::plc::{Plc, Segment};
+use crate::predicates::Points;
 use crate::progress::Silent;
 use crate::tetrahedralize::tetrahedralize;
+use rustc_hash::FxHashSet;
 
 /// Numbers that look random (Knuth's multiplier).
 struct Numbers(u64);
@@ -122,4 +127,42 @@ fn cavities_end_at_the_convex_hull() {
     let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
     check_mesh(&plc, &mesh, true, 10).unwrap();
     assert!(!mesh.replaced.is_empty());
+}
+
+/// Two tetrahedra on a triangle, or three round the line between their tips.
+#[test]
+fn tetrahedra_are_put_only_where_their_boundary_fits() {
+    let points = Points::new(vec![[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0.3, 0.3, 2.], [0.3, 0.3, -2.]]);
+    let mut delaunay = Delaunay::new();
+    delaunay.build(&points, &mut [0, 1, 2, 3, 4], &mut |_| Ok(())).unwrap();
+    delaunay.index_vertices(5).unwrap();
+    let slots = delaunay.mesh.slot_count();
+    let old: Vec<u32> =
+        (0..slots as u32).filter(|&t| delaunay.mesh.is_live(t) && !delaunay.mesh.is_ghost(t)).collect();
+    assert_eq!(old.len(), 2);
+    let mut component = vec![0; slots];
+    let mut replaced = FxHashSet::default();
+    let mut site = Site {
+        delaunay: &mut delaunay,
+        component: &mut component,
+        edges: FxHashSet::default(),
+        refill: Refill::default(),
+        sides: Vec::new(),
+        replaced: &mut replaced,
+    };
+    let round: [[u32; 4]; 3] = [[0, 1], [1, 2], [2, 0]].map(|[a, b]| [a, b, 3, 4]);
+    let turned = round.map(|[a, b, c, d]| [b, a, c, d]);
+    let positive =
+        |tet: [u32; 4]| crate::predicates::Sign::Positive == points.orient3d(tet[0], tet[1], tet[2], tet[3]);
+    let (good, inverted) = if positive(round[0]) { (round, turned) } else { (turned, round) };
+    // One is missing, one is there twice, all are inverted, or one is.
+    let misfits: [&[[u32; 4]]; 4] =
+        [&good[..2], &[good[0], good[1], good[2], good[2]], &inverted, &[good[0], good[1], inverted[2]]];
+    for new in misfits {
+        assert!(!site.put(&old, new).unwrap() && old.iter().all(|&t| site.delaunay.mesh.is_live(t)));
+    }
+    assert!(site.put(&old, &good).unwrap());
+    let mesh = &site.delaunay.mesh;
+    let live = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t)).count();
+    assert_eq!((live, replaced.len()), (3, 3));
 }

@@ -6,7 +6,7 @@
 //! again ([`from_constrained`]).
 use super::crowding::crowding;
 use super::promise::promise;
-use super::{assemble, in_terms_of_input, warn, Engine, Run};
+use super::{assemble, in_terms_of_input, warn, Engine, Recovered, Run};
 use crate::constrain::edge_key;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::{Subfaces, Triangles};
@@ -37,6 +37,16 @@ pub(super) struct Embedded {
     pub(super) patch: Vec<u32>,
     /// Points inside.
     pub(super) inside: Vec<u32>,
+    /// How many attempts have failed.
+    pub(super) attempt: u32,
+}
+
+/// A Delaunay tetrahedralization with the segments in it; facets come next.
+struct Exact {
+    engine: Engine,
+    recovered: Recovered,
+    /// How many attempts have failed.
+    attempt: u32,
 }
 
 impl Run<'_> {
@@ -66,18 +76,62 @@ impl Run<'_> {
         let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
         self.delaunay_in(&mut engine, &mut order, options.worker_threads())?;
         let (surface, recovered) = self.connect_and_recover(plc, options, prepared, &mut engine, false)?;
-        let subfaces = self.recover_facets(&surface, &recovered, &mut engine)?;
+        let careful = more_careful(&[], &surface, &recovered.segments)?;
+        let retries = retries(recovered.segments.steiner_t.len());
+        match self.free_recovered(plc, &surface, options, Exact { engine, recovered, attempt: 0 }) {
+            Err(e) if e.status == Status::Rounding => {
+                self.try_again(plc, &surface, options, careful, retries)?.ok_or(e)
+            }
+            done => done,
+        }
+    }
+
+    /// Further attempts where a point had no position in doubles: other exact meshes, whose points are removed in another order, may leave
+    /// room. `None` if all fail.
+    fn try_again(
+        &mut self,
+        plc: &Plc,
+        surface: &Surface,
+        options: &Options,
+        mut careful: Vec<u8>,
+        retries: u32,
+    ) -> Result<Option<TetMesh>, Error> {
+        for attempt in 1..=retries {
+            self.statistics.preserve = Default::default();
+            let mut engine = Engine::new(surface, options)?;
+            let first = engine.points.len() as u32;
+            let again = match self.recover_anew(surface, options, &mut engine, first, &careful, false) {
+                Ok(recovered) => {
+                    careful = more_careful(&careful, surface, &recovered.segments)?;
+                    self.free_recovered(plc, surface, options, Exact { engine, recovered, attempt })
+                }
+                Err(other) => Err(other),
+            };
+            match again {
+                Err(e) if !matches!(e.status, Status::Cancelled | Status::OutOfMemory) => {}
+                done => return done.map(Some),
+            }
+        }
+        Ok(None)
+    }
+
+    /// Recovers facets in a constrained Delaunay tetrahedralization and takes all points off the surface.
+    fn free_recovered(
+        &mut self,
+        plc: &Plc,
+        surface: &Surface,
+        options: &Options,
+        exact: Exact,
+    ) -> Result<TetMesh, Error> {
+        let Exact { mut engine, recovered, attempt } = exact;
+        let subfaces = self.recover_facets(surface, &recovered, &mut engine)?;
         let segments = recovered.segments;
         let counts = &mut self.statistics.preserve;
         counts.missing_edges = segments.missing;
         counts.by_splits = segments.missing;
         let patch = fallible::copied(&surface.triangle_patch)?;
-        self.free_surface(
-            plc,
-            &surface,
-            options,
-            Embedded { engine, segments, subfaces, patch, inside: Vec::new() },
-        )
+        let embedded = Embedded { engine, segments, subfaces, patch, inside: Vec::new(), attempt };
+        self.free_surface(plc, surface, options, embedded)
     }
 
     /// Carves the domain and takes all points off the surface.
@@ -88,7 +142,7 @@ impl Run<'_> {
         options: &Options,
         embedded: Embedded,
     ) -> Result<TetMesh, Error> {
-        let Embedded { mut engine, segments, subfaces, patch, inside } = embedded;
+        let Embedded { mut engine, segments, subfaces, patch, inside, attempt } = embedded;
         let (components, regions) = self.find_regions(plc, surface, options, &mut engine)?;
         report(self.observer, Phase::Preserve, 0.0)?;
         let carved = std::mem::take(&mut engine.delaunay.mesh);
@@ -101,6 +155,7 @@ impl Run<'_> {
             facet: &surface.triangle_facet,
             first_polygon: surface.first_polygon,
             preserve: options.preserve,
+            attempt,
         };
         let observer = &mut *self.observer;
         let freed = from_constrained(
@@ -205,8 +260,25 @@ impl Run<'_> {
         drop(recovery);
         self.lap(Phase::Facets);
         self.note_peak(&engine);
-        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch, inside }))
+        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch, inside, attempt: 0 }))
     }
+}
+
+/// How many further attempts there are where the first had this many points on segments. They bound the work: a small input is done or given
+/// up within a second. Of 25 small inputs that failed before, 15 succeed within ten attempts.
+fn retries(steiner: usize) -> u32 {
+    (1024 / steiner.max(1)).clamp(2, 10) as u32
+}
+
+/// One more failure for each segment with points on it. (Not for merged facets: other points might be needed on edges that merging made.)
+fn more_careful(careful: &[u8], surface: &Surface, segments: &Segments) -> Result<Vec<u8>, Error> {
+    let mut more = fallible::filled(0u8, surface.segments.len())?;
+    if surface.edges_beside.is_empty() {
+        for &s in &segments.steiner_segment {
+            more[s as usize] = careful.get(s as usize).map_or(1, |&c| c.saturating_add(1));
+        }
+    }
+    Ok(more)
 }
 
 /// Which edges are kept, and the patches between them.

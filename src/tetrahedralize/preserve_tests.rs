@@ -1,6 +1,8 @@
 //! Mode preserve end to end, where doubles leave no room: every mesh proved by the exact checker.
 use super::tetrahedralize;
+use super::unrounded::with_hint;
 use crate::check::{check_preserved, check_preserved_outer};
+use crate::error::{Defect, Error};
 use crate::plc::Segment;
 use crate::{Mode, Options, Plc, Preserve, Silent, Status};
 use std::collections::HashMap;
@@ -116,4 +118,67 @@ fn tetrahedra_at_points_that_stay_are_positive_in_exact_positions() {
     let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
     check_preserved_outer(&plc, &mesh, 10).unwrap();
     assert!(mesh.statistics.preserve.on_internal_facets > 0);
+}
+
+/// Points of a grid of sevenths, far out, and triangles between them.
+fn far_grid(out: f64, points: &[[i32; 3]], triangles: &[[u32; 3]]) -> Plc {
+    let place = |&[x, y, z]: &[i32; 3]| {
+        let [x, y, z] = [x, y, z].map(|i| f64::from(i) / 7.0);
+        [x + out, y - out, z + out]
+    };
+    Plc { points: points.iter().map(place).collect(), triangles: triangles.to_vec(), ..Plc::default() }
+}
+
+/// Edges that all but cross others of the grid. In the first exact mesh a point on them has no room to go to; points elsewhere on the edges,
+/// or taken away in another order, have.
+#[test]
+fn further_attempts_find_room_on_grids() {
+    let one = [[0, 1, 2], [2, 0, 2], [2, 1, 0], [2, 1, 1], [2, 2, 2], [3, 0, 1], [3, 0, 3], [4, 0, 1]];
+    let two = [[0, 1, 1], [0, 3, 3], [0, 4, 1], [0, 4, 2], [1, 3, 2], [1, 4, 1], [2, 4, 3], [3, 4, 2]];
+    // Turned and scaled.
+    let turned = Plc {
+        points: vec![
+            [1269.2782497806484, -1081.0044122247748, -1189.3974043120927],
+            [1789.1164241858282, 3468.544639079986, -1243.1719540827828],
+            [3058.3946739664766, 2387.5402268552116, -2432.5693583948755],
+            [4327.6729237471245, 1306.5358146304366, -3621.9667627069675],
+            [-1335.291103022447, 134.28694064555026, -1547.0192913345184],
+            [-66.01285324179867, -946.7174715792246, -2736.4166956466106],
+            [828.5453588511157, 787.5548479607687, -3358.0026726880023],
+            [453.8253211633812, 3602.8315797255364, -2790.191245417301],
+        ],
+        triangles: vec![[4, 0, 3], [6, 2, 5], [1, 0, 7]],
+        ..Plc::default()
+    };
+    let far = [far_grid(1e6, &one, &[[4, 0, 7]]), far_grid(1e3, &two, &[[6, 7, 2], [1, 5, 0]])];
+    for plc in far.into_iter().chain([turned]) {
+        let options = Options { mode: Mode::Preserve, keep_hull: true, ..Options::default() };
+        let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+        check_preserved(&plc, &mesh, 10).unwrap();
+    }
+}
+
+/// A twisted prism three units in the last place wide: a point is needed inside, and there is no double.
+#[test]
+fn the_error_names_what_is_too_close_and_the_mode_that_works() {
+    let lattice = [[2, 0, 1], [3, 1, 1], [3, 2, 0], [3, 1, 0], [0, 0, 0], [1, 1, 1]];
+    let points = lattice.map(|p: [u64; 3]| p.map(|x| ((1 << 52) + x) as f64)).to_vec();
+    let triangles =
+        vec![[0, 2, 1], [3, 4, 5], [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
+    let mut plc = Plc { points, triangles, ..Plc::default() };
+    let options = Options { mode: Mode::Preserve, ..Options::default() };
+    let error = tetrahedralize(&plc, &options, &mut Silent).unwrap_err();
+    assert_eq!(error.status, Status::Rounding);
+    let Some(Defect { first, second: Some(second), .. }) = error.defects.first() else {
+        panic!("{error}");
+    };
+    let close =
+        format!("{first} and {second} are too close to each other: a point is needed between them and");
+    let said = format!("{close} has no position in doubles; nor is there room in mode cdt");
+    assert_eq!(error.message, said);
+    // The same error, of a surface that mode cdt does mesh.
+    plc.points = lattice.map(|p: [u64; 3]| p.map(|x| x as f64)).to_vec();
+    let error = with_hint(&plc, &options, Error::new(Status::Rounding, "no room"), &mut Silent);
+    assert_eq!(error.status, Status::Rounding);
+    assert_eq!(error.message, "no room; mode cdt, which may put points on the surface, meshes it");
 }
