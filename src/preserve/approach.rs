@@ -104,7 +104,7 @@ impl Approach {
                 if first.contains(&p) || self.ranked.iter().any(|r| r.1 == p) {
                     continue;
                 }
-                let of = |&[x, y, z]: &[u32; 3]| goal.worth(Shape::of(points, [p, x, y, z]));
+                let of = |&[x, y, z]: &[u32; 3]| goal.quality(Shape::of(points, [p, x, y, z]));
                 self.ranked.try_reserve(1)?;
                 self.ranked.push((self.walls.iter().map(of).fold(f64::INFINITY, f64::min), p));
             }

@@ -38,7 +38,7 @@ const STAGES: [Stage; 4] = [
     Stage { measure: Measure::Ratio, effort: HARD, failures: [6, usize::MAX] },
 ];
 
-/// A tetrahedron to improve: the bits of what it is worth, its slot, and after which change it came.
+/// A tetrahedron to improve: the bits of its quality, its slot, and after which change it came.
 type Entry = (u64, u32, u64);
 
 /// What is bad by one measure.

@@ -10,7 +10,7 @@ use crate::vector::dot;
 /// The largest polygon for the dynamic program, which is cubic; larger ones are triangulated by clipping ears.
 const MOST_CORNERS: usize = 48;
 
-/// What an edge that is wanted is worth, in costs of triangles.
+/// What a wanted edge saves, in costs of triangles.
 const BONUS: f64 = 1e6;
 
 /// Triangulates polygons; keeps its scratch space.

@@ -270,7 +270,7 @@ impl Reshape {
     /// Takes the given tetrahedra out of the polyhedron; false if they are not good enough, or nothing is left.
     fn cut_given(&mut self, points: &Points, goal: &Goal) -> Result<bool, Error> {
         for &[p, x, y, z] in &self.given {
-            let good = goal.worth(Shape::of(points, [p, x, y, z])) > goal.above;
+            let good = goal.quality(Shape::of(points, [p, x, y, z])) > goal.above;
             if !good || points.orient3d(p, x, y, z) != Sign::Positive {
                 return Ok(false);
             }

@@ -14,13 +14,13 @@
 mod face;
 mod free;
 mod optimise;
+mod qualities;
 pub mod quality;
 mod rows;
 mod search;
 pub mod shape;
 pub mod sheet;
 mod signs;
-mod worths;
 
 use crate::error::Error;
 use crate::predicates::Points;

@@ -18,7 +18,7 @@ impl Search {
         budget: u32,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        self.worths.clear(self.signs.count())?;
+        self.qualities.clear(self.signs.count())?;
         self.best.clear();
         let mut bound = goal.above;
         let mut steps = 0;
@@ -38,7 +38,7 @@ impl Search {
                 break;
             }
             // The bound may have risen since.
-            if self.worth(points, &goal, apex, face) <= bound || !self.apply(level, face, apex)? {
+            if self.quality_with(points, &goal, apex, face) <= bound || !self.apply(level, face, apex)? {
                 continue;
             }
             if self.front.faces.is_empty() && self.complete() {
@@ -47,7 +47,7 @@ impl Search {
                     break;
                 }
                 self.undo(level);
-                while (0..self.tets.len()).any(|i| self.worth_of(points, &goal, i) <= bound) {
+                while (0..self.tets.len()).any(|i| self.quality_of(points, &goal, i) <= bound) {
                     self.retreat();
                 }
             } else if self.front.faces.is_empty() || !self.descend_above(points, &goal, bound)? {
@@ -60,28 +60,28 @@ impl Search {
         Ok(!best.is_empty())
     }
 
-    /// Keeps the current filling; returns the worth of its worst tetrahedron.
+    /// Keeps the current filling; returns the quality of its worst tetrahedron.
     fn keep(&mut self, points: &Points, goal: &Goal) -> Result<f64, Error> {
         self.best.clear();
         self.best.try_reserve(self.tets.len())?;
         self.best.extend_from_slice(&self.tets);
-        Ok((0..self.tets.len()).map(|i| self.worth_of(points, goal, i)).fold(f64::INFINITY, f64::min))
+        Ok((0..self.tets.len()).map(|i| self.quality_of(points, goal, i)).fold(f64::INFINITY, f64::min))
     }
 
-    fn worth_of(&mut self, points: &Points, goal: &Goal, i: usize) -> f64 {
+    fn quality_of(&mut self, points: &Points, goal: &Goal, i: usize) -> f64 {
         let [w, x, y, z] = self.tets[i];
-        self.worth_at(points, goal, [w, x, y, z])
+        self.quality_at(points, goal, [w, x, y, z])
     }
 
-    /// The worth of the positive tetrahedron of an apex and a face.
-    fn worth(&mut self, points: &Points, goal: &Goal, w: u8, face: Face) -> f64 {
+    /// The quality of the positive tetrahedron of an apex and a face.
+    fn quality_with(&mut self, points: &Points, goal: &Goal, w: u8, face: Face) -> f64 {
         let [x, y, z] = face.corners();
-        self.worth_at(points, goal, [w, x, y, z])
+        self.quality_at(points, goal, [w, x, y, z])
     }
 
-    fn worth_at(&mut self, points: &Points, goal: &Goal, tet: [u8; 4]) -> f64 {
+    fn quality_at(&mut self, points: &Points, goal: &Goal, tet: [u8; 4]) -> f64 {
         let id = |i: u8| self.signs.vertices[i as usize];
-        self.worths.of(tet, || goal.worth(Shape::of(points, tet.map(id))))
+        self.qualities.of(tet, || goal.quality(Shape::of(points, tet.map(id))))
     }
 
     /// Pushes the front face with the fewest apexes above the bound; returns false if one has none.
@@ -93,7 +93,7 @@ impl Search {
             let mut set = on_front & self.front_sides(points, i).ahead;
             let mut rest = set;
             while let Some(w) = take_lowest(&mut rest) {
-                if self.worth(points, goal, w, face) <= bound {
+                if self.quality_with(points, goal, w, face) <= bound {
                     set &= !(1 << w);
                 }
             }
@@ -112,8 +112,8 @@ impl Search {
         self.apexes.try_reserve(count as usize)?;
         while let Some(w) = take_lowest(&mut rest) {
             if self.is_free(points, w, face, on_front) {
-                let worth = self.worth(points, goal, w, face);
-                self.apexes.push((worth, w));
+                let quality = self.quality_with(points, goal, w, face);
+                self.apexes.push((quality, w));
             }
         }
         self.push_level(face)

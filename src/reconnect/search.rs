@@ -1,10 +1,10 @@
 //! The search of [`Reconnect`](super::Reconnect): depth first over front faces, with an explicit stack.
 use super::face::{take_lowest, Face, Front, Sides};
 use super::free::Blocks;
+use super::qualities::Qualities;
 use super::quality::quality;
 use super::rows::Rows;
 use super::signs::Signs;
-use super::worths::Worths;
 use super::{Polyhedron, MOST_VERTICES};
 use crate::error::Error;
 use crate::predicates::Points;
@@ -25,8 +25,8 @@ pub struct Search {
     pub(super) rows: Rows,
     /// Tetrahedra that were not free.
     pub(super) blocks: Blocks,
-    /// The worths of tetrahedra, if needed.
-    pub(super) worths: Worths,
+    /// The qualities of tetrahedra, if a search asks for them.
+    pub(super) qualities: Qualities,
     /// The best filling so far.
     pub(super) best: Vec<[u8; 4]>,
     /// Faces whose inner side is open.
@@ -43,7 +43,7 @@ pub struct Search {
     pub(super) levels: Vec<Level>,
     pub(super) depth: usize,
     pub(super) tets: Vec<[u8; 4]>,
-    /// Apexes of the current face, and the worth of each.
+    /// Apexes of the current face, and the quality of each.
     pub(super) apexes: Vec<(f64, u8)>,
     /// The number of apexes that the last search tried.
     pub(super) steps: u32,
@@ -57,7 +57,7 @@ impl Default for Search {
             signs: Signs::default(),
             rows: Rows::default(),
             blocks: Blocks::default(),
-            worths: Worths::default(),
+            qualities: Qualities::default(),
             best: Vec::new(),
             front: Front::default(),
             neighbours: [0; MOST_VERTICES],

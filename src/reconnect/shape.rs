@@ -120,16 +120,16 @@ pub struct Goal {
 }
 
 impl Goal {
-    /// The worth of a tetrahedron; −1 if it misses the other measure's bound.
-    pub fn worth(&self, shape: Shape) -> f64 {
-        let (worth, other) = match self.measure {
+    /// The quality of a tetrahedron; −1 if it misses the other measure's bound.
+    pub fn quality(&self, shape: Shape) -> f64 {
+        let (quality, other) = match self.measure {
             Measure::Angle => (shape.angle, shape.ratio),
             Measure::Ratio => (shape.ratio, shape.angle),
         };
         if other < self.least {
             -1.0
         } else {
-            worth
+            quality
         }
     }
 }

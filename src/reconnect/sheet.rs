@@ -92,15 +92,15 @@ impl Sheets {
     ) -> Result<bool, Error> {
         let n = link.len();
         let apexes = std::mem::take(&mut self.apexes);
-        let worth = |[i, k, j]: [usize; 3]| {
+        let rate = |[i, k, j]: [usize; 3]| {
             if apexes[i * n + j] >> k & 1 == 1 {
                 let triangle = [i, k, j].map(|at| link[at]);
-                (worth(points, ends, triangle), on_way(triangle))
+                (worse_quality(points, ends, triangle), on_way(triangle))
             } else {
                 (-1.0, 0)
             }
         };
-        let found = self.plan(link, ear, 0.0, worth, ends, tets);
+        let found = self.plan(link, ear, 0.0, rate, ends, tets);
         self.apexes = apexes;
         found
     }
@@ -146,11 +146,11 @@ impl Sheets {
         goal: &Goal,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        let worth = |at: [usize; 3]| {
+        let rate = |at: [usize; 3]| {
             let [a, b, c] = at.map(|i| link[i]);
-            let above = goal.worth(Shape::of(points, [a, b, c, q]));
+            let above = goal.quality(Shape::of(points, [a, b, c, q]));
             let worse = if above > goal.above {
-                above.min(goal.worth(Shape::of(points, [b, a, c, p])))
+                above.min(goal.quality(Shape::of(points, [b, a, c, p])))
             } else {
                 above
             };
@@ -158,17 +158,17 @@ impl Sheets {
             let valid = worse > goal.above && is_positive(points, [p, q], [a, b, c]);
             (if valid { worse } else { -1.0 }, 0)
         };
-        self.plan(link, false, goal.above, worth, [p, q], tets)
+        self.plan(link, false, goal.above, rate, [p, q], tets)
     }
 
-    /// Finds the best triangulation of the polygon whose triangles are worth more than `above`, and appends its tetrahedra. `worth` gives
-    /// the worth of a triangle and how many of its tetrahedra meet the segment.
+    /// Finds the best triangulation of the polygon whose triangles have tetrahedra better than `above`, and appends its tetrahedra. `rate` gives
+    /// the quality of the worse tetrahedron at a triangle and how many of its tetrahedra meet the segment.
     fn plan(
         &mut self,
         link: &[u32],
         ear: bool,
         above: f64,
-        worth: impl Fn([usize; 3]) -> (f64, u32),
+        rate: impl Fn([usize; 3]) -> (f64, u32),
         [p, q]: [u32; 2],
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
@@ -187,8 +187,8 @@ impl Sheets {
                 if rest <= above || met > best.met || (met == best.met && rest <= best.worst) {
                     continue;
                 }
-                let (worth, on_way) = worth([i, k, j]);
-                let (worst, met) = (rest.min(worth), met + on_way);
+                let (worse, on_way) = rate([i, k, j]);
+                let (worst, met) = (rest.min(worse), met + on_way);
                 if worst > above && (met < best.met || (met == best.met && worst > best.worst)) {
                     best = Best { worst, met, apex: k as u8 };
                 }
@@ -238,7 +238,7 @@ fn is_positive(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
 }
 
 /// The worse quality of the two tetrahedra at a triangle of a sheet, both positive.
-fn worth(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> f64 {
+fn worse_quality(points: &Points, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> f64 {
     let at = |v: u32| points.xyz(v);
     let worse = quality([at(a), at(b), at(c), at(q)]).min(quality([at(b), at(a), at(c), at(p)]));
     // However flat in floating point, it is a valid sheet.
