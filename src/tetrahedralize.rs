@@ -126,7 +126,7 @@ impl Engine {
     fn numbered(surface: &Surface, options: &Options, first: &[u32]) -> Result<(Self, Vec<u32>), Error> {
         let mut distinct = Vec::new();
         distinct.try_reserve_exact(surface.alias.len())?;
-        distinct.extend((0..).zip(&surface.alias).filter(|&(i, &a)| i == a).map(|(i, _): (u32, _)| i));
+        distinct.extend((0u32..).zip(&surface.alias).filter(|&(i, &a)| i == a).map(|(i, _)| i));
         let Order { ids: sorted, rounds } = if options.points_sorted {
             Order { ids: distinct, rounds: Vec::new() }
         } else {

@@ -2323,10 +2323,10 @@ enum DelotetStatus delotet_mesh_write_with(const struct DelotetMesh *mesh,
                                            struct DelotetError **out_error);
 
 /**
- * Writes a PLC to a file as delotet_plc_write() does, and tells the options' log what the format cannot hold as it is (NULL: nobody). No
- * other option has an effect on surface formats; the log is told of those that are set.
- * Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
- * NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+ * Writes a PLC to a file like delotet_plc_write(), and reports values that the format cannot hold to the log callback of `options` (NULL:
+ * no callback). The other options have no effect on surface formats; the log names those that are set.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
+ * file formats), NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE

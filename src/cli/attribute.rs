@@ -97,9 +97,8 @@ fn order_unknown(mesh: &mut TetMesh) {
     let attributes: Vec<f64> =
         (0..mesh.tets.len() as u32).map(|t| region(t).map_or(0.0, |r| r.attribute)).collect();
     for face in &mut mesh.subfaces {
-        let unknown =
-            |(r, q): (&Region, &Region)| r.seed == INVALID && q.seed == INVALID && r.attribute != q.attribute;
-        if region(face.tets[0]).zip(region(face.tets[1])).is_some_and(unknown) {
+        let [Some(r), Some(q)] = face.tets.map(region) else { continue };
+        if r.seed == INVALID && q.seed == INVALID && r.attribute != q.attribute {
             *face = ordered(*face, &attributes);
         }
     }

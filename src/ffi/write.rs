@@ -1,7 +1,7 @@
 //! Writing meshes: the options, with setters that validate at once, and the call itself.
 use super::error::DelotetError;
 use super::file::path_of;
-use super::guard::{free, get, get_mut, guard, invalid, make, null, read};
+use super::guard::{free, get, get_mut, guard, invalid, make, read};
 use super::mesh::DelotetMesh;
 use super::options::{Callbacks, DelotetLogFn};
 use super::plc::DelotetPlc;
@@ -211,6 +211,20 @@ unsafe fn setting<R>(options: *const DelotetWriteOptions, body: impl FnOnce(&Wri
     }
 }
 
+/// Runs `body` with the settings of a handle and its log callback; with the defaults and without a callback for NULL.
+///
+/// # Safety
+/// `options` is null or valid.
+unsafe fn logged<R>(
+    options: *const DelotetWriteOptions,
+    body: impl FnOnce(&WriteOptions, &mut Callbacks) -> R,
+) -> R {
+    // SAFETY: the caller promises that a handle that is not null is valid.
+    let mut log = unsafe { options.as_ref() }.map_or(Callbacks::NONE, |o| o.callbacks);
+    // SAFETY: as above.
+    unsafe { setting(options, |o| body(o, &mut log)) }
+}
+
 /// Whether arrays are compressed, as set by delotet_write_options_set_compress(). All getters return the default for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_compress(options: *const DelotetWriteOptions) -> bool {
@@ -302,20 +316,16 @@ pub unsafe extern "C" fn delotet_mesh_write_with(
     unsafe {
         guard(out_error, || {
             let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
-            if path.is_null() {
-                return Err(null("path"));
-            }
-            let mut log = options.as_ref().map_or(Callbacks::NONE, |o| o.callbacks);
             let path = path_of(path)?;
-            setting(options, |o| super::file::write(path, mesh, plc, o, &mut log))
+            logged(options, |o, log| super::file::write(path, mesh, plc, o, log))
         })
     }
 }
 
-/// Writes a PLC to a file as delotet_plc_write() does, and tells the options' log what the format cannot hold as it is (NULL: nobody). No
-/// other option has an effect on surface formats; the log is told of those that are set.
-/// Errors: INVALID_ARGUMENT, UNSUPPORTED (an unknown format, one that cannot hold what the PLC has, or a library built without files),
-/// NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+/// Writes a PLC to a file like delotet_plc_write(), and reports values that the format cannot hold to the log callback of `options` (NULL:
+/// no callback). The other options have no effect on surface formats; the log names those that are set.
+/// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
+/// file formats), NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_write_with(
@@ -327,10 +337,8 @@ pub unsafe extern "C" fn delotet_plc_write_with(
     // SAFETY: the caller passes handles that nothing changes meanwhile and a zero-terminated path.
     unsafe {
         guard(out_error, || {
-            let plc = &get(plc, "plc")?.plc;
-            let mut log = options.as_ref().map_or(Callbacks::NONE, |o| o.callbacks);
-            let path = path_of(path)?;
-            setting(options, |o| super::file::write_surface(path, plc, o, &mut log))
+            let (plc, path) = (&get(plc, "plc")?.plc, path_of(path)?);
+            logged(options, |o, log| super::file::write_surface(path, plc, o, log))
         })
     }
 }

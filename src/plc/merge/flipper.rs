@@ -325,9 +325,8 @@ impl<'a> Flipper<'a> {
 
 fn diagonal(points: &[[f64; 3]]) -> f64 {
     let extent = |k: usize| {
-        let range = |(low, high): (f64, f64), p: &[f64; 3]| (low.min(p[k]), high.max(p[k]));
-        let (low, high) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), range);
-        high - low
+        let along = || points.iter().map(|p| p[k]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
     };
     (0..3).map(extent).map(|x| x * x).sum::<f64>().sqrt()
 }

@@ -2,6 +2,7 @@
 use super::metric::is_inside_circle;
 use super::{collinear, project};
 use crate::predicates::{incircle, orient2d, Sign};
+use crate::vector::sub;
 
 /// The triangles of a simple small ring; `None` if the general algorithm must decide.
 pub fn triangulate_small(points: &[[f64; 3]], ring: &[u32]) -> Option<([[u32; 3]; 2], usize)> {
@@ -16,7 +17,7 @@ pub fn triangulate_small(points: &[[f64; 3]], ring: &[u32]) -> Option<([[u32; 3]
 /// has a circumcircle. `None` for others.
 fn quad(points: &[[f64; 3]], ring: [u32; 4]) -> Option<[[u32; 3]; 2]> {
     let [p, q, r, s] = ring.map(|v| &points[v as usize]);
-    let (d, e): ([f64; 3], [f64; 3]) = ([0, 1, 2].map(|k| r[k] - p[k]), [0, 1, 2].map(|k| s[k] - q[k]));
+    let (d, e) = (sub(r, p), sub(s, q));
     let size = |axis: usize| {
         let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
         (d[i] * e[j] - d[j] * e[i]).abs()
