@@ -1,11 +1,12 @@
 //! Where to split a subsegment next to a vertex extremely close to it: parameters with more bits than a double has.
 //!
-//! Let a vertex be at distance h from a piece of length L. If the piece is split at the same radius around a common vertex, or at the foot
-//! of the perpendicular, then it and the vertex's own segment stop splitting each other; but only if the position is accurate to (h/L)² L,
-//! which is how far a diametric sphere recedes from its segment. With a larger error, both keep splitting each other down to pieces of
-//! length h, of which there may be 2⁵³. So the position is computed to this precision, which for segments an ulp apart is twice that of a
-//! double. Any position strictly inside gives a valid mesh: only the number of Steiner points is at stake, so the lengths that determine
-//! the precision are approximate.
+//! Let a vertex be at distance h from a piece of length L. If the piece is split at the vertex's distance from where the two segments meet
+//! or are nearest to each other (see [`placement`](super::placement)), then it and the vertex's own segment stop splitting each other; but
+//! only if the position is accurate to (h/L)² L, which is how far a diametric sphere recedes from its segment. With a larger error, both
+//! keep splitting each other down to pieces of length h, of which there may be 2⁵³. So the position is computed to this precision, which
+//! for segments an ulp apart is twice that of a double. Any position strictly inside gives a valid mesh: only the number of Steiner points
+//! is at stake, so the lengths that determine the precision are approximate.
+use super::placement::{bisector, Neighbor};
 use crate::elementary::{exponent, power_of_two};
 use crate::predicates::{Expansion, Points, Sign};
 use crate::vector::{cross, dot, sub};
@@ -25,8 +26,8 @@ pub struct Beside {
     pub t: [Expansion; 2],
     /// The vertex.
     pub reference: u32,
-    /// The end that the vertex's own segment has in common with this one.
-    pub shared: Option<usize>,
+    /// The vertex's own segment.
+    pub neighbor: Neighbor,
 }
 
 /// Distance of the vertex from the segment's line, as a fraction of the segment's length.
@@ -39,10 +40,7 @@ pub fn relative_distance(points: &Points, ends: [u32; 2], p: u32) -> f64 {
 
 /// Like [`relative_distance`], from exact coordinates.
 fn exact_relative_distance(d: &Vector, w: &Vector) -> f64 {
-    let normal = std::array::from_fn::<f64, 3, _>(|k| {
-        let (u, v) = ((k + 1) % 3, (k + 2) % 3);
-        w[u].product(&d[v]).difference(&w[v].product(&d[u])).compressed().approximate()
-    });
+    let normal = vector_product(w, d).map(|x| x.approximate());
     let length = scalar_product(d, d).approximate();
     // Scaled by the largest component, since squares may underflow.
     let largest = normal.iter().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -64,10 +62,17 @@ fn scalar_product(a: &Vector, b: &Vector) -> Expansion {
     (0..3).fold(Expansion::zero(), |sum, k| sum.sum(&a[k].product(&b[k]))).compressed()
 }
 
+fn vector_product(a: &Vector, b: &Vector) -> Vector {
+    std::array::from_fn(|k| {
+        let (u, v) = ((k + 1) % 3, (k + 2) % 3);
+        a[u].product(&b[v]).difference(&a[v].product(&b[u])).compressed()
+    })
+}
+
 impl Beside {
     /// The parameter that matches the vertex, if that is strictly inside the piece.
     pub fn matched(&self, points: &Points) -> Option<Expansion> {
-        let from = self.shared.unwrap_or(0);
+        let from = if let Neighbor::Shares(end) = self.neighbor { end } else { 0 };
         let d = vector(points, self.ends[from], self.ends[1 - from]);
         let w = vector(points, self.ends[from], self.reference);
         let span = self.t[1].difference(&self.t[0]).approximate();
@@ -75,7 +80,20 @@ impl Beside {
         let window = apart * apart / span;
         let finest = exponent(window).max(FINEST + SPARE_BITS) - SPARE_BITS;
         let quantum = power_of_two(finest.max(FINEST));
-        let t = if self.shared.is_some() { sphere(&d, &w, quantum) } else { foot(&d, &w, quantum) };
+        let t = match self.neighbor {
+            Neighbor::Unknown => foot(&d, &w, &d, quantum),
+            Neighbor::Shares(_) => sphere(&d, &w, quantum),
+            Neighbor::Apart([c, end]) => {
+                let e = vector(points, c, end);
+                // At most once for two segments; until then the pieces are too long for equal distances to suffice.
+                let nearest = nearest(&d, &vector(points, self.ends[0], c), &e, quantum);
+                if let Some(t) = nearest.filter(|t| self.is_inside(t)) {
+                    return Some(t);
+                }
+                let [d_near, e_near] = [&d, &e].map(|x| x.each_ref().map(Expansion::approximate));
+                foot(&d, &w, &bisector(&d_near, &e_near).map(Expansion::from), quantum)
+            }
+        };
         let t = if from == 0 { t } else { Expansion::from(1.0).difference(&t).compressed() };
         self.is_inside(&t).then_some(t)
     }
@@ -110,12 +128,26 @@ fn sphere(d: &Vector, w: &Vector, quantum: f64) -> Expansion {
     })
 }
 
-/// The t with (w − t d)·d = 0, to a multiple of `quantum`.
-fn foot(d: &Vector, w: &Vector, quantum: f64) -> Expansion {
-    let (length, along) = (scalar_product(d, d), scalar_product(w, d));
+/// The t with (w − t d)·u = 0, to a multiple of `quantum`.
+fn foot(d: &Vector, w: &Vector, u: &Vector, quantum: f64) -> Expansion {
+    solve(&scalar_product(w, u), &scalar_product(d, u), quantum)
+}
+
+/// The t at which t d is nearest to the line through v in direction e, to a multiple of `quantum`; `None` if they are parallel or t is not
+/// between 0 and 1.
+fn nearest(d: &Vector, v: &Vector, e: &Vector, quantum: f64) -> Option<Expansion> {
+    let normal = vector_product(d, e);
+    let square = scalar_product(&normal, &normal);
+    let along = scalar_product(&vector_product(v, e), &normal);
+    let inside = along.sign() == Sign::Positive && square.difference(&along).sign() == Sign::Positive;
+    inside.then(|| solve(&along, &square, quantum))
+}
+
+/// `along / length`, to a multiple of `quantum`.
+fn solve(along: &Expansion, length: &Expansion, quantum: f64) -> Expansion {
     let slope = length.approximate();
     correct(along.approximate() / slope, quantum, |t| {
-        along.difference(&t.product(&length)).compressed().approximate() / slope
+        along.difference(&t.product(length)).compressed().approximate() / slope
     })
 }
 

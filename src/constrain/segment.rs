@@ -8,7 +8,7 @@
 //!
 //! Invariant: every live subsegment is flagged around its edge in the mesh, or is in the queue.
 use super::close::{relative_distance, Beside};
-use super::placement::{choose, distance, round_parameter, Context, Subsegment};
+use super::placement::{choose, distance, round_parameter, Context, Neighbor, Subsegment};
 use super::{crossing, edge_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error, Status};
@@ -405,7 +405,7 @@ impl<'a> Recovery<'a> {
         if let Some(t) = t {
             return Ok(Expansion::from(self.kindest_parameter(sub, t)));
         }
-        let beside = self.beside(sub, context, reference.unwrap_or(sub.ends[0]), None);
+        let beside = self.beside(sub, context, reference.unwrap_or(sub.ends[0]), Neighbor::Unknown);
         beside.middle().ok_or_else(|| {
             let segment = Element::Segment(sub.segment);
             crossing("a segment cannot be separated from what it touches", segment, None)
@@ -426,18 +426,18 @@ impl<'a> Recovery<'a> {
         if apart * apart > 16.0 * precision {
             return Ok(None);
         }
-        let mut shared = context.shared;
+        let mut neighbor = context.neighbor;
         for k in 0..2 {
-            if shared.is_none() && self.segments.joins(context.ends[k], reference)? {
-                shared = Some(k);
+            if neighbor == Neighbor::Unknown && self.segments.joins(context.ends[k], reference)? {
+                neighbor = Neighbor::Shares(k);
             }
         }
-        Ok(self.beside(sub, context, reference, shared).matched(self.points))
+        Ok(self.beside(sub, context, reference, neighbor).matched(self.points))
     }
 
-    fn beside(&self, sub: &Subsegment, context: &Context, reference: u32, shared: Option<usize>) -> Beside {
+    fn beside(&self, sub: &Subsegment, context: &Context, reference: u32, neighbor: Neighbor) -> Beside {
         let t = sub.ends.map(|v| self.segments.parameter(sub.segment, v));
-        Beside { ends: context.ends, t, reference, shared }
+        Beside { ends: context.ends, t, reference, neighbor }
     }
 
     /// Among parameters that differ by a negligible amount, the one whose point is nearest to a double: this saves most of the work of
@@ -508,7 +508,7 @@ impl<'a> Recovery<'a> {
         present
     }
 
-    /// The segment's ends, whether they are acute if that matters, and which end it shares with the segment of the reference point.
+    /// The segment's ends, whether they are acute if that matters, and the segment of the reference point.
     fn context(&mut self, sub: &Subsegment, reference: Option<u32>) -> Result<Context, Error> {
         let ends = self.segments.ends[sub.segment as usize];
         let mut acute = [false; 2];
@@ -518,12 +518,14 @@ impl<'a> Recovery<'a> {
             }
             acute = ends.map(|v| self.segments.acute[v as usize]);
         }
-        let shared = reference.and_then(|p| {
+        let own = reference.and_then(|p| {
             let index = p.checked_sub(self.segments.first_steiner)?;
-            let other = self.segments.ends[self.segments.steiner_segment[index as usize] as usize];
-            (0..2).find(|&k| other.contains(&ends[k]))
+            Some(self.segments.ends[self.segments.steiner_segment[index as usize] as usize])
         });
-        Ok(Context { ends, acute, shared })
+        let neighbor = own.map_or(Neighbor::Unknown, |own| {
+            (0..2).find(|&k| own.contains(&ends[k])).map_or(Neighbor::Apart(own), Neighbor::Shares)
+        });
+        Ok(Context { ends, acute, neighbor })
     }
 
     /// The vertex that sees the piece under the largest angle among those met on a walk from its first end to its second, and the

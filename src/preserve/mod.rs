@@ -4,7 +4,8 @@
 //! with points on the edges that resist; if that is given up, the constrained Delaunay tetrahedralization is used instead. Then points on
 //! the surface are removed ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are removed ([`unsplit`]),
 //! patches get the surface's triangles again ([`retarget`]), unneeded points inside are removed ([`thin`]), and the others move to better
-//! positions ([`smooth`]). Finally bad tetrahedra are reconnected ([`mod@improve`]).
+//! positions ([`smooth`]). Finally bad tetrahedra are reconnected ([`mod@improve`]). Where doubles leave a point no room, small surfaces are
+//! filled as a [`whole`], without points.
 //!
 //! If only the outer boundary is kept, points on segments inside ([`internal`]) may stay, and patches inside keep their triangles where the
 //! surface's would need points. Such points get positions in doubles ([`mod@settle`]) at the very end: until then they are exactly on their
@@ -37,6 +38,7 @@ pub mod solid;
 pub mod star;
 pub mod thin;
 pub mod unsplit;
+pub mod whole;
 pub mod widen;
 
 use crate::constrain::face_key;
@@ -239,3 +241,5 @@ fn subfaces(
 mod flips_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod whole_tests;

@@ -8,6 +8,7 @@ use super::crowding::crowding;
 use super::promise::promise;
 use super::{assemble, in_terms_of_input, warn, Engine, Recovered, Run};
 use crate::constrain::edge_key;
+use crate::constrain::facet::FacetRecovery;
 use crate::constrain::segment::Segments;
 use crate::constrain::subface::{Subfaces, Triangles};
 use crate::elementary::{exponent_above, power_of_two};
@@ -24,6 +25,7 @@ use crate::preserve::order::first_points;
 use crate::preserve::recover::{Recovery, Round, ROUNDS};
 use crate::preserve::retarget::Target;
 use crate::preserve::solid::Solid;
+use crate::preserve::whole::{fill_hull, Wanted};
 use crate::preserve::{from_constrained, Failure, Spot};
 use crate::progress::{report, Phase};
 use rustc_hash::FxHashMap;
@@ -79,10 +81,41 @@ impl Run<'_> {
         let careful = more_careful(&[], &surface, &recovered.segments)?;
         let retries = retries(recovered.segments.steiner_t.len());
         match self.free_recovered(plc, &surface, options, Exact { engine, recovered, attempt: 0 }) {
-            Err(e) if e.status == Status::Rounding => {
-                self.try_again(plc, &surface, options, careful, retries)?.ok_or(e)
-            }
+            Err(e) if e.status == Status::Rounding => match self.whole(plc, &surface, options)? {
+                Some(mesh) => Ok(mesh),
+                None => self.try_again(plc, &surface, options, careful, retries)?.ok_or(e),
+            },
             done => done,
+        }
+    }
+
+    /// The mesh of a small surface that is filled as a whole ([`fill_hull`]), where a point had no position in doubles. `None` if there is
+    /// none.
+    pub(super) fn whole(
+        &mut self,
+        plc: &Plc,
+        surface: &Surface,
+        options: &Options,
+    ) -> Result<Option<TetMesh>, Error> {
+        self.statistics.preserve = Default::default();
+        let mut engine = Engine::new(surface, options)?;
+        let corners = engine.map(&surface.triangles)?;
+        let edges = edges_of(surface)?;
+        let Relaxed { patch, patch_count, .. } = relax(surface, &edges, &[])?;
+        let segments = Segments::new(&engine.points, engine.map(&edges)?)?;
+        let wanted = Wanted { triangles: &corners, edges: &segments.ends };
+        let observer = &mut *self.observer;
+        let mut tick = || report(observer, Phase::Preserve, 0.0);
+        let filled = fill_hull(&mut engine.delaunay, &mut engine.points, wanted, &mut tick)?;
+        let Some(inside) = filled else { return Ok(None) };
+        let triangles =
+            Triangles { corners: &corners, facet: &surface.triangle_facet, patch: &patch, patch_count };
+        let subfaces = Subfaces::build(&engine.points, &triangles, &segments)?;
+        FacetRecovery::new(&mut engine.delaunay, &engine.points, &subfaces)?.run(&mut |_, _| Ok(()))?;
+        let embedded = Embedded { engine, segments, subfaces, patch, inside, attempt: 0 };
+        match self.free_surface(plc, surface, options, embedded) {
+            Err(e) if e.status == Status::Rounding => Ok(None),
+            made => made.map(Some),
         }
     }
 

@@ -151,7 +151,83 @@ fn further_attempts_find_room_on_grids() {
         ..Plc::default()
     };
     let far = [far_grid(1e6, &one, &[[4, 0, 7]]), far_grid(1e3, &two, &[[6, 7, 2], [1, 5, 0]])];
-    for plc in far.into_iter().chain([turned]) {
+    for mut plc in far.into_iter().chain([turned]) {
+        // Triangles beside it, since small surfaces are filled as a whole.
+        let [a, b] = [plc.points[0], plc.points[1]];
+        let size = (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max);
+        for i in 0..20 {
+            let first = plc.points.len() as u32;
+            let x = a[0] + size * f64::from(40 + 8 * i);
+            plc.points.extend([[x, a[1], a[2]], [x, a[1] + size, a[2]], [x, a[1], a[2] + size]]);
+            plc.triangles.push([first, first + 1, first + 2]);
+        }
+        let options = Options { mode: Mode::Preserve, keep_hull: true, ..Options::default() };
+        let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+        check_preserved(&plc, &mesh, 10).unwrap();
+    }
+}
+
+/// Three triangles whose edges cross each other an ulp apart, in two rotations: a point is needed between two edges, within an ulp of one
+/// of them, and few parameters on it have such a double. Points elsewhere do not help.
+#[test]
+fn small_surfaces_are_filled_as_a_whole() {
+    let first = Plc {
+        points: vec![
+            [0.0, 0.0, 0.0],
+            [-23.352474877273732, 58.260097278811074, 12.506917372788926],
+            [-41.310843205881866, 46.019642862521394, 35.9945371469759],
+            [5.814777997669747, -7.179669699607687, 44.30170086850336],
+            [-5.861459440967121, 21.95037893979785, 50.55515955489782],
+            [0.42067144900414455, 63.32088199549307, 33.32099846710531],
+            [29.587924323947625, -2.118884982925694, 65.11578196281974],
+            [35.87005521391889, 39.251618072769524, 47.88162087502724],
+            [6.23544944667389, 56.14121229588538, 77.62269933560866],
+        ],
+        triangles: vec![[5, 2, 4], [3, 1, 6], [8, 0, 7]],
+        ..Plc::default()
+    };
+    let second = Plc {
+        points: vec![
+            [0.0, 0.0, 0.0],
+            [-2.7571561978475478e-05, 4.639518116276729e-05, -2.8505901729343737e-05],
+            [-1.1263409116587616e-05, 2.6401576329203857e-05, 5.386448441104312e-05],
+            [-6.453849601094537e-05, -3.191230747333162e-06, 5.7229181156873896e-05],
+            [-9.211005798942085e-05, 4.3203950415434124e-05, 2.8723279427530155e-05],
+            [-0.00016169329774566647, 3.360474817246054e-05, -5.028240996702593e-05],
+            [-0.00012907699202189074, -6.382461494666324e-06, 0.00011445836231374779],
+            [-0.0001842201159788417, 8.640790083086825e-05, 5.744655885506031e-05],
+        ],
+        triangles: vec![[3, 2, 1], [5, 7, 2], [0, 4, 6]],
+        ..Plc::default()
+    };
+    for plc in [first, second] {
+        let options = Options { mode: Mode::Preserve, keep_hull: true, ..Options::default() };
+        let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+        check_preserved(&plc, &mesh, 10).unwrap();
+        assert!(mesh.steiner.len() == 1 && mesh.steiner[0].is_inside());
+    }
+}
+
+/// Two cubes in each other, an ulp or two apart, far out: the diagonals of squares on the hull are not the Delaunay tetrahedralization's.
+#[test]
+fn cubes_an_ulp_apart_are_filled_as_a_whole() {
+    const SQUARES: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+    for choice in 0..8 {
+        let mut plc = Plc::default();
+        for shell in 0..2 {
+            let size = 0.5 - 1e-12 * f64::from(shell);
+            let place = |i: u32| [i & 1, i >> 1 & 1, i >> 2].map(|x| (2.0 * f64::from(x) - 1.0) * size);
+            plc.points
+                .extend((0..8).map(place).map(|[x, y, z]| [x / 7.0 + 1e3, y / 7.0 - 1e3, z / 7.0 + 1e3]));
+            for (i, square) in SQUARES.into_iter().enumerate() {
+                let [a, b, c, d] = square.map(|v| v + 8 * shell);
+                plc.triangles.extend(match (choice + shell) as usize >> (i % 3) & 1 {
+                    0 => [[a, b, c], [a, c, d]],
+                    _ => [[a, b, d], [b, c, d]],
+                });
+            }
+        }
         let options = Options { mode: Mode::Preserve, keep_hull: true, ..Options::default() };
         let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
         check_preserved(&plc, &mesh, 10).unwrap();

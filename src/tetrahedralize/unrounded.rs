@@ -28,7 +28,10 @@ impl Run<'_> {
     ) -> Result<TetMesh, Error> {
         let scale_exponent = embedded.engine.scale;
         let options = Options { preserve: Preserve::All, ..options.clone() };
-        let mut mesh = self.free_surface(plc, surface, &options, embedded)?;
+        let mut mesh = match self.free_surface(plc, surface, &options, embedded) {
+            Err(e) if e.status == Status::Rounding => self.whole(plc, surface, &options)?.ok_or(e)?,
+            made => made?,
+        };
         mesh.guarantee = Guarantee::ConstrainedDelaunay;
         mesh.replaced = not_delaunay(&mesh, scale_exponent)?;
         self.statistics.replaced = mesh.replaced.len() as u64;

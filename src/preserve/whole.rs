@@ -1,0 +1,279 @@
+//! A small surface in the convex hull of its points: all of it is one polyhedron to fill.
+//!
+//! Between facets an ulp apart, points that the constrained Delaunay tetrahedralization takes may have no counterpart in doubles, while a
+//! tetrahedralization with other points exists, or one with none. The walls of the polyhedron are the faces of the convex hull and the
+//! triangles of the surface, these from both sides; [`Reconnect`] searches.
+//!
+//! Points inside: where two edges cross each other an ulp apart, the tetrahedron that they span must be there, or thinner ones between
+//! them, whose other corners are on neither edge but within an ulp or two of one. Hence, if there is no filling without points, points at
+//! random near edges are tried: a filling is found after some hundred sets, each of which takes some hundred steps.
+//!
+//! Points of no facet and no segment are left out of the search and added afterwards: one inside splits the tetrahedra that it is in or
+//! on, one outside is joined to the faces of the hull that it sees.
+use super::place::step;
+use super::unsplit::axis_of;
+use crate::constrain::face_key;
+use crate::delaunay::Delaunay;
+use crate::error::Error;
+use crate::fallible;
+use crate::mesh::tables::FACE;
+use crate::mesh::{Tetrahedra, GHOST};
+use crate::predicates::{in_range, Points, Sign};
+use crate::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
+use rustc_hash::FxHashMap;
+
+/// Steps of the search without points, of one with points, and of all: less than half a second.
+const FIRST: u32 = 20_000;
+const BUDGET: u32 = 500;
+const TOTAL: u32 = 200_000;
+/// What a set of points costs besides, in steps.
+const SET: u32 = 10;
+/// The most points inside. Of 27 small inputs that had no mesh before, 13 need no point, 13 one or more; the last gets none.
+const MOST_INSIDE: u32 = 4;
+
+/// The most points added afterwards: each takes a pass over all tetrahedra.
+const MOST_LOOSE: usize = 500;
+
+/// What the tetrahedralization must have.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted<'a> {
+    /// Triangles that must be faces, in vertex ids.
+    pub triangles: &'a [[u32; 3]],
+    /// Edges, those of the triangles among them, as sorted pairs in ascending order.
+    pub edges: &'a [[u32; 2]],
+}
+
+/// Makes a tetrahedralization of the points that has all triangles and edges, and returns the points added inside. `None`, with
+/// nothing changed, if there are too many vertices or none was found.
+///
+/// # Errors
+/// `Cancelled`, `OutOfMemory`, `Internal`, `TooLarge`.
+pub fn fill_hull(
+    delaunay: &mut Delaunay,
+    points: &mut Points,
+    wanted: Wanted,
+    tick: &mut dyn FnMut() -> Result<(), Error>,
+) -> Result<Option<Vec<u32>>, Error> {
+    let count = points.len();
+    let Some(mut walls) = Walls::collect(points, wanted)? else { return Ok(None) };
+    let mut reconnect = Reconnect::default();
+    let mut random = Random(1);
+    let mut left = TOTAL;
+    for set in 0u32.. {
+        tick()?;
+        points.truncate(count);
+        walls.inner.truncate(walls.ends);
+        // Half of the sets have one point, a quarter two, and so on.
+        let inside = if set == 0 { 0 } else { (1 + set.trailing_zeros()).min(MOST_INSIDE) };
+        for _ in 0..inside.div_ceil(2) {
+            let edge = wanted.edges[random.next(wanted.edges.len())];
+            for _ in 0..2.min(inside as usize + walls.ends - walls.inner.len()) {
+                let at = random.near(points, edge);
+                if at.into_iter().all(in_range) {
+                    walls.inner.try_reserve(1)?;
+                    walls.inner.push(points.push(at)?);
+                }
+            }
+        }
+        let mut tets = Vec::new();
+        let polyhedron = Polyhedron { faces: &walls.faces, inner: &walls.inner, edges: wanted.edges };
+        let budget = if set == 0 { FIRST } else { BUDGET };
+        if reconnect.fill(points, &polyhedron, budget, &mut tets)? {
+            walls.loose.iter().try_for_each(|&v| add(points, &mut tets, v))?;
+            delaunay.mesh = connected(&tets)?;
+            delaunay.index_vertices(points.len())?;
+            return Ok(Some(walls.inner.split_off(walls.ends)));
+        }
+        left = left.saturating_sub(reconnect.steps() + SET);
+        if left == 0 {
+            break;
+        }
+    }
+    points.truncate(count);
+    Ok(None)
+}
+
+/// The polyhedron, and what is not part of it.
+#[derive(Default)]
+struct Walls {
+    faces: Vec<[u32; 3]>,
+    /// Vertices of edges.
+    vertices: Vec<u32>,
+    /// Vertices on no face: first ends of edges.
+    inner: Vec<u32>,
+    /// The number of these.
+    ends: usize,
+    /// Vertices of no edge.
+    loose: Vec<u32>,
+}
+
+impl Walls {
+    /// `None` if there are too many vertices, or those of the polyhedron are all in one plane.
+    fn collect(points: &Points, wanted: Wanted) -> Result<Option<Walls>, Error> {
+        let mut walls = Walls::default();
+        let mut used = fallible::filled(false, points.len())?;
+        for &v in wanted.edges.iter().flatten() {
+            if walls.vertices.len() + MOST_INSIDE as usize > MOST_VERTICES {
+                return Ok(None);
+            }
+            if !std::mem::replace(&mut used[v as usize], true) {
+                walls.vertices.try_reserve(1)?;
+                walls.vertices.push(v);
+            }
+        }
+        walls.loose = fallible::collect((0..points.len() as u32).filter(|&v| !used[v as usize]))?;
+        if walls.loose.len() > MOST_LOOSE {
+            return Ok(None);
+        }
+        let mut hull = Delaunay::new();
+        if hull.build(points, &mut fallible::copied(&walls.vertices)?, &mut |_| Ok(())).is_err() {
+            return Ok(None);
+        }
+        let mesh = &hull.mesh;
+        let ghosts = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && mesh.is_ghost(t));
+        let outside = ghosts.map(|t| mesh.face(mesh.adj[t as usize][3]));
+        walls.faces = fallible::collect(outside)?;
+        for &edge in wanted.edges {
+            insert_in_hull(points, &mut walls.faces, edge)?;
+        }
+        let mut known = fallible::collect(walls.faces.iter().map(|&face| face_key(face)))?;
+        known.sort_unstable();
+        walls.faces.try_reserve(2 * wanted.triangles.len())?;
+        for &[a, b, c] in wanted.triangles {
+            if known.binary_search(&face_key([a, b, c])).is_err() {
+                walls.faces.extend([[a, b, c], [a, c, b]]);
+            }
+        }
+        walls.faces.iter().flatten().for_each(|&v| used[v as usize] = false);
+        let inner = walls.vertices.iter().copied().filter(|&v| used[v as usize]);
+        walls.inner = fallible::collect(inner)?;
+        walls.ends = walls.inner.len();
+        Ok(Some(walls))
+    }
+}
+
+/// Two faces of the hull in one plane, the first with the edge of the first two corners: `c d p` and `d c q`.
+#[derive(Clone, Copy)]
+struct Pair {
+    faces: [usize; 2],
+    corners: [u32; 4],
+}
+
+/// Makes a pair of vertices an edge of the hull if it is in one of its planes: flips the edges that it crosses (Sloan 1993).
+fn insert_in_hull(points: &Points, faces: &mut [[u32; 3]], [a, b]: [u32; 2]) -> Result<(), Error> {
+    for round in 0..faces.len() * faces.len() {
+        let turned = faces.iter().flat_map(|&[x, y, z]| [[x, y, z], [y, z, x], [z, x, y]]);
+        let mut crossing: Vec<Pair> = Vec::new();
+        for (i, [c, d, p]) in turned.enumerate() {
+            if [c, d] == [a, b] || [d, c] == [a, b] {
+                return Ok(());
+            }
+            let flat = |v| points.orient3d(c, d, p, v) == Sign::Zero;
+            if c > d || [c, d].contains(&a) || [c, d].contains(&b) || !flat(a) || !flat(b) {
+                continue;
+            }
+            let other = faces.iter().position(|f| (0..3).any(|k| f[k] == d && f[(k + 1) % 3] == c));
+            let (Some(j), Some(axis)) = (other, axis_of(points, &[c, d, p])) else { continue };
+            let Some(q) = faces[j].into_iter().find(|&v| v != c && v != d && flat(v)) else { continue };
+            let apart = |[x, y]: [u32; 2], [v, w]: [u32; 2]| {
+                let [v, w] = [v, w].map(|v| points.orient_in_plane(axis, x, y, v));
+                v != Sign::Zero && v == -w
+            };
+            if apart([c, d], [a, b]) && apart([a, b], [c, d]) && apart([p, q], [c, d]) {
+                crossing.try_reserve(1)?;
+                crossing.push(Pair { faces: [i / 3, j], corners: [c, d, p, q] });
+            }
+        }
+        if crossing.is_empty() {
+            return Ok(());
+        }
+        // Not always the same, or the flips might go back and forth.
+        let Pair { faces: [i, j], corners: [c, d, p, q] } = crossing[round % crossing.len()];
+        faces[i] = [p, c, q];
+        faces[j] = [q, d, p];
+    }
+    Ok(())
+}
+
+/// Numbers that look random (Knuth's multiplier).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self, count: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        ((self.0 >> 33) % count as u64) as usize
+    }
+
+    /// A point on an edge, between its ends, up to rounding and up to one double more or less in each coordinate.
+    fn near(&mut self, points: &Points, edge: [u32; 2]) -> [f64; 3] {
+        let [a, b] = edge.map(|v| *points.xyz(v));
+        let t = (1 + self.next(1023)) as f64 / 1024.0;
+        std::array::from_fn(|k| {
+            let beside = [0, -1, 0, 1][self.next(4)];
+            step(a[k] + t * (b[k] - a[k]), beside)
+        })
+    }
+}
+
+/// Adds a vertex to a tetrahedralization of a convex domain, all of whose constraints it misses.
+fn add(points: &Points, tets: &mut Vec<[u32; 4]>, v: u32) -> Result<(), Error> {
+    let mut new: Vec<[u32; 4]> = Vec::new();
+    new.try_reserve(4 * tets.len())?;
+    tets.retain(|tet| {
+        let faces = FACE.map(|face| face.map(|k| tet[k as usize]));
+        let sides = faces.map(|[x, y, z]| points.orient3d(v, x, y, z));
+        if sides.contains(&Sign::Negative) {
+            return true;
+        }
+        // Faces through the point are between two of these, or around it.
+        let ahead = faces.iter().zip(sides).filter(|(_, side)| *side == Sign::Positive);
+        new.extend(ahead.map(|(&[x, y, z], _)| [v, x, y, z]));
+        false
+    });
+    if new.is_empty() {
+        let hull = outer_faces(tets)?;
+        new.try_reserve(hull.len())?;
+        let seen = hull.into_iter().filter(|&[x, y, z]| points.orient3d(v, x, y, z) == Sign::Negative);
+        new.extend(seen.map(|[x, y, z]| [v, x, z, y]));
+    }
+    tets.try_reserve(new.len())?;
+    tets.extend_from_slice(&new);
+    Ok(())
+}
+
+/// The faces of one tetrahedron only, turned inwards, in the order of the list.
+fn outer_faces(tets: &[[u32; 4]]) -> Result<Vec<[u32; 3]>, Error> {
+    let faces = || tets.iter().flat_map(|tet| FACE.map(|face| face.map(|k| tet[k as usize])));
+    let mut keys = fallible::collect(faces().map(face_key))?;
+    keys.sort_unstable();
+    let once = |face: &[u32; 3]| {
+        let key = face_key(*face);
+        let at = keys.partition_point(|x| *x < key);
+        keys.get(at + 1) != Some(&key)
+    };
+    Ok(fallible::collect(faces().filter(once))?)
+}
+
+/// The mesh of these tetrahedra, with ghosts around.
+fn connected(tets: &[[u32; 4]]) -> Result<Tetrahedra, Error> {
+    let hull = outer_faces(tets)?;
+    let mut mesh = Tetrahedra::default();
+    mesh.reserve(tets.len() + hull.len())?;
+    let ghosts = hull.iter().map(|&[x, y, z]| [x, y, z, GHOST]);
+    let mut open: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+    open.try_reserve(2 * (tets.len() + hull.len()))?;
+    for corners in tets.iter().copied().chain(ghosts) {
+        let t = mesh.allocate(corners);
+        for code in 4 * t..4 * t + 4 {
+            let key = face_key(mesh.face(code));
+            match open.remove(&key) {
+                Some(other) => mesh.link(code, other),
+                None => drop(open.insert(key, code)),
+            }
+        }
+    }
+    if !open.is_empty() {
+        return Err(Error::internal("the filling of the convex hull does not close"));
+    }
+    Ok(mesh)
+}
