@@ -14,7 +14,7 @@ use super::place::step;
 use super::unsplit::axis_of;
 use crate::constrain::face_key;
 use crate::delaunay::Delaunay;
-use crate::error::Error;
+use crate::error::{Error, Status};
 use crate::fallible;
 use crate::mesh::tables::FACE;
 use crate::mesh::{Tetrahedra, GHOST};
@@ -126,8 +126,9 @@ impl Walls {
             return Ok(None);
         }
         let mut hull = Delaunay::new();
-        if hull.build(points, &mut fallible::copied(&walls.vertices)?, &mut |_| Ok(())).is_err() {
-            return Ok(None);
+        match hull.build(points, &mut fallible::copied(&walls.vertices)?, &mut |_| Ok(())) {
+            Err(e) if e.status == Status::DegenerateInput => return Ok(None),
+            built => built?,
         }
         let mesh = &hull.mesh;
         let ghosts = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && mesh.is_ghost(t));

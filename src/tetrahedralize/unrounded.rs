@@ -2,8 +2,8 @@
 //!
 //! Steiner points on edges have no room if sheets or needles are closer to each other than the spacing of doubles. Without these points
 //! nothing has to be rounded. So all are removed from the surface, as in [`Mode::Preserve`](crate::Mode::Preserve); any points inside are
-//! doubles from the start. The mesh conforms to the input like the other one, but not all of its faces are locally Delaunay: tetrahedra at
-//! such faces are listed as replaced.
+//! doubles from the start. If these have no room either, a small surface is filled as a whole. The mesh conforms to the input like the
+//! other one, but not all of its faces are locally Delaunay: tetrahedra at such faces are listed as replaced.
 use super::preserve::Embedded;
 use super::{tetrahedralize, Run};
 use crate::error::{Error, Status};
