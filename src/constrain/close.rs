@@ -6,7 +6,7 @@
 //! keep splitting each other down to pieces of length h, of which there may be 2⁵³. So the position is computed to this precision, which
 //! for segments an ulp apart is twice that of a double. Any position strictly inside gives a valid mesh: only the number of Steiner points
 //! is at stake, so the lengths that determine the precision are approximate.
-use super::placement::{bisector, Neighbor};
+use super::placement::{bisector, OwnSegment};
 use crate::elementary::{exponent, power_of_two};
 use crate::predicates::{Expansion, Points, Sign};
 use crate::vector::{cross, dot, sub};
@@ -27,7 +27,7 @@ pub struct Beside {
     /// The vertex.
     pub reference: u32,
     /// The vertex's own segment.
-    pub neighbor: Neighbor,
+    pub own: OwnSegment,
 }
 
 /// Distance of the vertex from the segment's line, as a fraction of the segment's length.
@@ -72,7 +72,7 @@ fn vector_product(a: &Vector, b: &Vector) -> Vector {
 impl Beside {
     /// The parameter that matches the vertex, if that is strictly inside the piece.
     pub fn matched(&self, points: &Points) -> Option<Expansion> {
-        let from = if let Neighbor::Shares(end) = self.neighbor { end } else { 0 };
+        let from = if let OwnSegment::Shares(end) = self.own { end } else { 0 };
         let d = vector(points, self.ends[from], self.ends[1 - from]);
         let w = vector(points, self.ends[from], self.reference);
         let span = self.t[1].difference(&self.t[0]).approximate();
@@ -80,10 +80,10 @@ impl Beside {
         let window = apart * apart / span;
         let finest = exponent(window).max(FINEST + SPARE_BITS) - SPARE_BITS;
         let quantum = power_of_two(finest.max(FINEST));
-        let t = match self.neighbor {
-            Neighbor::Unknown => foot(&d, &w, &d, quantum),
-            Neighbor::Shares(_) => sphere(&d, &w, quantum),
-            Neighbor::Apart([c, end]) => {
+        let t = match self.own {
+            OwnSegment::Unknown => foot(&d, &w, &d, quantum),
+            OwnSegment::Shares(_) => sphere(&d, &w, quantum),
+            OwnSegment::Apart([c, end]) => {
                 let e = vector(points, c, end);
                 // At most once for two segments; until then the pieces are too long for equal distances to suffice.
                 let nearest = nearest(&d, &vector(points, self.ends[0], c), &e, quantum);

@@ -45,7 +45,7 @@ pub fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 
 /// How the reference point's own segment lies to the one being split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Neighbor {
+pub enum OwnSegment {
     /// The reference point is on no segment, or an end of some.
     Unknown,
     /// They have this end of the segment being split in common.
@@ -61,7 +61,7 @@ pub struct Context {
     /// Whether the ends are acute vertices (two segments meet there at less than 90°); needed only for very short pieces.
     pub acute: [bool; 2],
     /// The reference point's own segment.
-    pub neighbor: Neighbor,
+    pub own: OwnSegment,
 }
 
 /// Pieces shorter than this fraction of their segment are split on concentric shells, which always terminates.
@@ -97,19 +97,20 @@ pub fn choose(points: &Points, sub: &Subsegment, context: &Context, reference: O
     }
     let Some(reference) = reference else { return middle };
     let p = points.xyz(reference);
-    let [equal, nearest_to_line] = match context.neighbor {
-        Neighbor::Unknown => [None, None],
-        Neighbor::Shares(end) => [Some(sphere(end, distance([a, b][end], p))), None],
-        Neighbor::Apart(other) => {
-            let lines = Lines::new([a, b], other.map(|v| points.xyz(v)));
-            [Some(lines.equal(p)), lines.nearest()]
-        }
+    let lines = match context.own {
+        OwnSegment::Apart(other) => Some(Lines::new([a, b], other.map(|v| points.xyz(v)))),
+        _ => None,
+    };
+    let equal = match context.own {
+        OwnSegment::Shares(end) => Some(sphere(end, distance([a, b][end], p))),
+        _ => lines.as_ref().map(|lines| lines.equal(p)),
     };
     if let Some(t) = equal.filter(|&t| inside(t, NEAR_EQUAL)) {
         return t;
     }
+    let nearest = lines.and_then(|lines| lines.nearest());
     let foot = (0..3).map(|k| (b[k] - a[k]) * (p[k] - a[k])).sum::<f64>() / (length * length);
-    [nearest_to_line, Some(foot)].into_iter().flatten().find(|&t| inside(t, NEAR)).unwrap_or(middle)
+    [nearest, Some(foot)].into_iter().flatten().find(|&t| inside(t, NEAR)).unwrap_or(middle)
 }
 
 /// The lines of two segments.

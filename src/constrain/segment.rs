@@ -8,7 +8,7 @@
 //!
 //! Invariant: every live subsegment is flagged around its edge in the mesh, or is in the queue.
 use super::close::{relative_distance, Beside};
-use super::placement::{choose, distance, round_parameter, Context, Neighbor, Subsegment};
+use super::placement::{choose, distance, round_parameter, Context, OwnSegment, Subsegment};
 use super::{crossing, edge_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Element, Error, Status};
@@ -405,7 +405,7 @@ impl<'a> Recovery<'a> {
         if let Some(t) = t {
             return Ok(Expansion::from(self.kindest_parameter(sub, t)));
         }
-        let beside = self.beside(sub, context, reference.unwrap_or(sub.ends[0]), Neighbor::Unknown);
+        let beside = self.beside(sub, context, reference.unwrap_or(sub.ends[0]), OwnSegment::Unknown);
         beside.middle().ok_or_else(|| {
             let segment = Element::Segment(sub.segment);
             crossing("a segment cannot be separated from what it touches", segment, None)
@@ -426,18 +426,18 @@ impl<'a> Recovery<'a> {
         if apart * apart > 16.0 * precision {
             return Ok(None);
         }
-        let mut neighbor = context.neighbor;
+        let mut own = context.own;
         for k in 0..2 {
-            if neighbor == Neighbor::Unknown && self.segments.joins(context.ends[k], reference)? {
-                neighbor = Neighbor::Shares(k);
+            if own == OwnSegment::Unknown && self.segments.joins(context.ends[k], reference)? {
+                own = OwnSegment::Shares(k);
             }
         }
-        Ok(self.beside(sub, context, reference, neighbor).matched(self.points))
+        Ok(self.beside(sub, context, reference, own).matched(self.points))
     }
 
-    fn beside(&self, sub: &Subsegment, context: &Context, reference: u32, neighbor: Neighbor) -> Beside {
+    fn beside(&self, sub: &Subsegment, context: &Context, reference: u32, own: OwnSegment) -> Beside {
         let t = sub.ends.map(|v| self.segments.parameter(sub.segment, v));
-        Beside { ends: context.ends, t, reference, neighbor }
+        Beside { ends: context.ends, t, reference, own }
     }
 
     /// Among parameters that differ by a negligible amount, the one whose point is nearest to a double: this saves most of the work of
@@ -522,10 +522,10 @@ impl<'a> Recovery<'a> {
             let index = p.checked_sub(self.segments.first_steiner)?;
             Some(self.segments.ends[self.segments.steiner_segment[index as usize] as usize])
         });
-        let neighbor = own.map_or(Neighbor::Unknown, |own| {
-            (0..2).find(|&k| own.contains(&ends[k])).map_or(Neighbor::Apart(own), Neighbor::Shares)
+        let own = own.map_or(OwnSegment::Unknown, |own| {
+            (0..2).find(|&k| own.contains(&ends[k])).map_or(OwnSegment::Apart(own), OwnSegment::Shares)
         });
-        Ok(Context { ends, acute, neighbor })
+        Ok(Context { ends, acute, own })
     }
 
     /// The vertex that sees the piece under the largest angle among those met on a walk from its first end to its second, and the

@@ -1,7 +1,7 @@
 //! Filling: gift wrapping and Delaunay filling give the same result.
 use super::fill::{Filler, Half};
 use super::gift_wrap::gift_wrap;
-use super::placement::{round_parameter, Neighbor};
+use super::placement::{round_parameter, OwnSegment};
 use crate::delaunay::Delaunay;
 use crate::predicates::{Expansion, Points};
 
@@ -159,13 +159,13 @@ fn radii_are_kept_where_feet_are_not() {
     use super::placement::{choose, Context, Subsegment};
     let points = Points::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.001, 1e-5, 0.0], [0.25, 1e-3, 0.0]]);
     let sub = Subsegment { segment: 0, ends: [0, 1], t: [0.0, 1.0] };
-    let split = |neighbor, reference| {
-        choose(&points, &sub, &Context { ends: [0, 1], acute: [false; 2], neighbor }, Some(reference))
+    let split = |own, reference| {
+        choose(&points, &sub, &Context { ends: [0, 1], acute: [false; 2], own }, Some(reference))
     };
-    assert!((split(Neighbor::Shares(0), 2) - 0.001).abs() < 1e-6);
-    assert_eq!(split(Neighbor::Unknown, 2), 0.5);
-    assert!((split(Neighbor::Shares(1), 3) - 0.25).abs() < 1e-5);
-    assert_eq!(split(Neighbor::Unknown, 3), 0.25);
+    assert!((split(OwnSegment::Shares(0), 2) - 0.001).abs() < 1e-6);
+    assert_eq!(split(OwnSegment::Unknown, 2), 0.5);
+    assert!((split(OwnSegment::Shares(1), 3) - 0.25).abs() < 1e-5);
+    assert_eq!(split(OwnSegment::Unknown, 3), 0.25);
 }
 
 /// Two segments an ulp apart whose lines are nearest to each other at the middle of both, turned by 2 arctan(k/8).
@@ -187,12 +187,12 @@ fn segments_without_a_common_end_are_split_at_equal_distances() {
         for x in [-0.25, -0.125, 0.0625, 0.25] {
             let p = points.push_on_segment(other[0], other[1], &Expansion::from(0.5 + x)).unwrap();
             let sub = Subsegment { segment: 0, ends, t: [0.0, 1.0] };
-            let neighbor = Neighbor::Apart(other);
-            let t = choose(&points, &sub, &Context { ends, acute: [false; 2], neighbor }, Some(p));
+            let own = OwnSegment::Apart(other);
+            let t = choose(&points, &sub, &Context { ends, acute: [false; 2], own }, Some(p));
             assert!((t - 0.5 - x).abs() < 1e-12, "{k} {x} {t}");
             // Precisely: where they all but cross, as long as that is inside the piece; then at equal distances.
             let [from, to] = if x < 0.0 { [0.0, 0.5] } else { [0.5, 1.0] };
-            let mut beside = Beside { ends, t: [0.0, 1.0].map(Expansion::from), reference: p, neighbor };
+            let mut beside = Beside { ends, t: [0.0, 1.0].map(Expansion::from), reference: p, own };
             assert_eq!(beside.matched(&points).unwrap().nearest(), 0.5);
             beside.t = [from, to].map(Expansion::from);
             let t = beside.matched(&points).unwrap();
@@ -209,13 +209,13 @@ fn a_piece_is_split_where_it_all_but_crosses_another() {
     let (mut points, ends, other) = nearly_crossing(2, 1e-3);
     let p = points.push_on_segment(other[0], other[1], &Expansion::from(0.25)).unwrap();
     let sub = Subsegment { segment: 0, ends, t: [0.25, 1.0] };
-    let context = Context { ends, acute: [false; 2], neighbor: Neighbor::Apart(other) };
+    let context = Context { ends, acute: [false; 2], own: OwnSegment::Apart(other) };
     let t = choose(&points, &sub, &context, Some(p));
     assert!((t - 0.5).abs() < 1e-12, "{t}");
     // Parallel ones are nowhere nearest: the foot of the perpendicular.
     let points =
         Points::new(vec![[0.0; 3], [4.0, 0.0, 0.0], [0.0, 1.0, 0.0], [4.0, 1.0, 0.0], [1.0, 1.0, 0.0]]);
-    let context = Context { ends: [0, 1], acute: [false; 2], neighbor: Neighbor::Apart([3, 2]) };
+    let context = Context { ends: [0, 1], acute: [false; 2], own: OwnSegment::Apart([3, 2]) };
     let sub = Subsegment { segment: 0, ends: [0, 1], t: [0.0, 1.0] };
     assert_eq!(choose(&points, &sub, &context, Some(4)), 0.25);
 }

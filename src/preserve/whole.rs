@@ -65,14 +65,16 @@ pub fn fill_hull(
         walls.inner.truncate(walls.ends);
         // Half of the sets have one point, a quarter two, and so on.
         let inside = if set == 0 { 0 } else { (1 + set.trailing_zeros()).min(MOST_INSIDE) };
-        for _ in 0..inside.div_ceil(2) {
-            let edge = wanted.edges[random.next(wanted.edges.len())];
-            for _ in 0..2.min(inside as usize + walls.ends - walls.inner.len()) {
-                let at = random.near(points, edge);
-                if at.into_iter().all(in_range) {
-                    walls.inner.try_reserve(1)?;
-                    walls.inner.push(points.push(at)?);
-                }
+        let mut edge = [0; 2];
+        for k in 0..inside {
+            // Two near each edge, one on either side of where it all but crosses another.
+            if k % 2 == 0 {
+                edge = wanted.edges[random.next(wanted.edges.len())];
+            }
+            let at = random.near(points, edge);
+            if at.into_iter().all(in_range) {
+                walls.inner.try_reserve(1)?;
+                walls.inner.push(points.push(at)?);
             }
         }
         let mut tets = Vec::new();
@@ -197,10 +199,11 @@ fn insert_in_hull(points: &Points, faces: &mut [[u32; 3]], [a, b]: [u32; 2]) -> 
 }
 
 /// Numbers that look random (Knuth's multiplier).
-struct Random(u64);
+pub(super) struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self, count: usize) -> usize {
+    /// A number below `count`.
+    pub fn next(&mut self, count: usize) -> usize {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         ((self.0 >> 33) % count as u64) as usize
     }

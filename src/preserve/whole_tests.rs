@@ -1,20 +1,11 @@
 //! Fillings of whole convex hulls: every wanted face is there, every point is a vertex, and the volume is that of the hull.
-use super::whole::{fill_hull, Wanted};
+use super::whole::{fill_hull, Random, Wanted};
 use crate::constrain::{edge_key, face_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Error, Status};
 use crate::mesh::flag;
 use crate::predicates::{Points, Sign};
 use std::collections::BTreeSet;
-
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self, count: u64) -> u64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 33) % count
-    }
-}
 
 fn edges(triangles: &[[u32; 3]], segments: &[[u32; 2]]) -> Vec<[u32; 2]> {
     let around = |&[a, b, c]: &[u32; 3]| [edge_key(a, b), edge_key(b, c), edge_key(c, a)];
@@ -107,7 +98,7 @@ fn a_hull_has_the_diagonals_of_the_surface() {
 #[test]
 fn loose_points_become_vertices_wherever_they_are() {
     for seed in 0..200 {
-        let mut numbers = Numbers(seed);
+        let mut numbers = Random(seed);
         let mut points = CUBE.to_vec();
         let triangles = [[0, 1, 7], [2, 4, 6]];
         // On a grid of odd numbers, in the cube, beside it and farther out.
