@@ -21,36 +21,44 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("predicates", &["error"]),
     ("plc", &["predicates", "vector", "output", "error", "options", "progress", "warning"]),
     // The engine, from the bottom up.
-    ("mesh", &["error"]),
-    ("delaunay", &["mesh", "predicates", "error", "progress", "options"]),
-    ("constrain", &["delaunay", "mesh", "predicates", "plc", "vector", "error", "progress", "options"]),
-    ("region", &["constrain", "mesh", "predicates", "plc", "output", "error", "progress", "options"]),
+    ("kernel", &["error"]),
+    ("ops", &["kernel", "predicates", "vector", "error"]),
+    ("delaunay", &["kernel", "predicates", "error", "progress", "options"]),
+    ("segments", &["delaunay", "kernel", "predicates", "plc", "vector", "error", "progress", "options"]),
+    (
+        "facets",
+        &["segments", "delaunay", "kernel", "predicates", "plc", "vector", "error", "progress", "options"],
+    ),
+    (
+        "domain",
+        &["facets", "segments", "kernel", "predicates", "plc", "output", "error", "progress", "options"],
+    ),
     (
         "rounding",
         &[
-            "reconnect",
-            "vector",
-            "region",
-            "constrain",
+            "ops",
+            "domain",
+            "segments",
             "delaunay",
-            "mesh",
+            "kernel",
             "predicates",
+            "vector",
             "error",
             "progress",
             "options",
         ],
     ),
-    ("reconnect", &["predicates", "vector", "error"]),
     (
         "preserve",
         &[
-            "reconnect",
-            "vector",
-            "region",
-            "constrain",
+            "ops",
+            "domain",
+            "facets",
+            "segments",
             "delaunay",
-            "mesh",
+            "kernel",
             "predicates",
+            "vector",
             "plc",
             "output",
             "error",
@@ -59,14 +67,15 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "tetrahedralize",
+        "plan",
         &[
             "preserve",
-            "region",
             "rounding",
-            "constrain",
+            "domain",
+            "facets",
+            "segments",
             "delaunay",
-            "mesh",
+            "kernel",
             "predicates",
             "plc",
             "output",
@@ -79,24 +88,16 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     // What looks at results; it never touches the engine.
     ("check", &["output", "plc", "predicates", "error", "options"]),
-    ("mesh_query", &["output", "plc", "predicates", "error"]),
-    ("io", &["mesh_query", "plc", "vector", "output", "error", "options", "progress", "warning"]),
+    ("query", &["output", "plc", "predicates", "error"]),
+    ("io", &["query", "plc", "vector", "output", "error", "options", "progress", "warning"]),
     (
         "ffi",
         &[
-            "tetrahedralize",
-            "plc",
-            "options",
-            "output",
-            "error",
-            "fallible",
-            "progress",
-            "check",
-            "mesh_query",
-            "io",
+            "plan", "plc", "options", "output", "error", "fallible", "progress", "check", "query", "io",
             "warning",
         ],
     ),
+    ("internals", &["delaunay", "predicates"]),
     // The program sees the library from outside, as `delotet::`.
     ("cli", &[]),
     ("main", &["cli"]),
@@ -110,7 +111,7 @@ const OPEN: &[&str] = &["elementary", "fallible", "panics"];
 
 /// Files outside of `ffi` that may use `unsafe`, each with the reason.
 const UNSAFE_FILES: &[(&str, &str)] = &[
-    ("mesh/slots.rs", "workers share the arrays of tetrahedra, each on its own slots"),
+    ("kernel/slots.rs", "workers share the arrays of tetrahedra, each on its own slots"),
     ("delaunay/parallel.rs", "slots that workers have written become part of the mesh"),
 ];
 
@@ -204,7 +205,7 @@ fn names_after(text: &str, prefix: &str) -> Vec<String> {
     names
 }
 
-/// Top-level module of a file: `mesh/star.rs` and `mesh/mod.rs` and `mesh.rs` belong to `mesh`.
+/// Top-level module of a file: `kernel/star.rs` and `kernel/mod.rs` and `kernel.rs` belong to `kernel`.
 fn module_of(path: &str) -> &str {
     path.split(['/', '.']).next().unwrap_or(path)
 }
@@ -271,7 +272,7 @@ impl Scan<'_> {
         if has_word(line, "unsafe") && module != "ffi" && !listed {
             self.fault(i, "unsafe outside ffi");
         }
-        if module == "mesh" && has_word(line, "f64") {
+        if module == "kernel" && has_word(line, "f64") {
             self.fault(i, "the topology layer knows no coordinates");
         }
         if module != "main" && module != "cli" {
@@ -387,13 +388,13 @@ fn the_scanner_finds_what_it_should() {
     let exports = exports("pub use error::{Error, Status};\npub use output::{\n    Region, TetMesh,\n};\npub const INVALID: u32 = 0;\n");
     let count = |path: &str, text: &str| scan(path, text, &exports).len();
     let bad = [
-        ("mesh/star.rs", "use crate::predicates::Sign;"),
-        ("mesh/mod.rs", "use super::predicates::Sign;"),
-        ("mesh/star.rs", "use super::super::predicates::Sign;"),
-        ("mesh/star.rs", "let x: f64 = 0.0;"),
-        ("check/mod.rs", "use crate::{error::Error, mesh::Mesh};"),
+        ("kernel/star.rs", "use crate::predicates::Sign;"),
+        ("kernel/mod.rs", "use super::predicates::Sign;"),
+        ("kernel/star.rs", "use super::super::predicates::Sign;"),
+        ("kernel/star.rs", "let x: f64 = 0.0;"),
+        ("check/mod.rs", "use crate::{error::Error, kernel::Mesh};"),
         ("check/mod.rs", "use crate::{\n    error::Error,\n    delaunay::{a, b},\n};"),
-        ("check/mod.rs", "fn f() { crate::constrain::run() }"),
+        ("check/mod.rs", "fn f() { crate::facets::run() }"),
         ("predicates/mod.rs", "use crate::TetMesh;"),
         ("cli/mod.rs", "use crate::io::read;"),
         ("unknown/mod.rs", "fn f() {}"),
@@ -408,12 +409,12 @@ fn the_scanner_finds_what_it_should() {
         assert_eq!(count(path, text), 1, "{path}: {text}: {:?}", scan(path, text, &exports));
     }
     let good = [
-        ("mesh/star.rs", "use crate::error::Error;\nuse super::Mesh;\nuse crate::INVALID;"),
+        ("kernel/star.rs", "use crate::error::Error;\nuse super::Mesh;\nuse crate::INVALID;"),
         ("check/mod.rs", "use crate::{Error, TetMesh, INVALID};"),
-        ("check/mod.rs", "// use crate::mesh::Mesh;\n//! unsafe println!"),
+        ("check/mod.rs", "// use crate::kernel::Mesh;\n//! unsafe println!"),
         ("check/mod.rs", "let s = \"crate::mesh unsafe panic!\";"),
-        ("check/mod.rs", "#[cfg(test)]\nmod t {\n    use crate::mesh::Mesh;\n    fn f() { panic!() }\n}"),
-        ("check/tests.rs", "use crate::mesh::Mesh;"),
+        ("check/mod.rs", "#[cfg(test)]\nmod t {\n    use crate::kernel::Mesh;\n    fn f() { panic!() }\n}"),
+        ("check/tests.rs", "use crate::kernel::Mesh;"),
         ("plc/mod.rs", "#![deny(unsafe_code)]"),
         ("ffi/mod.rs", "let x = unsafe { *p };"),
         ("main.rs", "mod cli;\nfn main() { println!(\"x\") }"),

@@ -132,7 +132,7 @@ mod glibc {
                         let path = folder.join("mesh").with_extension(extension);
                         write(&path, &mesh, plc, &WriteOptions::default()).unwrap();
                     }
-                    let locator = delotet::mesh_query::Locator::new(&mesh).unwrap();
+                    let locator = delotet::query::Locator::new(&mesh).unwrap();
                     let (mut tets, mut weights) = ([0; 2], [[0.0; 4]; 2]);
                     locator.locate(&mesh, &[mesh.points[0], [0.1, 0.2, 0.3]], &mut tets, Some(&mut weights));
                 }

@@ -8,20 +8,25 @@
 //!
 //! # Module graph
 //!
-//! Arrows point at what is imported; `capi-tests/architecture.rs` enforces them.
+//! The folders are the stages of the paper (Si & Gärtner 2011) in their order, each made of those below it. What a line names on the
+//! right it may import; `capi-tests/architecture.rs` enforces it.
 //!
 //! ```text
-//! ffi ──► tetrahedralize ──► region ──► constrain ──► delaunay ──► mesh ──► (nothing)
-//!  │            │               │           │             └──────► predicates ──► (robust)
-//!  │            ├──► output     └───────────┴──► plc ──► predicates, output
-//!  │            └──► check ──► output, plc, predicates
-//!  └──► plc, options, output, check, io, mesh_query ──► output, plc, predicates
-//! io ──► mesh_query, plc, output
-//! main (the command line) ──► everything above through the public API
-//! doc: pages of text
-//! elementary, error, fallible, options, panics, progress, warning: leaves, imported anywhere
-//! vector: floating-point arithmetic, below plc, constrain, rounding, reconnect, preserve, io
+//! rim       ffi  cli  io  query  check       the C interface, the program, files, queries and audits of finished meshes
+//! plan                                       the pipeline and its retries: the only place that knows the order
+//! stages    preserve  rounding               the surface as it was (recover/, release/, settle); doubles for implicit points
+//!           domain                           carving, holes, regions
+//!           facets                           D1 → D2: every facet a union of faces
+//!           segments                         D0 → D1: every segment a union of edges
+//!           delaunay                         D0: the Delaunay tetrahedralization of the points
+//!           plc                              the input: validation, polygons, merging → Surface
+//! ops                                        local operations on a few tetrahedra: reconnection, sheets, positions
+//! kernel                                     tetrahedra and their adjacency: topology alone, no coordinates
+//! predicates                                 signs
+//! leaves    elementary  error  fallible  options  output  panics  progress  vector  warning
 //! ```
+//!
+//! What is below the rim is private to the crate.
 //!
 //! # Conventions
 //!
@@ -31,29 +36,33 @@
 #![warn(clippy::all)]
 
 pub mod check;
-pub mod constrain;
-pub mod delaunay;
+mod delaunay;
 #[cfg(any(doc, doctest))]
 pub mod doc;
+mod domain;
 mod elementary;
 pub mod error;
+mod facets;
 mod fallible;
 pub mod ffi;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod internals;
 #[cfg(feature = "io")]
 pub mod io;
-pub mod mesh;
-pub mod mesh_query;
+mod kernel;
+mod ops;
 pub mod options;
 pub mod output;
 mod panics;
+mod plan;
 pub mod plc;
-pub mod predicates;
-pub mod preserve;
+mod predicates;
+mod preserve;
 pub mod progress;
-pub mod reconnect;
-pub mod region;
-pub mod rounding;
-pub mod tetrahedralize;
+pub mod query;
+mod rounding;
+mod segments;
 mod vector;
 pub mod warning;
 
@@ -64,9 +73,9 @@ pub use output::{
     Dropped, FacetFlip, Guarantee, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm,
     Subface, Subsegment, TetMesh,
 };
+pub use plan::tetrahedralize;
 pub use plc::{Facet, Interior, MarkerName, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
-pub use tetrahedralize::tetrahedralize;
 pub use warning::{Warning, WarningKind, Warnings};
 
 /// The index that means "none": no neighbour, no parent.

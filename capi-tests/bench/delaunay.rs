@@ -3,9 +3,9 @@
 //! `cargo bench --bench delaunay -- FILE [REPETITIONS [THREADS]]` prints points, tetrahedra, the time of reading and of each
 //! part (minimum and median over the repetitions), bytes per tetrahedron and a hash of the tetrahedra that does not depend
 //! on their order.
-use delotet::delaunay::order::{insertion_order, Order};
-use delotet::delaunay::Delaunay;
-use delotet::predicates::Points;
+use delotet::internals::Delaunay;
+use delotet::internals::Points;
+use delotet::internals::{insertion_order, Order};
 use std::io::{BufRead, Read};
 use std::time::Instant;
 

@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 bench=${DELAUNAY_BENCH:-}
 if [ -z "$bench" ]; then
-    bench=$(cd "$root" && cargo bench --no-run --bench delaunay --message-format=json |
+    bench=$(cd "$root" && cargo bench --no-run --features internals --bench delaunay --message-format=json |
         sed -n 's/.*"executable":"\([^"]*delaunay[^"]*\)".*/\1/p' | tail -1)
 fi
 : >"$work/counts"
@@ -37,7 +37,7 @@ for model in "surface 5000 cdt" "chazelle 12 cdt" "chazelle 4 preserve"; do
     mode=${model##* }
     kind=${model%% *}
     python3 "$root/capi-tests/data/generate.py" ${model% *} "$work/$kind.off" >/dev/null
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="delotet::tetrahedralize::tetrahedralize" \
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="delotet::plan::tetrahedralize" \
         "$program" mesh "$work/$kind.off" --mode "$mode" -o "$work/$kind.ele" --quiet 2>"$work/log" >/dev/null
     echo "$kind $mode $(sed -n 's/.*Collected : *\([0-9]*\).*/\1/p' "$work/log")" >>"$work/counts"
 done

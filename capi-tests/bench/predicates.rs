@@ -1,7 +1,7 @@
 //! Nanoseconds per call of the predicates, on the inputs that matter: random, gridded, decimal and implicit points.
 //!
-//! Run with `cargo run --release --example predicate_times`.
-use delotet::predicates::{Points, Sign};
+//! Run with `cargo run --release --features internals --example predicate_times`.
+use delotet::internals::{Points, Sign};
 use std::time::Instant;
 
 /// A small generator (xorshift), so that the figures repeat.

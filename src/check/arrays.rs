@@ -1,7 +1,7 @@
 //! Array shapes and index ranges. A mesh from a file may contain anything: all later checks rely on this one, and do not run if it finds a
 //! defect.
-use super::geometry::parameters;
-use super::report::Report;
+use crate::check::geometry::parameters;
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element};
 use crate::output::TetMesh;
 use crate::plc::Plc;

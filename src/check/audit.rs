@@ -2,9 +2,9 @@
 //!
 //! Input points bit for bit; every tetrahedron strictly positive, in exact arithmetic on the output doubles; neighbours mutual, sharing
 //! three vertices; subfaces on the tetrahedra they name. That the mesh is constrained Delaunay and covers the facets follows from the
-//! algorithm; [`check_mesh`](super::check_mesh) proves it independently. The guarantees of mode preserve are audited in
-//! [`promise`](super::promise).
-use super::report::Report;
+//! algorithm; [`check_mesh`](crate::check::check_mesh) proves it independently. The guarantees of mode preserve are audited in
+//! [`promise`](crate::check::promise).
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error, Status};
 use crate::output::TetMesh;
 use crate::plc::Plc;

@@ -1,7 +1,7 @@
 //! The boundary of the mesh: faces of only one tetrahedron lie on facets; if the hull was kept, the others form a convex boundary.
-use super::context::Context;
-use super::faces::{face_corners, FACE};
-use super::report::Report;
+use crate::check::context::Context;
+use crate::check::faces::{face_corners, FACE};
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element};
 use crate::predicates::Sign;
 use crate::INVALID;

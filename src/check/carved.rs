@@ -3,7 +3,7 @@
 //! They are listed separately from the others (together, they tile their facets), since they are not faces and edges of the mesh. Whether a
 //! piece is outside is tested where it begins: pieces of a valid PLC do not cross the facets that bound the mesh, so a piece that starts
 //! outside is entirely outside. This holds at a corner that is no vertex of the mesh (the point check covers that corner).
-use super::context::Context;
+use crate::check::context::Context;
 use crate::error::Error;
 use crate::output::Subface;
 use crate::predicates::Sign;

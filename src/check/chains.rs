@@ -4,7 +4,7 @@
 //! it. The former are looked up in order. If two consecutive ones are not joined by a mesh edge, the chain is walked in the mesh: from a
 //! vertex on the input edge to the nearest neighbour on it. There is at most one if tetrahedra are positive at the exact positions; a
 //! replaced tetrahedron need not be, and may have an edge that skips a point.
-use super::context::Context;
+use crate::check::context::Context;
 use crate::error::Error;
 
 /// The Steiner points of every input edge, ordered along it.

@@ -1,7 +1,7 @@
 //! Data shared by all checks: the mesh, its exact coordinates, its faces and stars, and the representatives of equal points.
-use super::carved::carved_edges;
-use super::faces::{FaceTable, Stars};
-use super::geometry::Geometry;
+use crate::check::carved::carved_edges;
+use crate::check::faces::{FaceTable, Stars};
+use crate::check::geometry::Geometry;
 use crate::error::Error;
 use crate::output::{Subface, Subsegment, TetMesh};
 use crate::plc::Plc;

@@ -4,10 +4,10 @@
 //! edges used once are exactly the boundary (modulo 2) of the union of the input polygons, then the number of subfaces over a point of the
 //! plane changes by one at that boundary and nowhere else, and is 0 far away. So it is even outside the union and odd inside. Distinct
 //! faces of a valid complex do not overlap, so it is 0 and 1.
-use super::chains::Chains;
-use super::context::Context;
-use super::facets::{Facet, Piece};
-use super::report::Report;
+use crate::check::chains::Chains;
+use crate::check::context::Context;
+use crate::check::facets::{Facet, Piece};
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::fallible;
 use crate::predicates::Sign;

@@ -5,8 +5,8 @@
 //!
 //! By the constrained Delaunay lemma (Shewchuk 2008, "General-dimensional constrained Delaunay and constrained regular triangulations",
 //! section 3) this local property of all faces is the global one.
-use super::context::Context;
-use super::report::Report;
+use crate::check::context::Context;
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element};
 use crate::predicates::Sign;
 use crate::INVALID;

@@ -2,10 +2,10 @@
 //!
 //! A mesher may retriangulate facets across their common edges if they are exactly coplanar and have equal markers. So coverage is checked
 //! for such a *group*, not for single facets. Non-planar facets join a group only if the mesh has not kept their common edge.
-use super::chains::Chains;
-use super::context::Context;
-use super::overlaps;
-use super::report::Report;
+use crate::check::chains::Chains;
+use crate::check::context::Context;
+use crate::check::overlaps;
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::fallible;
 use crate::plc::Interior;

@@ -5,7 +5,8 @@
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::output::TetMesh;
 use crate::plc::Plc;
-use crate::predicates::{self, Expansion, Points, Sign};
+use crate::predicates;
+use crate::predicates::{Expansion, Points, Sign};
 use std::cmp::Ordering;
 
 /// Coordinates of all vertices of the mesh.

@@ -2,8 +2,8 @@
 //! (Both, since conformity and the Delaunay property concern the exact mesh, while the caller computes with the doubles. Tetrahedra
 //! replaced by rounding are positive only in doubles. In the exact form, tetrahedra at points without a valid position in doubles are
 //! positive only at exact positions.)
-use super::context::Context;
-use super::report::Report;
+use crate::check::context::Context;
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element};
 use crate::predicates::Sign;
 

@@ -1,5 +1,5 @@
 //! Splits input edges that overlap along a line without being equal (T-junctions inside a plane) at each other's ends.
-use super::context::Context;
+use crate::check::context::Context;
 use crate::error::Error;
 
 /// For each edge its ends and the ends of other edges strictly inside it, ordered along it.

@@ -1,7 +1,7 @@
 //! Points: the input points come first, bit for bit; equal ones are mapped to the first of them; each is a vertex of the mesh unless it
 //! lies outside; each Steiner point is a vertex, and those marked exact are at their exact positions.
-use super::context::Context;
-use super::report::Report;
+use crate::check::context::Context;
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::predicates::Sign;
 

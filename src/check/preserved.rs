@@ -8,11 +8,11 @@
 //!
 //! For the outer boundary the converse is checked: every face there has input points as corners and is a triangle of the input. Since the
 //! faces tile the facets, no triangle of the outer boundary can then be missing.
-use super::carved::is_carved;
-use super::context::Context;
-use super::faces::sorted;
-use super::facets::flipped_triangles;
-use super::report::Report;
+use crate::check::carved::is_carved;
+use crate::check::context::Context;
+use crate::check::faces::sorted;
+use crate::check::facets::flipped_triangles;
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::predicates::Sign;
 

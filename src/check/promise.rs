@@ -4,7 +4,7 @@
 //! What is promised is recorded before anything is removed from the surface, without the carved parts. That listed pieces of facets are
 //! faces of the tetrahedra they name has been audited before. So triangles are looked up in a sorted list of these pieces: the cost depends
 //! on the size of the surface, not of the mesh.
-use super::report::Report;
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::output::TetMesh;
 

@@ -1,8 +1,8 @@
 //! Segments: each input segment is a chain of mesh edges, and the listed subsegments are exactly the pieces of segments (and of facet
 //! edges) that they claim to be.
-use super::chains::Chains;
-use super::context::Context;
-use super::report::Report;
+use crate::check::chains::Chains;
+use crate::check::context::Context;
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::INVALID;
 

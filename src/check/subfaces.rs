@@ -1,9 +1,9 @@
 //! Subfaces: each is a face of the mesh, listed once, with the marker of its facet and the correct tetrahedra on both sides, in the correct
 //! order.
-use super::carved::is_carved;
-use super::context::Context;
-use super::faces::{face_corners, sorted};
-use super::report::Report;
+use crate::check::carved::is_carved;
+use crate::check::context::Context;
+use crate::check::faces::{face_corners, sorted};
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::output::{Region, Subface};
 use crate::INVALID;

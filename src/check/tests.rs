@@ -1,5 +1,5 @@
 //! Hand-made meshes, all valid; then each kind of defect, made by one change to a valid mesh, must be found.
-use super::{check_mesh, check_preserved, check_preserved_outer};
+use crate::check::{check_mesh, check_preserved, check_preserved_outer};
 use crate::error::{DefectKind, Error, Status};
 use crate::output::{Guarantee, Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plc::{Facet, Plc, Segment};

@@ -1,8 +1,8 @@
 //! Topology: the tetrahedra form a complex. Each face belongs to at most two, which lie on opposite sides of it; the listed neighbours are
 //! these; regions change only at subfaces.
-use super::context::Context;
-use super::faces::{face_corners, sorted, Entry};
-use super::report::Report;
+use crate::check::context::Context;
+use crate::check::faces::{face_corners, sorted, Entry};
+use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
 use crate::output::TetMesh;
 use crate::INVALID;

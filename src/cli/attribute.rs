@@ -3,7 +3,7 @@
 //! A `.parents` file names them, so only the sides remain to be found. Without it they are found only for meshes without Steiner points on
 //! the surface, where the corners of a face are corners of its facet. (The checker does not judge the facets of other meshes, since it
 //! cannot know where such points lie.)
-use delotet::predicates::{orient3d, Sign};
+use delotet::query::are_coplanar;
 use delotet::{Error, Plc, Region, Status, Subface, TetMesh, INVALID};
 use std::collections::{HashMap, HashSet};
 
@@ -135,7 +135,7 @@ fn ordered(face: Subface, attributes: &[f64]) -> Subface {
 /// Whether all corners of a facet lie exactly in the plane of three points.
 fn is_in_plane(plc: &Plc, facet: u32, corners: [u32; 3]) -> bool {
     let [a, b, c] = corners.map(|v| &plc.points[v as usize]);
-    let flat = |v: &u32| plc.points.get(*v as usize).is_some_and(|p| orient3d(a, b, c, p) == Sign::Zero);
+    let flat = |v: &u32| plc.points.get(*v as usize).is_some_and(|p| are_coplanar([a, b, c, p]));
     match (facet as usize).checked_sub(plc.triangles.len()) {
         None => plc.triangles[facet as usize].iter().all(flat),
         Some(general) => plc.facets[general].polygons.iter().flatten().all(flat),

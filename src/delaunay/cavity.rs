@@ -8,14 +8,14 @@
 //! New tetrahedra reuse the slots of the dead ones, which are in the processor's caches. Not so with `CONSTRAINED`, where the subsegment
 //! flags of dead tetrahedra are carried over: a flagged edge either lies on the boundary of the cavity, where new tetrahedra inherit the
 //! flag, or is lost and reported in `lost_edges`.
-use super::conflicts::{ghost_in_conflict, Conflicts};
-use super::edge_table::EdgeTable;
-use super::Delaunay;
+use crate::delaunay::conflicts::Conflicts;
+use crate::delaunay::edge_table::EdgeTable;
+use crate::delaunay::Delaunay;
 use crate::error::Error;
-use crate::mesh::slots::Slots;
-use crate::mesh::tables::{EDGE, EDGE_OF};
-use crate::mesh::{flag, GHOST, NONE};
-use crate::predicates::{Points, Sign};
+use crate::kernel::slots::Slots;
+use crate::kernel::tables::{EDGE, EDGE_OF};
+use crate::kernel::{flag, GHOST};
+use crate::predicates::Points;
 
 /// Boundary vertices that the table can number: a power of two.
 const LOCAL: u32 = 32;
@@ -179,17 +179,6 @@ impl Cavity {
 }
 
 impl Delaunay {
-    /// Whether the (perturbed) circumsphere of `t` contains `p`; for a ghost, whether its hull face sees `p`, or `p` lies in the plane of
-    /// the hull face and inside the circumsphere of the finite tetrahedron behind it.
-    #[inline(always)]
-    pub fn in_conflict(&self, points: &Points, t: u32, p: u32) -> bool {
-        let v = &self.mesh.verts[t as usize];
-        if v[3] != GHOST {
-            return points.insphere_perturbed(v[0], v[1], v[2], v[3], p) == Sign::Positive;
-        }
-        ghost_in_conflict(&self.mesh.slots(), points, t, p)
-    }
-
     /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`.
     pub fn insert_at<const CONSTRAINED: bool>(
         &mut self,
@@ -262,11 +251,6 @@ impl Delaunay {
         let v = self.mesh.verts.get((code >> 2) as usize)?;
         let [x, y] = HALF_EDGE[(code & 3) as usize];
         (v[0] == p && v[x as usize] == a && v[y as usize] == b).then_some(code)
-    }
-
-    /// A new tetrahedron of the last insertion with vertex `v`, or NONE.
-    pub fn fresh_with(&self, v: u32) -> u32 {
-        self.cavity.fresh.iter().copied().find(|&t| self.mesh.verts[t as usize].contains(&v)).unwrap_or(NONE)
     }
 }
 

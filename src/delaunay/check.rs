@@ -1,6 +1,8 @@
 //! Checks that a mesh is a perturbed Delaunay tetrahedralization.
-use super::Delaunay;
-use crate::mesh::check::check_topology;
+use crate::delaunay::conflicts::ghost_in_conflict;
+use crate::delaunay::Delaunay;
+use crate::kernel::check::check_topology;
+use crate::kernel::GHOST;
 use crate::predicates::{Points, Sign};
 
 /// Checks topology, orientation, and that every face is locally Delaunay, including those of ghosts (which makes the hull convex). The
@@ -18,10 +20,22 @@ pub fn check_delaunay(delaunay: &Delaunay, points: &Points) -> Result<(), String
         }
         for f in 0..4 {
             let apex = mesh.apex(mesh.across(4 * t + f));
-            if apex != crate::mesh::GHOST && delaunay.in_conflict(points, t, apex) {
+            if apex != GHOST && delaunay.in_conflict(points, t, apex) {
                 return Err(format!("vertex {apex} is in conflict with tetrahedron {t} {v:?}"));
             }
         }
     }
     Ok(())
+}
+
+impl Delaunay {
+    /// Whether the (perturbed) circumsphere of `t` contains `p`; for a ghost, whether its hull face sees `p`, or `p` lies in the plane of
+    /// the hull face and inside the circumsphere of the finite tetrahedron behind it.
+    fn in_conflict(&self, points: &Points, t: u32, p: u32) -> bool {
+        let v = &self.mesh.verts[t as usize];
+        if v[3] != GHOST {
+            return points.insphere_perturbed(v[0], v[1], v[2], v[3], p) == Sign::Positive;
+        }
+        ghost_in_conflict(&self.mesh.slots(), points, t, p)
+    }
 }

@@ -5,12 +5,12 @@
 //! of this list depends on the outcome: the processor mispredicts branches only at the ends of loops. No tetrahedron is tested twice,
 //! although most share several faces with the region.
 use crate::error::Error;
-use crate::mesh::slots::Slots;
-use crate::mesh::{flag, GHOST};
+use crate::kernel::slots::Slots;
+use crate::kernel::{flag, GHOST};
 use crate::predicates::{Points, Sign};
 use std::hint::black_box;
 
-/// The vertices of each face, oriented as in [`FACE`](crate::mesh::tables::FACE), with slot 3, the ghost's, last.
+/// The vertices of each face, oriented as in [`FACE`](crate::kernel::tables::FACE), with slot 3, the ghost's, last.
 const GHOST_LAST: [[usize; 3]; 4] = [[1, 2, 3], [2, 0, 3], [0, 1, 3], [0, 2, 1]];
 
 /// The result of the last [`collect`](Conflicts::collect).

@@ -1,9 +1,9 @@
 //! Point location by a visibility walk (Devillers, Pion & Teillaud 2002): from tetrahedron to tetrahedron through a face
 //! that separates it from the target. In a Delaunay tetrahedralization the walk cannot cycle (Edelsbrunner 1990).
-use super::Delaunay;
+use crate::delaunay::Delaunay;
 use crate::error::Error;
-use crate::mesh::slots::Slots;
-use crate::mesh::{flag, GHOST};
+use crate::kernel::slots::Slots;
+use crate::kernel::{flag, GHOST};
 use crate::predicates::{Glance, Points, Sign};
 
 /// Where a walk ended.

@@ -6,6 +6,7 @@
 //! Invariant between insertions: `mesh` is the perturbed Delaunay tetrahedralization of the inserted vertices, closed by
 //! ghosts.
 pub mod cavity;
+#[cfg(test)]
 pub mod check;
 mod conflicts;
 mod edge_table;
@@ -17,7 +18,7 @@ mod workers;
 
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
+use crate::kernel::{flag, Tetrahedra, GHOST, NONE};
 use crate::predicates::{Points, Sign};
 use cavity::Cavity;
 use locate::{walk, Walk};
@@ -52,6 +53,7 @@ pub struct Delaunay {
 }
 
 /// A round of insertions by ranges.
+#[cfg_attr(not(any(test, feature = "internals")), expect(dead_code, reason = "for tests"))]
 #[derive(Clone, Debug, Default)]
 pub struct Round {
     /// Vertices inserted in it.
@@ -114,12 +116,6 @@ impl Delaunay {
         let f = (0..3).find(|&i| !b.contains(&a[i])).unwrap_or(0) as u32;
         let k = (0..3).find(|&i| !a.contains(&b[i])).unwrap_or(0) as u32;
         self.mesh.link(4 * g + f, 4 * h + k);
-    }
-
-    /// Inserts one vertex, distinct from all present ones.
-    pub fn insert(&mut self, points: &Points, p: u32) -> Result<(), Error> {
-        self.insert_from(points, p, self.hint)?;
-        Ok(())
     }
 
     /// Inserts one vertex by a walk from a tetrahedron; returns the number of steps.

@@ -36,15 +36,15 @@
 //! So 8 threads need 10^7 points and 16 a few 10^7; 64 ranges, by the law above fitted to the rows of 8, defer 7 % in the first pass at
 //! 8·10^7 points. Ordering and division are sequential; each pass visits all tetrahedra once, in parallel.
 #![allow(unsafe_code)]
-use super::cavity::Cavity;
-use super::locate::{walk, Walk};
-use super::ranges::{Division, FEWEST};
-use super::workers::together;
-use super::Delaunay;
+use crate::delaunay::cavity::Cavity;
+use crate::delaunay::locate::{walk, Walk};
+use crate::delaunay::ranges::{Division, FEWEST};
+use crate::delaunay::workers::together;
+use crate::delaunay::Delaunay;
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::mesh::slots::Slots;
-use crate::mesh::{flag, Tetrahedra, NONE};
+use crate::kernel::slots::Slots;
+use crate::kernel::{flag, Tetrahedra, NONE};
 use crate::predicates::Points;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

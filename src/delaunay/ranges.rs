@@ -5,10 +5,10 @@
 //! all remaining vertices are) only in lines.
 //!
 //! Neither depends on the number of threads.
-use super::order::{curve_indices, Frame};
+use crate::delaunay::order::{curve_indices, Frame};
 use crate::error::Error;
 use crate::fallible;
-use crate::mesh::flag;
+use crate::kernel::flag;
 use crate::predicates::Points;
 
 /// The fewest tetrahedra of a section that is worth a thread.

@@ -1,7 +1,7 @@
 //! The Delaunay invariants on random and degenerate point sets.
-use super::check::check_delaunay;
-use super::order::insertion_order;
-use super::{Delaunay, HELPERS_STARTED};
+use crate::delaunay::check::check_delaunay;
+use crate::delaunay::order::insertion_order;
+use crate::delaunay::{Delaunay, HELPERS_STARTED};
 use crate::predicates::Points;
 
 /// Deterministic numbers in [0, 1).

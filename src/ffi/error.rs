@@ -1,8 +1,8 @@
 //! Owned error objects that list all defects.
-use super::guard::{boxed, free, read};
-use super::status::{DelotetDefectKind, DelotetElement, DelotetStatus};
-use super::view::records;
 use crate::error::{Defect, Error};
+use crate::ffi::guard::{boxed, free, read};
+use crate::ffi::status::{DelotetDefectKind, DelotetElement, DelotetStatus};
+use crate::ffi::view::records;
 use libc::c_char;
 use std::collections::TryReserveError;
 

@@ -1,10 +1,10 @@
 //! Reading and writing files.
-use super::error::DelotetError;
-use super::guard::{get, guard, null, Out};
-use super::mesh::DelotetMesh;
-use super::plc::DelotetPlc;
-use super::status::DelotetStatus;
 use crate::error::Error;
+use crate::ffi::error::DelotetError;
+use crate::ffi::guard::{get, guard, null, Out};
+use crate::ffi::mesh::DelotetMesh;
+use crate::ffi::plc::DelotetPlc;
+use crate::ffi::status::DelotetStatus;
 use crate::options::WriteOptions;
 use crate::progress::Silent;
 use libc::c_char;

@@ -1,7 +1,7 @@
 //! The boundary between C and Rust: no panic crosses it, no null pointer gets in.
-use super::error::DelotetError;
-use super::status::DelotetStatus;
 use crate::error::{Error, Message, Status};
+use crate::ffi::error::DelotetError;
+use crate::ffi::status::DelotetStatus;
 use crate::panics::catch_silently;
 use std::alloc::Layout;
 

@@ -1,15 +1,15 @@
 //! The result: views of the arrays that the engine made. Derived arrays are in `query`.
-use super::error::DelotetError;
-use super::guard::{free, get, guard, invalid, null, read};
-use super::plc::DelotetPlc;
-use super::status::DelotetStatus;
-use super::view::*;
-use super::warning::DelotetWarning;
 use crate::error::Error;
-use crate::mesh_query::{Edges, Faces, Locator, PointData};
+use crate::ffi::error::DelotetError;
+use crate::ffi::guard::{free, get, guard, invalid, null, read};
+use crate::ffi::plc::DelotetPlc;
+use crate::ffi::status::DelotetStatus;
+use crate::ffi::view::*;
+use crate::ffi::warning::DelotetWarning;
 use crate::output::TetMesh;
 use crate::plc::Plc;
 use crate::progress::Phase;
+use crate::query::{Edges, Faces, Locator, PointData};
 use std::sync::OnceLock;
 
 /// A tetrahedral mesh: immutable, so any number of threads may read it.

@@ -1,8 +1,8 @@
 //! The options, with setters that validate at once, and the callbacks.
-use super::error::{c_text, DelotetError};
-use super::guard::{free, get_mut, guard, invalid, make};
-use super::status::{DelotetPhase, DelotetStatus};
 use crate::error::Error;
+use crate::ffi::error::{c_text, DelotetError};
+use crate::ffi::guard::{free, get_mut, guard, invalid, make};
+use crate::ffi::status::{DelotetPhase, DelotetStatus};
 use crate::options::{Mode, Options, Preserve};
 use crate::progress::{Observer, Phase};
 use libc::{c_char, c_void};

@@ -1,12 +1,12 @@
 //! The input: a PLC built by calls. Arrays are copied.
-use super::error::DelotetError;
-use super::guard::{free, get, get_mut, guard, invalid, set, Out};
-use super::options::{settings, DelotetOptions};
-use super::plc_edit::times;
-use super::slice::{array, optional};
-use super::status::DelotetStatus;
-use super::view::DelotetRegionSeed;
 use crate::error::Error;
+use crate::ffi::error::DelotetError;
+use crate::ffi::guard::{free, get, get_mut, guard, invalid, set, Out};
+use crate::ffi::options::{settings, DelotetOptions};
+use crate::ffi::plc_edit::times;
+use crate::ffi::slice::{array, optional};
+use crate::ffi::status::DelotetStatus;
+use crate::ffi::view::DelotetRegionSeed;
 use crate::plc::{copied, Facet, Interior, Plc, RegionSeed};
 use libc::c_char;
 use std::ffi::{CStr, CString};

@@ -1,8 +1,8 @@
 //! Building and changing a PLC: the safe code behind the functions of `plc`. A call that fails changes nothing.
-use super::guard::invalid;
-use super::plc::DelotetPlc;
-use super::view::DelotetRegionSeed;
 use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
+use crate::ffi::guard::invalid;
+use crate::ffi::plc::DelotetPlc;
+use crate::ffi::view::DelotetRegionSeed;
 use crate::plc::{name_line, Facet, Plc, RegionSeed, Segment};
 use crate::INVALID;
 use std::ffi::CString;

@@ -1,7 +1,7 @@
 //! Reading the input back: views of the contents of a PLC.
-use super::guard::read;
-use super::plc::DelotetPlc;
-use super::view::*;
+use crate::ffi::guard::read;
+use crate::ffi::plc::DelotetPlc;
+use crate::ffi::view::*;
 use crate::plc::{Facet, Interior, Plc};
 use libc::c_char;
 

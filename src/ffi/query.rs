@@ -1,13 +1,13 @@
 //! Data derived from a mesh: faces, edges, second-order nodes, point location. Computed on first use and kept with the mesh; two threads
 //! that ask at the same time may both compute it, and one result is kept.
-use super::error::DelotetError;
-use super::guard::{get, guard, invalid, set};
-use super::mesh::DelotetMesh;
-use super::slice::{array, array_mut};
-use super::status::DelotetStatus;
-use super::view::*;
 use crate::error::Error;
-use crate::mesh_query::{second_order, Edges, Faces, Locator, NodeOrder};
+use crate::ffi::error::DelotetError;
+use crate::ffi::guard::{get, guard, invalid, set};
+use crate::ffi::mesh::DelotetMesh;
+use crate::ffi::slice::{array, array_mut};
+use crate::ffi::status::DelotetStatus;
+use crate::ffi::view::*;
+use crate::query::{second_order, Edges, Faces, Locator, NodeOrder};
 use std::sync::OnceLock;
 
 /// In which order the six mid-edge nodes follow the four corners of a tetrahedron: one of the DELOTET_NODE_ORDER_ constants.
@@ -69,7 +69,7 @@ pub unsafe extern "C" fn delotet_mesh_tet_attributes(
     unsafe {
         guard(out_error, || {
             let mesh = get(mesh, "mesh")?;
-            let list = kept(&mesh.derived.tet_attributes, || crate::mesh_query::tet_attributes(&mesh.mesh))?;
+            let list = kept(&mesh.derived.tet_attributes, || crate::query::tet_attributes(&mesh.mesh))?;
             set(out_view, DelotetDoublesView::new(list, 1), "out_view")
         })
     }
@@ -88,7 +88,7 @@ pub unsafe extern "C" fn delotet_mesh_point_tets(
     unsafe {
         guard(out_error, || {
             let mesh = get(mesh, "mesh")?;
-            let list = kept(&mesh.derived.point_tets, || crate::mesh_query::point_tets(&mesh.mesh))?;
+            let list = kept(&mesh.derived.point_tets, || crate::query::point_tets(&mesh.mesh))?;
             set(out_view, DelotetIndicesView::new(list), "out_view")
         })
     }

@@ -1,11 +1,11 @@
 //! The function that makes a mesh.
-use super::error::DelotetError;
-use super::guard::{get, guard, Out};
-use super::mesh::DelotetMesh;
-use super::options::{settings, DelotetOptions};
-use super::plc::DelotetPlc;
-use super::status::DelotetStatus;
-use crate::mesh_query::PointData;
+use crate::ffi::error::DelotetError;
+use crate::ffi::guard::{get, guard, Out};
+use crate::ffi::mesh::DelotetMesh;
+use crate::ffi::options::{settings, DelotetOptions};
+use crate::ffi::plc::DelotetPlc;
+use crate::ffi::status::DelotetStatus;
+use crate::query::PointData;
 
 /// Makes the mesh of a PLC.
 /// `options`: NULL for the defaults. `out_mesh`: the mesh, owned by the caller; free it with delotet_mesh_free(). NULL on failure. It does
@@ -27,7 +27,7 @@ pub unsafe extern "C" fn delotet_tetrahedralize(
             let out = Out::new(out_mesh, "out_mesh")?;
             let plc = &get(plc, "plc")?.plc;
             let (options, mut callbacks) = settings(options);
-            let mesh = crate::tetrahedralize::tetrahedralize(plc, &options, &mut callbacks)?;
+            let mesh = crate::plan::tetrahedralize(plc, &options, &mut callbacks)?;
             let data = PointData::new(plc, &mesh)?;
             out.put(DelotetMesh::new(mesh, data)?)
         })

@@ -1,6 +1,6 @@
 //! Arrays from C. (NULL, 0) is the empty array, for which `from_raw_parts` would be undefined behaviour.
-use super::guard::{invalid, null};
 use crate::error::Error;
+use crate::ffi::guard::{invalid, null};
 
 /// The `count` elements at `pointer`. Fails if the pointer is null (and `count` is not 0) or misaligned, or the array exceeds the address
 /// space.

@@ -1,13 +1,13 @@
 //! Tests of what C tests cannot reach: panics inside the guard, misaligned arrays, handles made from hand-built meshes.
-use super::error::*;
-use super::guard::guard;
-use super::mesh::*;
-use super::query::*;
-use super::slice::{array, optional};
-use super::status::DelotetStatus;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
-use crate::mesh_query::tests::grid;
-use crate::mesh_query::PointData;
+use crate::ffi::error::*;
+use crate::ffi::guard::guard;
+use crate::ffi::mesh::*;
+use crate::ffi::query::*;
+use crate::ffi::slice::{array, optional};
+use crate::ffi::status::DelotetStatus;
+use crate::query::tests::grid;
+use crate::query::PointData;
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 

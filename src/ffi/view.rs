@@ -1,9 +1,9 @@
 //! Arrays as C sees them. Plain arrays: pointer and count. Records: pointer, count and stride (the bytes from one record to the next), so
 //! that fields can be appended to records without breaking compiled programs. The views themselves are passed by value and therefore
 //! frozen. Records have the layout of the Rust types behind them, which is asserted here.
-use crate::mesh_query::{Edge, Face};
 use crate::output::{FacetFlip, SteinerPoint, SteinerTerm, Subface, Subsegment};
 use crate::plc::{RegionSeed, Segment};
+use crate::query::{Edge, Face};
 use std::mem::offset_of;
 
 /// The index that means "none": no neighbour, no parent, not found. Valid indices are smaller. (`delotet.h.in` defines it for C,

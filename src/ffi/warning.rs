@@ -1,8 +1,8 @@
 //! Warnings: what a caller should know about a mesh that is valid nonetheless.
-use super::guard::read;
-use super::mesh::DelotetMesh;
-use super::status::{DelotetElement, DelotetWarningKind};
-use super::view::records;
+use crate::ffi::guard::read;
+use crate::ffi::mesh::DelotetMesh;
+use crate::ffi::status::{DelotetElement, DelotetWarningKind};
+use crate::ffi::view::records;
 use crate::warning::{Warning, WarningKind};
 
 /// One warning: kind, the one or two elements involved, and a point that locates it.

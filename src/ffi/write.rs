@@ -1,12 +1,12 @@
 //! Writing meshes: the options, with setters that validate at once, and the call itself.
-use super::error::DelotetError;
-use super::file::path_of;
-use super::guard::{free, get, get_mut, guard, invalid, make, read};
-use super::mesh::DelotetMesh;
-use super::options::{Callbacks, DelotetLogFn};
-use super::plc::DelotetPlc;
-use super::status::DelotetStatus;
 use crate::error::Error;
+use crate::ffi::error::DelotetError;
+use crate::ffi::file::path_of;
+use crate::ffi::guard::{free, get, get_mut, guard, invalid, make, read};
+use crate::ffi::mesh::DelotetMesh;
+use crate::ffi::options::{Callbacks, DelotetLogFn};
+use crate::ffi::plc::DelotetPlc;
+use crate::ffi::status::DelotetStatus;
 use crate::options::{MshVersion, WriteOptions};
 use libc::{c_char, c_void};
 use std::ffi::{CStr, CString};

@@ -4,12 +4,12 @@
 //! Node and element numbers are ours plus one. Sets: `ALL` of nodes and of elements; one of elements per region; per facet marker
 //! one of nodes and a surface; per segment marker one of nodes. Their names are those of regions and markers where they have
 //! one, else `REGION_K`, `MARKER_K`, `SEGMENT_K` (`MINUS_K` for negative markers).
-use super::model::{lose, Model};
-use super::output_files::Out;
-use super::tags::{Group, Groups};
 use crate::error::{Element, Error};
 use crate::fallible;
-use crate::mesh_query::NodeOrder;
+use crate::io::model::{lose, Model};
+use crate::io::output_files::Out;
+use crate::io::tags::{Group, Groups};
+use crate::query::NodeOrder;
 use crate::warning::Warnings;
 use std::fmt::{self, Write};
 use std::io;

@@ -1,10 +1,10 @@
 //! MEDIT's `.mesh`, in text. Source: Pascal Frey, MEDIT: an interactive mesh visualization software (INRIA RT-0253), chapter 4.
 //!
 //! References: point and facet markers as they are; regions by their tags (see `tags`).
-use super::model::Model;
-use super::output_files::Out;
-use super::tags;
-use crate::mesh_query::NodeOrder;
+use crate::io::model::Model;
+use crate::io::output_files::Out;
+use crate::io::tags;
+use crate::query::NodeOrder;
 use std::io;
 
 /// Integers that stand for what the mesh has.

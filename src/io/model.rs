@@ -1,9 +1,9 @@
 //! What the writers of all mesh formats share: nodes of either order with their data, and what a format may lose.
-use super::WriteOptions;
 use crate::error::{Element, Error, Status};
-use crate::mesh_query::{Edges, NodeOrder, PointData};
+use crate::io::WriteOptions;
 use crate::output::TetMesh;
 use crate::plc::Plc;
+use crate::query::{Edges, NodeOrder, PointData};
 use crate::warning::{Warning, WarningKind, Warnings};
 use crate::INVALID;
 

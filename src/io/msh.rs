@@ -4,10 +4,10 @@
 //! One volume per region, one surface per facet marker, one curve per segment marker, each a physical group with tag and name of
 //! its own (see `tags`). Every entity is in a group, since readers require all or none. Version 2.2 numbers elementary entities by their
 //! place among those of their dimension, as 4.1 does.
-use super::model::{Model, Nodes};
-use super::output_files::Out;
-use super::tags::{Group, Groups};
-use crate::mesh_query::NodeOrder;
+use crate::io::model::{Model, Nodes};
+use crate::io::output_files::Out;
+use crate::io::tags::{Group, Groups};
+use crate::query::NodeOrder;
 use std::io;
 
 /// Entities of one dimension with Gmsh's number for their elements.

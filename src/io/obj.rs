@@ -4,10 +4,11 @@
 //! Faces and lines without group and material have marker 0. Each new pair of group and material gets the next number from 1 and its name;
 //! a group `marker_K NAME` has marker K, whatever its material. Texture coordinates, normals and display attributes are skipped, free-form
 //! curves and surfaces refused. Equal points are joined.
-use super::groups::{self, Groups, Single};
-use super::surface::{no_such_point, out_of_range, Surface};
-use super::text::{bad, int, shown, Line, Lines};
 use crate::error::{Element, Error, Status};
+use crate::io::groups;
+use crate::io::groups::{Groups, Single};
+use crate::io::surface::{no_such_point, out_of_range, Surface};
+use crate::io::text::{bad, int, shown, Line, Lines};
 use crate::plc::{Plc, Segment};
 use std::borrow::Cow;
 

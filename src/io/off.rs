@@ -4,10 +4,10 @@
 //! skipped. What follows the corners of a face is its colour: a single integer is an index into a colour map and becomes the marker;
 //! colours of three or four numbers are numbered as groups, if there is more than one; anything else is skipped. Homogeneous (`4OFF`),
 //! n-dimensional (`nOFF`) and binary files are refused.
-use super::groups::{Groups, Single};
-use super::surface::{no_such_point, Surface};
-use super::text::{bad, float, int, shown, Line, Lines};
 use crate::error::{Error, Status};
+use crate::io::groups::{Groups, Single};
+use crate::io::surface::{no_such_point, Surface};
+use crate::io::text::{bad, float, int, shown, Line, Lines};
 use crate::plc::Plc;
 
 /// Reads a file. Points stay as they are, equal ones included.

@@ -11,9 +11,9 @@
 //! pieces then use the input's indices. At the end of the file come the number of old points and a line for each with its new index or -1,
 //! then the number of Steiner points left out, and for each a line with its coordinates and one as above.
 //! Doubles read back bit for bit.
-use super::output_files::Out;
-use super::text::{bad, float, Line, Lines};
 use crate::error::{Error, Status};
+use crate::io::output_files::Out;
+use crate::io::text::{bad, float, Line, Lines};
 use crate::output::{Dropped, FacetFlip, Guarantee, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::INVALID;
 use std::io;

@@ -4,11 +4,12 @@
 //! otherwise `material_index`, otherwise the colour `red`, `green`, `blue`, which numbers groups if there is more than one) and `edge`
 //! (`vertex1`, `vertex2`: segments). Everything else is skipped. A comment
 //! `marker K NAME` names a marker. Equal points are joined.
-use super::groups::{self, Groups, Single};
-use super::surface::Surface;
-use super::text::{bad, float, int, shown, Line, Lines};
 use crate::error::{Error, Status};
 use crate::fallible;
+use crate::io::groups;
+use crate::io::groups::{Groups, Single};
+use crate::io::surface::Surface;
+use crate::io::text::{bad, float, int, shown, Line, Lines};
 use crate::plc::{Plc, Segment};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

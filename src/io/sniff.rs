@@ -1,5 +1,5 @@
 //! Recognizes content that does not match a file's extension, for messages that say more than where reading stopped.
-use super::Format;
+use crate::io::Format;
 
 /// First bytes and what they belong to.
 const BEGINNINGS: &[(&[u8], &str)] = &[

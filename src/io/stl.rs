@@ -2,10 +2,10 @@
 //!
 //! A file is binary if its length is 84 + 50 n, with n the count at byte 80: text never satisfies this, and there are binary files that
 //! begin with "solid". Equal points are joined, since the format has no other way to express that triangles meet.
-use super::groups::{Groups, Single};
-use super::surface::Surface;
-use super::text::{bad, float, shown, Lines};
 use crate::error::{Error, Status};
+use crate::io::groups::{Groups, Single};
+use crate::io::surface::Surface;
+use crate::io::text::{bad, float, shown, Lines};
 use crate::plc::Plc;
 
 /// Reads a file of either kind. The triangles of the k-th solid of several have marker k, from 1, and the solid's name names

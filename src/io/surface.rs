@@ -1,7 +1,7 @@
 //! What the surface readers fill: points, polygons in file order, and the joining of equal points.
-use super::groups::{Groups, Single};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::fallible;
+use crate::io::groups::{Groups, Single};
 use crate::plc::{Facet, Interior, Plc, Segment};
 
 /// Points, polygons with markers, and segments, in file order.

@@ -2,9 +2,9 @@
 //!
 //! A group's tag is the attribute or marker itself if that is a positive integer, otherwise the lowest free positive one, since physical
 //! tags must be positive.
-use super::model::{lose, Model};
 use crate::error::{Element, Error};
 use crate::fallible;
+use crate::io::model::{lose, Model};
 use crate::output::TetMesh;
 use crate::warning::Warnings;
 use crate::INVALID;

@@ -4,12 +4,12 @@
 //! `#` starts a comment. Indices start at the first point's number, 0 or 1. The corners of a polygon may go on over
 //! several lines. A facet whose polygons all have fewer than three corners is no facet: two corners are a segment, one
 //! corner is a point that is there anyway.
-use super::surface::{no_such_point, out_of_range};
-use super::text::{bad, Line, Lines};
 use crate::error::{Element, Error, Status};
 use crate::fallible;
-use crate::mesh_query::NodeOrder;
+use crate::io::surface::{no_such_point, out_of_range};
+use crate::io::text::{bad, Line, Lines};
 use crate::plc::{Facet, Interior, Plc, RegionSeed, Segment};
+use crate::query::NodeOrder;
 
 /// What a `.node` section holds.
 #[derive(Default)]

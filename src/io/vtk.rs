@@ -2,11 +2,11 @@
 //!
 //! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers. Scalars do not state a
 //! number of components, since some readers turn scalars that do into columns.
-use super::model::Model;
-use super::output_files::Out;
-use super::quality::{corners, dihedrals};
-use super::tags::attribute_of;
-use crate::mesh_query::NodeOrder;
+use crate::io::model::Model;
+use crate::io::output_files::Out;
+use crate::io::quality::{corners, dihedrals};
+use crate::io::tags::attribute_of;
+use crate::query::NodeOrder;
 use std::io;
 
 /// VTK's numbers of a tetrahedral cell, linear and quadratic.

@@ -4,13 +4,13 @@
 //! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers and whether
 //! they are Steiner points. The second file's cells are the subfaces with `facet` and `marker`. Arrays of one component do not state that
 //! number, since some readers turn arrays that do into columns.
-use super::model::{Model, Nodes};
-use super::output_files::Out;
-use super::quality::{corners, dihedrals};
-use super::tags::attribute_of;
 use crate::error::Error;
 use crate::fallible;
-use crate::mesh_query::NodeOrder;
+use crate::io::model::{Model, Nodes};
+use crate::io::output_files::Out;
+use crate::io::quality::{corners, dihedrals};
+use crate::io::tags::attribute_of;
+use crate::query::NodeOrder;
 use crate::INVALID;
 use std::fmt;
 use std::io::{self, Write};

@@ -1,10 +1,12 @@
 //! Writing meshes to files: the options of each format, and its writer.
-use super::model::Model;
-use super::output_files::{self, OutputFiles};
-use super::tags::{self, Groups};
-use super::{inp, medit, msh, vtk, vtu, write_tetgen, Format};
 use crate::error::{Error, Status};
 use crate::fallible;
+use crate::io::model::Model;
+use crate::io::output_files;
+use crate::io::output_files::OutputFiles;
+use crate::io::tags;
+use crate::io::tags::Groups;
+use crate::io::{inp, medit, msh, vtk, vtu, write_tetgen, Format};
 use crate::options::{MshVersion, WriteOptions};
 use crate::output::TetMesh;
 use crate::plc::Plc;

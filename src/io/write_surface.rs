@@ -1,9 +1,9 @@
 //! Surface files: OFF, STL, OBJ, PLY and TetGen's `.node`, `.poly`, `.smesh`. What a format cannot express is an error, not dropped.
 //! Sources: see the readers of the formats.
-use super::output_files::{Out, OutputFiles};
-use super::{Format, WriteOptions};
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::fallible;
+use crate::io::output_files::{Out, OutputFiles};
+use crate::io::{Format, WriteOptions};
 use crate::plc::{Facet, Interior, Plc};
 use crate::warning::{Warning, WarningKind, Warnings};
 use std::io;

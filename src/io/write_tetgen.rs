@@ -1,12 +1,12 @@
 //! TetGen's output: `.node`, `.ele`, `.face`, `.edge`, `.neigh`, numbered from 0. Source: Hang Si, TetGen User's Manual,
 //! section 5 "File Formats". In second order (`-o2`) nodes in the middle of edges come last in `.node`; tetrahedra have ten,
 //! faces six, edges three nodes.
-use super::model::Model;
-use super::output_files::{with_extension, Out, OutputFiles};
-use super::parents;
-use super::tags::attribute_of;
 use crate::error::Error;
-use crate::mesh_query::NodeOrder;
+use crate::io::model::Model;
+use crate::io::output_files::{with_extension, Out, OutputFiles};
+use crate::io::parents;
+use crate::io::tags::attribute_of;
+use crate::query::NodeOrder;
 use crate::INVALID;
 use std::io;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Dropping the points that belong to no tetrahedron, and the way back, which a check against the input needs.
-use super::{SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::error::{Error, Status};
+use crate::output::{SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::INVALID;
 
 /// What was dropped with the points that belong to no tetrahedron

@@ -1,6 +1,6 @@
 //! Equal points: each is mapped to the first point equal to it, by sorting. `-0.0` equals `0.0`.
-use super::radix::sort_keyed;
 use crate::error::Error;
+use crate::plc::radix::sort_keyed;
 
 /// A key that sorts like the finite number itself; both zeros get the same key.
 #[inline]

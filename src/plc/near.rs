@@ -1,6 +1,6 @@
 //! The element of the surface nearest to a point: only for messages, in floating-point arithmetic.
-use super::surface::Surface;
 use crate::error::Element;
+use crate::plc::surface::Surface;
 use crate::vector::{cross, dot, sub};
 use crate::INVALID;
 

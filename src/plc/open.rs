@@ -3,8 +3,8 @@
 //! A triangle with an edge that no other triangle has bounds no volume: one can pass from one side to the other around that edge. Removing
 //! it may leave others open. If all triangles can be removed this way (a collapse, Whitehead 1939), nothing is enclosed. The converse does
 //! not hold, but surfaces without open edges that enclose nothing (Bing's house with two rooms) are curiosities.
-use super::surface::Surface;
 use crate::error::Error;
+use crate::plc::surface::Surface;
 use crate::predicates::scale;
 
 /// An edge of only one triangle.

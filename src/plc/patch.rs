@@ -4,9 +4,9 @@
 //! markers, exactly coplanar and on opposite sides of it, and nothing else requires the edge. Every other edge is a segment; those that
 //! only divide a polygon are recorded as its diagonals, since others would do as well.
 //! Edges are grouped by a counting sort on their smaller end, so the segments come out sorted.
-use super::polygon::project;
-use super::surface::Surface;
 use crate::error::{Error, Status};
+use crate::plc::polygon::project;
+use crate::plc::surface::Surface;
 use crate::predicates::{orient2d, orient3d, Sign};
 use crate::INVALID;
 

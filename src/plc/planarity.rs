@@ -1,5 +1,5 @@
 //! How far polygons are from planar, for warnings: they are triangulated anyway.
-use super::{Facet, Plc};
+use crate::plc::{Facet, Plc};
 use crate::vector::{cross, dot, sub};
 
 /// Corners farther out of plane than this fraction of the facet's extent are worth a warning: coordinates with four significant digits are

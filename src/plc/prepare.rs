@@ -1,21 +1,21 @@
 //! From PLC to surface: the steps in their order, and the collection of defects.
 //!
 //! Indices and coordinates come first, since nothing else can be examined while they are wrong; then equal points, each facet by itself,
-//! then (in [`split`](super::split) and [`patch`](super::patch)) what the facets share.
-use super::duplicates::first_equal;
-use super::intersect::{find_named_intersections, IntersectInput, Intersections, Names};
-use super::merge::net::net_flips;
-use super::merge::Merger;
-use super::open::{open_shells, OpenEdge};
-use super::patch::{connect, FixedEdge};
-use super::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
-use super::split::split;
-use super::surface::Surface;
-use super::{Facet, Interior, Plc};
+//! then (in [`split`](crate::plc::split) and [`patch`](crate::plc::patch)) what the facets share.
 use crate::elementary::quotient;
 use crate::error::{Defect, DefectKind, Element, Error, KindCounts, Message, Status};
 use crate::fallible;
 use crate::options::{Mode, Options};
+use crate::plc::duplicates::first_equal;
+use crate::plc::intersect::{find_named_intersections, IntersectInput, Intersections, Names};
+use crate::plc::merge::net::net_flips;
+use crate::plc::merge::Merger;
+use crate::plc::open::{open_shells, OpenEdge};
+use crate::plc::patch::{connect, FixedEdge};
+use crate::plc::polygon::{collinear, Fault, FaultKind, Role, Triangulator};
+use crate::plc::split::split;
+use crate::plc::surface::Surface;
+use crate::plc::{Facet, Interior, Plc};
 use crate::predicates::{far_from_most, range_scale, scale};
 use crate::progress::{report, Observer, Phase};
 use crate::warning::{Warning, WarningKind, Warnings};

@@ -3,12 +3,12 @@
 //! A triangle with vertices inside it or on its edges is retriangulated like a facet; all triangles at an edge see the same vertices on it,
 //! so they stay conforming. If a segment crosses the flat edge between two triangles, both are retriangulated as one region, without that
 //! edge.
-use super::intersect::Intersections;
-use super::patch::{are_flat, FixedEdge, Patches};
-use super::polygon::{project, Role, Triangulator};
-use super::surface::Surface;
-use super::Interior;
 use crate::error::Error;
+use crate::plc::intersect::Intersections;
+use crate::plc::patch::{are_flat, FixedEdge, Patches};
+use crate::plc::polygon::{project, Role, Triangulator};
+use crate::plc::surface::Surface;
+use crate::plc::Interior;
 use crate::predicates::{orient2d, Sign};
 
 /// A segment that crosses an edge that must stay: the index of the segment among the fixed edges, and a triangle at the edge.

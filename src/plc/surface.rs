@@ -1,4 +1,4 @@
-//! The PLC prepared for constrained Delaunay tetrahedralization, as [`prepare`](super::prepare::prepare) returns it.
+//! The PLC prepared for constrained Delaunay tetrahedralization, as [`prepare`](crate::plc::prepare::prepare) returns it.
 //!
 //! Invariants: the points are distinct up to `alias`; segments and triangles refer only to alias representatives; no vertex lies inside a
 //! segment, a triangle or an edge of a triangle.

@@ -1,9 +1,9 @@
 //! From PLC to surface.
-use super::prepare::{check, prepare};
-use super::surface::Surface;
-use super::{Facet, Interior, Plc, Segment};
 use crate::error::{DefectKind, Element, Error, Status};
 use crate::options::Options;
+use crate::plc::prepare::{check, prepare};
+use crate::plc::surface::Surface;
+use crate::plc::{Facet, Interior, Plc, Segment};
 use crate::progress::Silent;
 use crate::INVALID;
 

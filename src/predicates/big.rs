@@ -4,7 +4,8 @@
 //! Slow and simple on purpose: schoolbook arithmetic on 32-bit digits, lowest first, no leading zero digit, zero has no digits and is not
 //! negative.
 
-use super::{expansion::Expansion, range, Sign};
+use crate::predicates::expansion::Expansion;
+use crate::predicates::{range, Sign};
 use std::cmp::Ordering;
 
 #[derive(Clone, Debug)]

@@ -1,6 +1,7 @@
 //! The determinants in big integers: the last resort, for points that span too many bits for anything else.
 
-use super::{big::Big, Sign};
+use crate::predicates::big::Big;
+use crate::predicates::Sign;
 
 fn minus3(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
     [a[0].minus(&b[0]), a[1].minus(&b[1]), a[2].minus(&b[2])]

@@ -6,7 +6,7 @@
 //! are evaluated in integers (see `wide`). Source: Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
 //! Predicates*, 1997, sections 2.3 to 2.8.
 
-use super::Sign;
+use crate::predicates::Sign;
 
 /// `a + b` as rounded sum and exact error (Knuth).
 #[inline(always)]

@@ -4,7 +4,7 @@
 //! The derivative of the insphere determinant with respect to a lift is the orientation of the other four points, so the first non-zero one
 //! in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting only).
 
-use super::{exact, filter, robust_insphere, wide, Points, Sign};
+use crate::predicates::{exact, filter, robust_insphere, wide, Points, Sign};
 
 /// The position of a tetrahedron relative to a point, as far as a quick test tells.
 #[derive(Clone, Copy, Debug)]

@@ -21,7 +21,6 @@ mod wide;
 
 pub use expansion::Expansion;
 pub(crate) use insphere::Glance;
-pub use orient::{dot_sign, Plane};
 pub use points::Points;
 pub use range::{far_from_most, in_range, is_parameter, range_scale, scale, to_range};
 
@@ -108,24 +107,6 @@ fn orient3d_exact([a, b, c, d]: [&[f64; 3]; 4], size: f64) -> Sign {
     match differences([a, b, c, d]) {
         Some(rows) => wide::orient3d(&rows),
         None => robust_orient3d(a, b, c, d),
-    }
-}
-
-/// Positive when `e` is inside the circumsphere of the positive tetrahedron `(a, b, c, d)`; odd in its first four
-/// arguments. Points in the exact range.
-#[inline]
-pub fn insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
-    let det = filter::insphere_det(a, b, c, d, e);
-    let spread = filter::Spread::of([a, b, c, d, e]);
-    if det.abs() > spread.insphere_bound() {
-        return Sign::of(det);
-    }
-    if spread.flat() {
-        return Sign::Zero;
-    }
-    match differences([a, b, c, d, e]) {
-        Some(rows) => wide::insphere(&rows),
-        None => robust_insphere(a, b, c, d, e),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Orientation in space, and signs of low degree: order, dot product, collinearity.
 
-use super::big::Big;
-use super::{differences, exact, filter, robust_orient3d, wide, Expansion, Points, Sign};
+use crate::predicates::big::Big;
+use crate::predicates::{exact, filter, robust_orient3d, wide, Expansion, Points, Sign};
 use std::cmp::Ordering;
 
 /// A plane through three points `b`, `c`, `d`, rounded.
@@ -151,23 +151,4 @@ impl Points {
 fn compare(x: f64, y: f64) -> Ordering {
     debug_assert!(x.is_finite() && y.is_finite());
     x.partial_cmp(&y).unwrap_or(Ordering::Equal)
-}
-
-/// Sign of `(b − a)·(c − a)` for explicit points in the exact range.
-pub fn dot_sign(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Sign {
-    let mut dot = 0.0;
-    let mut sum = 0.0;
-    for i in 0..3 {
-        let product = (b[i] - a[i]) * (c[i] - a[i]);
-        dot += product;
-        sum += product.abs();
-    }
-    // 5 roundings (see `filter`) and the rounding of the bound.
-    if dot.abs() > 3.5 * f64::EPSILON * sum + f64::MIN_POSITIVE {
-        return Sign::of(dot);
-    }
-    match differences([b, c, a]) {
-        Some(rows) => wide::dot_sign(&rows),
-        None => exact::dot_sign(&Big::rows(&[a, b, c].map(|p| p.map(Expansion::from)))),
-    }
 }

@@ -2,7 +2,7 @@
 //!
 //! The projection drops one axis and keeps the coordinates (axis + 1) mod 3 and (axis + 2) mod 3 in this order.
 
-use super::{exact, wide, Points, Sign};
+use crate::predicates::{exact, wide, Points, Sign};
 
 impl Points {
     /// Positive when `a`, `b`, `c` make a left turn in the projection that drops `axis` (0 to 2).

@@ -6,13 +6,15 @@
 //! denominator: coordinates are sums of two doubles in nearly all cases, and integers on a common grid. If segments run so close to each
 //! other that a double is too coarse, t is the sum of several.
 
-use super::big::Big;
-use super::expansion::{two_product, two_sum, Expansion};
-use super::filter::{larger, Spread};
-use super::range::{self, in_range};
-use super::wide::{self, Differences};
-use super::Sign;
 use crate::error::Error;
+use crate::predicates::big::Big;
+use crate::predicates::expansion::{two_product, two_sum, Expansion};
+use crate::predicates::filter::{larger, Spread};
+use crate::predicates::range;
+use crate::predicates::range::in_range;
+use crate::predicates::wide;
+use crate::predicates::wide::Differences;
+use crate::predicates::Sign;
 
 /// An implicit point.
 #[derive(Clone, Debug)]
@@ -61,7 +63,7 @@ pub struct Points {
 const NONE: u32 = u32::MAX;
 
 impl Points {
-    /// A store of explicit points. All must be finite and in the exact range (see [`range_scale`](super::range_scale)).
+    /// A store of explicit points. All must be finite and in the exact range (see [`range_scale`](crate::predicates::range_scale)).
     pub fn new(xyz: Vec<[f64; 3]>) -> Points {
         debug_assert!(xyz.iter().flatten().all(|&x| in_range(x)));
         let mut points = Points {
@@ -112,12 +114,6 @@ impl Points {
     #[inline]
     pub fn len(&self) -> usize {
         self.xyz.len()
-    }
-
-    /// Whether there is no point.
-    #[inline]
-    pub fn is_empty(&self) -> bool {
-        self.xyz.is_empty()
     }
 
     /// The coordinates of point `i`: exact if it is explicit, the nearest doubles otherwise.

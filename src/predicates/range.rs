@@ -9,7 +9,7 @@
 //! multiple of `2^-800`: no expansion of a coordinate underflows): the store marks these, and integers decide all their
 //! signs, without filters.
 
-use super::{Expansion, Sign};
+use crate::predicates::{Expansion, Sign};
 
 /// All coordinates in range are multiples of two to this power.
 pub(crate) const LOWEST_EXPONENT: i32 = -214;

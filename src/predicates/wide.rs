@@ -6,7 +6,7 @@
 //! product 2^378 (2^186), insphere 2^632 (2^312), incircle 2^505 (2^249): below the sign bits of 4, 4, 6, 10, 8 (2, 2, 3, 5, 4) digits.
 //! Branch-free and faster than expansions, whose lengths vary.
 
-use super::Sign;
+use crate::predicates::Sign;
 
 /// Differences of explicit points to the last one as integers, if 62 bits hold them all exactly; `size` bounds their rounded values. Little
 /// more than the rounding errors of the differences (Knuth 1969) needs to be computed; most exact tests use this.

@@ -2,12 +2,12 @@
 //!
 //! Invariants: the faces of the boundary stay; subfaces (faces flagged on both sides) with both sides in the cavity count as boundary
 //! twice, once each way; constrained edges inside are listed, so that every filling keeps them.
-use crate::constrain::edge_key;
 use crate::delaunay::Delaunay;
 use crate::error::Error;
-use crate::mesh::flag;
-use crate::mesh::refill::Refill;
-use crate::mesh::tables::EDGE;
+use crate::kernel::edge_key;
+use crate::kernel::flag;
+use crate::kernel::refill::Refill;
+use crate::kernel::tables::EDGE;
 use rustc_hash::FxHashSet;
 
 /// Constrained edges that the mesh has.
@@ -59,21 +59,6 @@ impl Cavity {
         for &t in &self.tets {
             delaunay.mesh.flags[t as usize] &= !flag::MARK;
         }
-    }
-
-    /// Adds the tetrahedra beyond all unconstrained boundary faces; all are marked until [`Cavity::bound`].
-    pub fn grow(&mut self, delaunay: &mut Delaunay) -> Result<(), Error> {
-        self.mark(delaunay);
-        for i in 0..self.tets.len() {
-            let t = self.tets[i] as usize;
-            for f in 0..4 {
-                let n = delaunay.mesh.adj[t][f] >> 2;
-                if delaunay.mesh.flags[t] & (flag::FACE << f) == 0 && !delaunay.mesh.is_ghost(n) {
-                    self.add(delaunay, n)?;
-                }
-            }
-        }
-        Ok(())
     }
 
     /// Finds the boundary, the vertices and the constrained edges inside; removes the marks.

@@ -1,9 +1,9 @@
 //! Checks the invariants of [`Solid`]: for tests.
-use super::solid::Solid;
-use crate::constrain::face_key;
-use crate::mesh::check::check_topology;
-use crate::mesh::{flag, NONE};
+use crate::kernel::check::check_topology;
+use crate::kernel::face_key;
+use crate::kernel::{flag, NONE};
 use crate::predicates::{Points, Sign};
+use crate::preserve::solid::Solid;
 use rustc_hash::FxHashSet;
 
 /// `Ok`, or a description of what is wrong.

@@ -1,8 +1,8 @@
 //! The points inside: added where the boundary cannot be kept without them, explicit, in doubles.
-use super::solid::Solid;
 use crate::error::Error;
-use crate::mesh::NONE;
+use crate::kernel::NONE;
 use crate::predicates::Points;
+use crate::preserve::solid::Solid;
 
 /// Points inside that are vertices of the mesh, in order of their making, and ids free for new ones.
 #[derive(Clone, Debug, Default)]

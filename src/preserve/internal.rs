@@ -4,11 +4,11 @@
 //! A patch has the outside on one side everywhere or nowhere: where that changes, another facet meets it at segments, which bound patches.
 //! A segment is a segment of the outer boundary if a boundary face has one of its pieces: its ends are the only vertices of other facets on
 //! it, so all pieces are alike.
-use super::solid::Solid;
-use crate::constrain::segment::Segments;
-use crate::constrain::{edge_key, face_key};
 use crate::error::Error;
+use crate::kernel::{edge_key, face_key};
 use crate::options::Preserve;
+use crate::preserve::solid::Solid;
+use crate::segments::recovery::Segments;
 use rustc_hash::FxHashSet;
 
 /// Internal patches and points on internal segments. Empty if everything is to be kept.

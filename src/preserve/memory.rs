@@ -2,8 +2,8 @@
 //!
 //! An attempt is a function of the tetrahedra that it reads. As long as none of them has been replaced, it would end as before, so skipping
 //! it changes no result. Every user of this module must satisfy that.
-use super::solid::Solid;
 use crate::error::{Error, Status};
+use crate::preserve::solid::Solid;
 use rustc_hash::FxHashMap;
 
 /// Per point, when an attempt at it failed, and what that had looked at. Looked up only, never iterated.

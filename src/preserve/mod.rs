@@ -10,51 +10,34 @@
 //! If only the outer boundary is kept, points on segments inside ([`internal`]) may stay, and patches inside keep their triangles where the
 //! surface's would need points. Such points get positions in doubles ([`mod@settle`]) at the very end: until then they are exactly on their
 //! segments, and every step tests them there.
-pub mod approach;
-pub mod breakpoint;
 pub mod cavity;
-pub mod center;
-pub mod check;
-pub mod corridor;
-pub mod facets;
-pub mod flips;
-pub mod hollow;
+#[cfg(test)]
+mod check;
 pub mod improve;
 pub mod inside;
 pub mod internal;
 pub mod memory;
-pub mod order;
-pub mod place;
-pub mod polygon;
 pub mod recover;
-pub mod regions;
-pub mod relocate;
-pub mod removal;
-pub mod reshape;
-pub mod retarget;
+pub mod release;
 pub mod settle;
-pub mod smooth;
 pub mod solid;
 pub mod star;
-pub mod thin;
-pub mod unsplit;
 pub mod whole;
-pub mod widen;
 
-use crate::constrain::face_key;
-use crate::constrain::segment::Segments;
 use crate::error::Error;
 use crate::fallible;
+use crate::kernel::face_key;
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
-use facets::{name_facets, Gone};
-use hollow::Growth;
+use crate::preserve::release::facets::{name_facets, Gone};
+use crate::preserve::release::hollow::Growth;
+use crate::preserve::release::inside::Thin;
+use crate::preserve::release::patches::{Retarget, Target};
+use crate::segments::recovery::Segments;
 use inside::Inside;
 use internal::Internal;
-use retarget::{Retarget, Target};
 use settle::Settled;
 use solid::Solid;
-use thin::Thin;
 
 /// Default number of steps per search.
 const BUDGET: u32 = 200;
@@ -156,7 +139,7 @@ fn free(
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<(Freed, Vec<u32>), Failure> {
-    let removal = removal::remove_all(solid, points, terms, &mut inside, &mut |f| tick(0.6 * f))?;
+    let removal = release::schedule::remove_all(solid, points, terms, &mut inside, &mut |f| tick(0.6 * f))?;
     let Terms { segments, target, internal } = terms;
     statistics.deleted += removal.deleted;
     statistics.relocated += removal.relocated;
@@ -189,7 +172,7 @@ fn free(
             let done = 0.8 + 0.2 * i as f64 / rounds.len() as f64;
             thin.run(solid, points, &mut inside, &isolated, growth, &mut || tick(done))?;
         }
-        smooth::smooth(solid, points, &inside)?;
+        improve::smooth::smooth(solid, points, &inside)?;
     }
     improve::improve(solid, points, &isolated, &mut || tick(0.99))?;
     statistics.interior = inside.list.len() as u64;
@@ -237,8 +220,6 @@ fn subfaces(
     Ok(out)
 }
 
-#[cfg(test)]
-mod flips_tests;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]

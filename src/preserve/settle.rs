@@ -3,13 +3,13 @@
 //! Each goes to the doubles nearest to it, or a few units in the last place away, where it sees all faces of its star; the others are where
 //! they were moved before, or still exactly on their segments. So every tetrahedron is positive after every step, and positive in doubles
 //! when all are settled.
-use super::place::{sees_all, step};
-use super::solid::Solid;
-use crate::constrain::segment::Segments;
 use crate::error::Error;
-use crate::mesh::star::StarSearch;
-use crate::mesh::NONE;
+use crate::kernel::star::StarSearch;
+use crate::kernel::NONE;
+use crate::ops::place::{sees_all, step};
 use crate::predicates::{in_range, Points};
+use crate::preserve::solid::Solid;
+use crate::segments::recovery::Segments;
 
 /// Farthest neighbour tried, in units in the last place.
 const FARTHEST: i32 = 3;

@@ -8,12 +8,12 @@
 //!
 //! Invariants between operations: those of [`Tetrahedra`]; all tetrahedra but ghosts are positive; a face is flagged on both sides
 //! if and only if it is in `patch_of`; each tetrahedron has a region, ghosts have `NONE`.
-use crate::constrain::face_key;
-use crate::constrain::subface::Subfaces;
+use crate::domain::{Components, Regions};
 use crate::error::{Error, Status};
-use crate::mesh::star::StarSearch;
-use crate::mesh::{flag, Tetrahedra, GHOST, NONE};
-use crate::region::{Components, Regions};
+use crate::facets::subface::Subfaces;
+use crate::kernel::face_key;
+use crate::kernel::star::StarSearch;
+use crate::kernel::{flag, Tetrahedra, GHOST, NONE};
 use rustc_hash::FxHashMap;
 
 /// The working mesh.

@@ -3,11 +3,11 @@
 //! A *wall* is the fan of subfaces (or of boundary faces) at the point in one half-plane bounded by the segment's line: a planar
 //! polygon that is star-shaped from the point on one of its edges. A *sector* is what lies between walls: tetrahedra of the domain, or
 //! ghosts. Without the point, each wall is retriangulated and each sector filled on its own.
-use super::solid::{reversed, Solid};
-use crate::constrain::face_key;
 use crate::error::Error;
-use crate::mesh::star::StarSearch;
-use crate::mesh::NONE;
+use crate::kernel::face_key;
+use crate::kernel::star::StarSearch;
+use crate::kernel::NONE;
+use crate::preserve::solid::{reversed, Solid};
 use rustc_hash::FxHashMap;
 
 /// A fan of subfaces from the point.

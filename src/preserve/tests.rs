@@ -1,22 +1,22 @@
 //! Invariants after every step, on small models.
-use super::center::{center, Plane};
-use super::check::check_solid;
-use super::hollow::Start;
-use super::polygon::Polygons;
-use super::retarget::Target;
-use super::solid::{Sector, Solid};
-use super::widen::{Rays, Widen};
 use super::*;
-use crate::constrain::facet::FacetRecovery;
-use crate::constrain::segment::Recovery;
-use crate::constrain::subface::{Subfaces, Triangles};
-use crate::constrain::{edge_key, face_key};
 use crate::delaunay::Delaunay;
+use crate::domain::{components, label, Seeds};
 use crate::error::Status;
-use crate::mesh::star::StarSearch;
-use crate::mesh::NONE;
+use crate::facets::recovery::FacetRecovery;
+use crate::facets::subface::{Subfaces, Triangles};
+use crate::kernel::star::StarSearch;
+use crate::kernel::NONE;
+use crate::kernel::{edge_key, face_key};
+use crate::ops::center::{center, Plane};
+use crate::ops::polygon::Polygons;
 use crate::predicates::Sign;
-use crate::region::{components, label, Seeds};
+use crate::preserve::check::check_solid;
+use crate::preserve::release::hollow::Start;
+use crate::preserve::release::patches::Target;
+use crate::preserve::release::widen::{Rays, Widen};
+use crate::preserve::solid::{Sector, Solid};
+use crate::segments::recovery::Recovery;
 use rustc_hash::FxHashSet;
 
 /// A triangulated surface whose triangles are patches of their own, but for those that share a number in `patch`.
@@ -64,7 +64,7 @@ impl Model {
         let subfaces = Subfaces::build(&points, &triangles, &segments).unwrap();
         FacetRecovery::new(&mut delaunay, &points, &subfaces).unwrap().run(&mut |_, _| Ok(())).unwrap();
         for flags in &mut delaunay.mesh.flags {
-            *flags &= crate::mesh::flag::FACES | crate::mesh::flag::DEAD;
+            *flags &= crate::kernel::flag::FACES | crate::kernel::flag::DEAD;
         }
         let parts = components(&delaunay.mesh).unwrap();
         let seeds = Seeds { holes: &[], regions: &[], exponent: 0 };
@@ -105,7 +105,7 @@ impl Model {
         }
         assert_eq!(solid.patch_of.len(), self.triangles.len());
         for (v, &t) in solid.vertex_tet.iter().enumerate().skip(self.points.len()) {
-            assert_eq!(t != crate::mesh::NONE, inside.list.contains(&(v as u32)), "point {v}");
+            assert_eq!(t != crate::kernel::NONE, inside.list.contains(&(v as u32)), "point {v}");
         }
         assert!((volume(&solid, &points) - before).abs() <= 1e-9 * before);
         assert_eq!(statistics.interior, inside.list.len() as u64);
@@ -270,11 +270,11 @@ fn crystal(n: i32) -> Model {
     Model { patch: (0..12).map(|t| t / 2).collect(), ..Model::new(&points, &triangles) }
 }
 
-fn worst(solid: &Solid, points: &Points) -> crate::reconnect::shape::Shape {
-    use crate::reconnect::shape::Shape;
+fn worst(solid: &Solid, points: &Points) -> crate::ops::shape::Shape {
+    use crate::ops::shape::Shape;
     (0..solid.mesh.slot_count() as u32)
         .filter(|&t| solid.mesh.is_live(t) && !solid.mesh.is_ghost(t))
-        .map(|t| reshape::shape(solid, points, t))
+        .map(|t| improve::reshape::shape(solid, points, t))
         .fold(Shape::BEST, Shape::worse)
 }
 
@@ -282,7 +282,7 @@ fn edges(solid: &Solid) -> rustc_hash::FxHashSet<[u32; 2]> {
     let mut edges = rustc_hash::FxHashSet::default();
     for t in (0..solid.mesh.slot_count()).filter(|&t| solid.mesh.is_live(t as u32)) {
         let v = solid.mesh.verts[t];
-        edges.extend(crate::mesh::tables::EDGE.map(|[i, j]| edge_key(v[i as usize], v[j as usize])));
+        edges.extend(crate::kernel::tables::EDGE.map(|[i, j]| edge_key(v[i as usize], v[j as usize])));
     }
     edges
 }
@@ -318,8 +318,8 @@ fn sorted(mut tet: [u32; 4]) -> [u32; 4] {
 /// If no edge can be removed, walls get another apex: all new tetrahedra are better than the removed ones, and the surface stays.
 #[test]
 fn walls_get_better_apexes() {
-    use crate::reconnect::shape::{Measure, Shape};
-    use reshape::{Aim, Effort, Reshape};
+    use crate::ops::shape::{Measure, Shape};
+    use crate::preserve::improve::reshape::{Aim, Effort, Reshape};
     let mut model = cube(2, false);
     let mut state = 5u64;
     let mut next = || {
@@ -356,11 +356,11 @@ fn walls_get_better_apexes() {
                 .collect();
             let worst_of_cavity = (0..old.len())
                 .filter(|&t| {
-                    live[t] && !old[t].contains(&crate::mesh::GHOST) && !now.contains(&sorted(old[t]))
+                    live[t] && !old[t].contains(&crate::kernel::GHOST) && !now.contains(&sorted(old[t]))
                 })
                 .map(|t| Shape::of(&points, old[t]).by(measure))
                 .fold(f64::INFINITY, f64::min);
-            let came = solid.fresh.iter().map(|&t| reshape::shape(&solid, &points, t).by(measure));
+            let came = solid.fresh.iter().map(|&t| improve::reshape::shape(&solid, &points, t).by(measure));
             assert!(came.fold(f64::INFINITY, f64::min) > worst_of_cavity);
             check_solid(&solid, &points).unwrap();
         }

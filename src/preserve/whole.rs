@@ -10,16 +10,16 @@
 //!
 //! Points of no facet and no segment are left out of the search and added afterwards: one inside splits the tetrahedra that it is in or
 //! on, one outside is joined to the faces of the hull that it sees.
-use super::place::step;
-use super::unsplit::axis_of;
-use crate::constrain::face_key;
 use crate::delaunay::Delaunay;
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::mesh::tables::FACE;
-use crate::mesh::{Tetrahedra, GHOST};
+use crate::kernel::face_key;
+use crate::kernel::tables::FACE;
+use crate::kernel::{Tetrahedra, GHOST};
+use crate::ops::place::step;
+use crate::ops::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
 use crate::predicates::{in_range, Points, Sign};
-use crate::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
+use crate::preserve::release::segments::axis_of;
 use rustc_hash::FxHashMap;
 
 /// Steps of the search without points, of one with points, and of all: less than half a second.

@@ -1,10 +1,10 @@
 //! Fillings of whole convex hulls: every wanted face is there, every point is a vertex, and the volume is that of the hull.
-use super::whole::{fill_hull, Random, Wanted};
-use crate::constrain::{edge_key, face_key};
 use crate::delaunay::Delaunay;
 use crate::error::{Error, Status};
-use crate::mesh::flag;
+use crate::kernel::flag;
+use crate::kernel::{edge_key, face_key};
 use crate::predicates::{Points, Sign};
+use crate::preserve::whole::{fill_hull, Random, Wanted};
 use std::collections::BTreeSet;
 
 fn edges(triangles: &[[u32; 3]], segments: &[[u32; 2]]) -> Vec<[u32; 2]> {

@@ -1,7 +1,7 @@
 //! Positions to try for a Steiner point whose nearest double is not valid.
-use crate::constrain::segment::Segments;
 use crate::elementary::power_of_two;
 use crate::predicates::Points;
+use crate::segments::recovery::Segments;
 
 /// A Steiner point on its segment, and the room it has there.
 pub struct Candidate {

@@ -5,14 +5,14 @@
 //! that must stay they can cycle, so their number is bounded, and remaining faces are left as they are.
 //!
 //! Invariants: subfaces and subsegments stay; every tetrahedron is positive in doubles.
-use super::positive;
-use super::untangle::{is_closed, Site};
 use crate::error::Error;
-use crate::mesh::edge_key;
-use crate::mesh::star::EdgeRing;
-use crate::mesh::Tetrahedra;
+use crate::kernel::edge_key;
+use crate::kernel::star::EdgeRing;
+use crate::kernel::Tetrahedra;
+use crate::ops::sheet::Sheets;
 use crate::predicates::{Points, Sign};
-use crate::reconnect::sheet::Sheets;
+use crate::rounding::positive;
+use crate::rounding::untangle::{is_closed, Site};
 
 /// Limit of flips per initial tetrahedron.
 const MOST_FLIPS: usize = 8;

@@ -16,14 +16,14 @@ mod untangle;
 mod wedge;
 mod work;
 
-use crate::constrain::segment::Segments;
 use crate::delaunay::Delaunay;
+use crate::domain::{Components, Regions};
 use crate::error::Error;
 use crate::fallible;
-use crate::mesh::star::StarSearch;
-use crate::mesh::Tetrahedra;
+use crate::kernel::star::StarSearch;
+use crate::kernel::Tetrahedra;
 use crate::predicates::{orient3d, scale, to_range, Points, Sign};
-use crate::region::{Components, Regions};
+use crate::segments::recovery::Segments;
 use crate::INVALID;
 use precise::Reach;
 use rustc_hash::FxHashSet;

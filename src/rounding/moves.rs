@@ -1,10 +1,10 @@
 //! Moves of single points that lower the number of tetrahedra that are not positive in their stars.
-use super::candidates::{lattice, Candidate};
-use super::wedge::{escape, Plane, MOST};
-use super::{is_positive, surviving, work, Repair};
 use crate::error::Error;
-use crate::mesh::flag;
+use crate::kernel::flag;
 use crate::predicates::{orient3d, Expansion, Sign};
+use crate::rounding::candidates::{lattice, Candidate};
+use crate::rounding::wedge::{escape, Plane, MOST};
+use crate::rounding::{is_positive, surviving, work, Repair};
 
 impl Repair<'_, '_> {
     /// Tries to make a tetrahedron positive by moving one of its implicit vertices; with `far`, also by more than a few units in the

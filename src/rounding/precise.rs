@@ -6,10 +6,10 @@
 //! (2r + 1)³ doubles within r units on each axis the best of n planes is off by some r^(1 − 3/n) / 3 units.
 //!
 //! Everything here is approximate: it chooses a position, and the caller tests tetrahedra exactly.
-use super::candidates::Candidate;
-use super::{is_positive, surviving, work, Repair};
 use crate::error::Error;
 use crate::predicates::Expansion;
+use crate::rounding::candidates::Candidate;
+use crate::rounding::{is_positive, surviving, work, Repair};
 use crate::vector::dot;
 use rustc_hash::FxHashSet;
 

@@ -1,15 +1,15 @@
 //! Prisms whose caps are nearly flat fans of slivers: tetrahedra on them are thinner than a unit in the last place.
-use super::untangle::Site;
 use crate::check::check_mesh;
 use crate::delaunay::Delaunay;
 use crate::error::Status;
-use crate::mesh::refill::Refill;
+use crate::kernel::refill::Refill;
 use crate::options::Options;
 use crate::output::TetMesh;
+use crate::plan::tetrahedralize;
 use crate::plc::{Plc, Segment};
 use crate::predicates::Points;
 use crate::progress::Silent;
-use crate::tetrahedralize::tetrahedralize;
+use crate::rounding::untangle::Site;
 use rustc_hash::FxHashSet;
 
 /// Numbers that look random (Knuth's multiplier).

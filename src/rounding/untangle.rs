@@ -3,21 +3,22 @@
 //! Nearly flat facets have tetrahedra at them that are thinner than the last place of their coordinates; no move of a point within its
 //! surroundings makes all of these positive, but other tetrahedra on the same vertices are. So a tetrahedron that is not positive is
 //! removed together with some around it (those around one of its edges, at one of its vertices, or up to a few faces away), and the
-//! polyhedron is filled by small polyhedron reconnection ([`crate::reconnect`]), using exact signs of the output doubles.
+//! polyhedron is filled by small polyhedron reconnection ([`crate::ops::reconnect`]), using exact signs of the output doubles.
 //!
 //! Invariants: subfaces and subsegments stay; new tetrahedra are positive in doubles; components keep their space, because no cavity
 //! extends across a subface, and none contains ghosts. The new tetrahedra need not be Delaunay, nor positive at the exact positions, so
 //! they are listed.
-use super::lawson::Lawson;
-use super::work::{self, Work};
-use super::{positive, Repair};
 use crate::delaunay::Delaunay;
 use crate::error::Error;
-use crate::mesh::refill::Refill;
-use crate::mesh::tables::{EDGE, FACE};
-use crate::mesh::{edge_key, face_key, flag, Tetrahedra, NONE};
+use crate::kernel::refill::Refill;
+use crate::kernel::tables::{EDGE, FACE};
+use crate::kernel::{edge_key, face_key, flag, Tetrahedra, NONE};
+use crate::ops::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
 use crate::predicates::Points;
-use crate::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
+use crate::rounding::lawson::Lawson;
+use crate::rounding::work;
+use crate::rounding::work::Work;
+use crate::rounding::{positive, Repair};
 use rustc_hash::FxHashSet;
 
 /// Steps of a search.

@@ -1,6 +1,6 @@
 //! Markers and their names in each surface format, and the recognition of content that is no surface.
-use super::super::*;
-use super::Folder;
+use crate::io::tests::Folder;
+use crate::io::*;
 use crate::plc::Segment;
 
 fn named(plc: &Plc) -> Vec<(i32, &str)> {

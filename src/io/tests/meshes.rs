@@ -1,6 +1,6 @@
 //! The exact content of the mesh formats, and that a failed write leaves nothing behind.
-use super::super::*;
-use super::Folder;
+use crate::io::tests::Folder;
+use crate::io::*;
 use crate::output::{Region, Statistics, SteinerPoint, Subsegment};
 
 /// Two tetrahedra of two regions on a common face, one Steiner point.

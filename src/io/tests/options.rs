@@ -1,8 +1,8 @@
 //! Options of the mesh writers: second order, versions, names, decks; and what formats lose.
-use super::super::*;
-use super::meshes::{small_mesh, vtu_arrays};
-use super::Folder;
 use crate::error::Element;
+use crate::io::tests::meshes::{small_mesh, vtu_arrays};
+use crate::io::tests::Folder;
+use crate::io::*;
 use crate::warning::WarningKind;
 use crate::{Plc, TetMesh};
 

@@ -1,7 +1,7 @@
 //! Round trips of the surface formats, and malformed files.
-use super::super::*;
-use super::Folder;
 use crate::error::{DefectKind, Element};
+use crate::io::tests::Folder;
+use crate::io::*;
 use crate::plc::{Facet, Interior, RegionSeed, Segment};
 use proptest::prelude::*;
 

@@ -4,13 +4,13 @@
 //! an array (node `i` has children `2i + 1` and `2i + 2`), so neither building nor traversing recurses (linear BVH:
 //! Lauterbach et al. 2009). Pairs come from a traversal of the tree against itself.
 //!
-//! Boxes that belong to fans come first, fan by fan; their pairs are also separated by directions (see [`fans`](super::fans)).
+//! Boxes that belong to fans come first, fan by fan; their pairs are also separated by directions (see [`fans`](crate::plc::intersect::fans)).
 //!
 //! Boxes are in single precision, rounded so that no pair that meets is missed (see [`Frame`]).
-use super::super::radix::sort_keyed;
-use super::fans::{Fans, Member};
 use crate::elementary::quotient;
 use crate::error::Error;
+use crate::plc::intersect::fans::{Fans, Member};
+use crate::plc::radix::sort_keyed;
 
 /// An axis-parallel box in the coordinates of a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]

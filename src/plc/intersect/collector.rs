@@ -1,8 +1,8 @@
 //! Collects contacts: sorted lists without duplicates, and one defect per pair of elements, at most as many as allowed.
-use super::locate_point::Triangle;
-use super::{Intersections, Names};
 use crate::error::{Defect, DefectKind, Element, Error};
 use crate::fallible;
+use crate::plc::intersect::locate_point::Triangle;
+use crate::plc::intersect::{Intersections, Names};
 
 /// Which of several findings about one pair of elements is listed: the most informative one has the lowest rank.
 fn rank(kind: DefectKind) -> u32 {

@@ -1,9 +1,9 @@
 //! Contacts within one plane: two coplanar triangles, and a line segment in a triangle's plane.
 //!
 //! Interiors of two convex polygons are disjoint exactly when the line of an edge of one of them separates them.
-use super::collector::Collector;
-use super::locate_point::{locate_in_plane, Location, Projection, Triangle};
 use crate::error::{DefectKind, Error};
+use crate::plc::intersect::collector::Collector;
+use crate::plc::intersect::locate_point::{locate_in_plane, Location, Projection, Triangle};
 use crate::predicates::Sign;
 
 /// Classifies two coplanar triangles that do not have all corners in common.

@@ -17,9 +17,9 @@
 //!
 //! An element is in the fan of its corner with the most elements, if there are [`MANY`] of them, otherwise in none. Pairs in which one
 //! element is in no fan are separated only by their boxes. Many triangles at one edge are still quadratic.
-use super::boxtree::{morton_code, Bounds, Frame};
-use super::IntersectInput;
 use crate::error::Error;
+use crate::plc::intersect::boxtree::{morton_code, Bounds, Frame};
+use crate::plc::intersect::IntersectInput;
 use crate::vector::{cross, dot};
 use crate::INVALID;
 

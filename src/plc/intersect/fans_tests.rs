@@ -1,7 +1,7 @@
 //! Fans: nothing is missed compared with a test of all pairs, and the number of pairs does not grow quadratically.
-use super::fans::Fans;
-use super::tests::{Model, Random};
 use super::*;
+use crate::plc::intersect::fans::Fans;
+use crate::plc::intersect::tests::{Model, Random};
 
 /// Calls `test` with the input of [`find_intersections`].
 fn with_input<T>(model: &Model, test: impl FnOnce(&IntersectInput) -> T) -> T {

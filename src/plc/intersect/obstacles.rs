@@ -5,12 +5,12 @@
 //! inside: a convex piece of a triangle in the tetrahedron would have its corners where the triangle meets the boundary, which is in one
 //! common vertex or edge.
 //! A contact that would be legal elsewhere (a vertex in an edge or a triangle) counts as an obstacle too.
-use super::boxtree::{BoxTree, Frame};
-use super::collector::Collector;
-use super::fans::Fans;
-use super::locate_point::{Segment, Triangle};
-use super::{segment_triangle, triangle_triangle, Names};
 use crate::error::Error;
+use crate::plc::intersect::boxtree::{BoxTree, Frame};
+use crate::plc::intersect::collector::Collector;
+use crate::plc::intersect::fans::Fans;
+use crate::plc::intersect::locate_point::{Segment, Triangle};
+use crate::plc::intersect::{segment_triangle, triangle_triangle, Names};
 use crate::predicates::{orient3d, Sign};
 
 /// An element in the tree.

@@ -2,9 +2,9 @@
 //!
 //! The oracle clips one element against the half-spaces that bound the other and judges the common set itself; it shares no code
 //! and no case analysis with the tested module.
-use super::tests::{Model, Random};
-use super::Intersections;
 use crate::error::{DefectKind, Element};
+use crate::plc::intersect::tests::{Model, Random};
+use crate::plc::intersect::Intersections;
 use num_rational::Ratio;
 use num_traits::{Signed, Zero};
 use std::collections::BTreeSet;

@@ -1,9 +1,9 @@
 //! Two input segments, and an isolated vertex against a segment.
-use super::collector::Collector;
-use super::coplanar::opposite;
-use super::locate_point::{Projection, Segment};
-use super::segment_triangle::crossing_point;
 use crate::error::Error;
+use crate::plc::intersect::collector::Collector;
+use crate::plc::intersect::coplanar::opposite;
+use crate::plc::intersect::locate_point::{Projection, Segment};
+use crate::plc::intersect::segment_triangle::crossing_point;
 use crate::predicates::{orient3d, Sign};
 
 /// Classifies two input segments. Equal or overlapping ones are legal: their ends split each other.

@@ -2,11 +2,11 @@
 //!
 //! A segment whose ends lie strictly on different sides of the plane meets the triangle if its line passes all three edges on the same side
 //! (Segura & Feito 2001).
-use super::collector::Collector;
-use super::coplanar::{line_contact, opposite, record_vertex};
-use super::locate_point::{locate_in_plane, Location, Segment, Triangle};
 use crate::elementary::quotient;
 use crate::error::Error;
+use crate::plc::intersect::collector::Collector;
+use crate::plc::intersect::coplanar::{line_contact, opposite, record_vertex};
+use crate::plc::intersect::locate_point::{locate_in_plane, Location, Segment, Triangle};
 use crate::predicates::{orient3d, Sign};
 use crate::vector::{cross, dot, sub};
 

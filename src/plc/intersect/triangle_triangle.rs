@@ -4,11 +4,12 @@
 //! vertex are done if the other corners of one lie strictly on one side of the other's plane. The rest is decided on the line where the
 //! planes meet: a contact through the interior of both is a defect, one along an edge of both is legal. An edge of one in the interior of
 //! the other is treated like a segment there.
-use super::collector::Collector;
-use super::coplanar::{self, centroid, opposite, record_vertex};
-use super::locate_point::{locate_in_plane, turn_bound, Location, RoundedPlane, Triangle};
-use super::segment_triangle::{pierce, piercing_point};
 use crate::error::{DefectKind, Error};
+use crate::plc::intersect::collector::Collector;
+use crate::plc::intersect::coplanar;
+use crate::plc::intersect::coplanar::{centroid, opposite, record_vertex};
+use crate::plc::intersect::locate_point::{locate_in_plane, turn_bound, Location, RoundedPlane, Triangle};
+use crate::plc::intersect::segment_triangle::{pierce, piercing_point};
 use crate::predicates::Sign;
 
 /// Classifies two triangles.

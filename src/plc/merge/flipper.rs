@@ -2,12 +2,12 @@
 //!
 //! Invariants: the surface is a valid PLC; `edges` and `obstacles` describe its triangles; `records` has one entry per flip of the
 //! surface.
-use super::edges::{sides, Edges};
-use super::wanted::{distance, Bound, Quadrilateral};
-use super::Guide;
 use crate::error::Error;
 use crate::output::FacetFlip;
 use crate::plc::intersect::obstacles::Obstacles;
+use crate::plc::merge::edges::{sides, Edges};
+use crate::plc::merge::wanted::{distance, Bound, Quadrilateral};
+use crate::plc::merge::Guide;
 use crate::plc::patch::{are_flat, FixedEdge};
 use crate::plc::polygon::collinear;
 use crate::plc::surface::Surface;

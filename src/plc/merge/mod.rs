@@ -3,7 +3,7 @@
 //! CAD exporters triangulate planar and cylindrical faces into slivers in single precision. Hardly any two of these are exactly coplanar,
 //! so each of their edges is a segment, and segments that are not Delaunay on the surface take many Steiner points. Lawson's flips (1977)
 //! replace them ([`flipper`]). Rounded arithmetic decides which flips are wanted ([`wanted`]); whether one is allowed is decided exactly
-//! ([`Obstacles`](super::intersect::obstacles::Obstacles)), so the surface is a valid PLC before and after every flip.
+//! ([`Obstacles`](crate::plc::intersect::obstacles::Obstacles)), so the surface is a valid PLC before and after every flip.
 //!
 //! If the caller knows which edges the Delaunay tetrahedralization of the points has, this finally steers the flips ([`steer`]): towards
 //! edges that need no Steiner point, and away from new edges on which a Steiner point would leave the input's surface.
@@ -12,10 +12,10 @@
 //! meanwhile wants to avoid.
 //!
 //! Only facets given as triangles and not split by vertices are flipped, so that a flip can be expressed in terms of the input.
-use super::patch::{connect, FixedEdge};
-use super::surface::Surface;
-use super::Plc;
 use crate::error::Error;
+use crate::plc::patch::{connect, FixedEdge};
+use crate::plc::surface::Surface;
+use crate::plc::Plc;
 use crate::progress::Observer;
 use crate::INVALID;
 use flipper::{Flipper, Rule};

@@ -4,9 +4,9 @@
 //! surface, and much more if it is a new edge off it, since its Steiner points would lie off the surface too. Flips that lower the cost are
 //! made as long as there are any; then the flips that made new edges of the expensive kind are undone, together with later flips that
 //! changed the triangles at them.
-use super::flipper::{Candidate, Flipper};
-use super::Guide;
 use crate::error::Error;
+use crate::plc::merge::flipper::{Candidate, Flipper};
+use crate::plc::merge::Guide;
 use crate::progress::{report, Observer, Phase};
 
 /// Limit of undo rounds: a restored edge may itself be expensive.

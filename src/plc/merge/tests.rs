@@ -1,8 +1,8 @@
-use super::net::net_flips;
 use super::*;
 use crate::options::Options;
 use crate::output::FacetFlip;
 use crate::plc::intersect::{find_intersections, IntersectInput};
+use crate::plc::merge::net::net_flips;
 use crate::plc::{prepare, RegionSeed, Segment};
 use crate::progress::Silent;
 

@@ -3,8 +3,8 @@
 //! Removing the triangles that an edge crosses leaves a pseudo-polygon on each side, which is filled with triangles whose circumcircles
 //! contain no other corner of it (Anglada 1997). A vertex on the edge splits it. The chain of a pseudo-polygon may pass through a vertex
 //! more than once, or along both sides of an edge.
-use super::delaunay::{next, prev, Triangulation, GHOST};
 use crate::error::Error;
+use crate::plc::polygon::delaunay::{next, prev, Triangulation, GHOST};
 use crate::predicates::{incircle, Sign};
 use crate::INVALID;
 

@@ -4,9 +4,9 @@
 //! space as lifts (the plane need not be known) Lawson's flips (1977) lead to the Delaunay triangulation of the polygon itself, whose edges
 //! the Delaunay tetrahedralization of all points is likely to have. Rounded arithmetic suffices: any triangulation of a polygon is valid.
 //! Whether a quadrilateral is convex is decided exactly, in the projection.
-use super::delaunay::{next, prev, Triangulation};
-use super::project;
 use crate::error::Error;
+use crate::plc::polygon::delaunay::{next, prev, Triangulation};
+use crate::plc::polygon::project;
 use crate::predicates::Sign;
 use crate::INVALID;
 

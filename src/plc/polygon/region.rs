@@ -3,10 +3,10 @@
 //! A flood fill from outside computes, for the outer ring and the current hole, the winding number around each triangle. A ring bounds a
 //! region exactly if its winding numbers are 0 and one of +1, −1: it may touch itself, or run back and forth along a bridge, but not cross
 //! itself.
-use super::constraint::Cover;
-use super::delaunay::{Triangulation, GHOST};
-use super::{Fault, FaultKind, Role};
 use crate::error::Error;
+use crate::plc::polygon::constraint::Cover;
+use crate::plc::polygon::delaunay::{Triangulation, GHOST};
+use crate::plc::polygon::{Fault, FaultKind, Role};
 use crate::plc::Interior;
 use crate::INVALID;
 

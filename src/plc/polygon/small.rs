@@ -1,6 +1,6 @@
 //! Shortcut for the facets of most models: one ring of three corners, or of four that are convex in projection.
-use super::metric::is_inside_circle;
-use super::{collinear, project};
+use crate::plc::polygon::metric::is_inside_circle;
+use crate::plc::polygon::{collinear, project};
 use crate::predicates::{incircle, orient2d, Sign};
 use crate::vector::sub;
 

@@ -1,0 +1,219 @@
+//! Carving and regions: flooding between subfaces.
+//!
+//! Tetrahedra connected through faces that are not subfaces form a component. The component of the ghosts is the outside, those with a hole
+//! seed are holes, the others are regions.
+use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
+use crate::fallible;
+use crate::kernel::{flag, Tetrahedra, NONE};
+use crate::output::Region;
+use crate::plc::RegionSeed;
+use crate::predicates::Points;
+use seeds::{locate, Place};
+
+mod seeds;
+#[cfg(test)]
+mod tests;
+
+/// The components of a constrained mesh.
+#[derive(Clone, Debug, Default)]
+pub struct Components {
+    /// Component of each slot; NONE for free slots.
+    pub of: Vec<u32>,
+    /// The number of components. Component 0 contains the ghosts and everything connected to them.
+    pub count: u32,
+}
+
+/// Finds the components by flood fill.
+pub fn components(mesh: &Tetrahedra) -> Result<Components, Error> {
+    let mut of: Vec<u32> = Vec::new();
+    of.try_reserve(mesh.slot_count())?;
+    of.resize(mesh.slot_count(), NONE);
+    let mut stack: Vec<u32> = Vec::new();
+    let mut count = 0;
+    let slots = 0..mesh.slot_count() as u32;
+    let ghosts_first = slots.clone().filter(|&t| mesh.is_ghost(t)).chain(slots);
+    for seed in ghosts_first {
+        if !mesh.is_live(seed) || of[seed as usize] != NONE {
+            continue;
+        }
+        // All ghosts form one component, even if a closed surface is the hull itself.
+        let label = if mesh.is_ghost(seed) { 0 } else { count };
+        of[seed as usize] = label;
+        count = count.max(label + 1);
+        fallible::push(&mut stack, seed)?;
+        while let Some(t) = stack.pop() {
+            stack.try_reserve(4)?;
+            for f in 0..4 {
+                if mesh.flags[t as usize] & (flag::FACE << f) != 0 {
+                    continue;
+                }
+                let n = mesh.adj[t as usize][f] >> 2;
+                if of[n as usize] == NONE {
+                    of[n as usize] = label;
+                    stack.push(n);
+                }
+            }
+        }
+    }
+    Ok(Components { of, count })
+}
+
+/// Which components stay, and the region of each.
+#[derive(Clone, Debug, Default)]
+pub struct Regions {
+    /// Region of each component; NONE if carved.
+    pub of_component: Vec<u32>,
+    /// The regions.
+    pub regions: Vec<Region>,
+    /// Hole seeds that carve nothing, since they lie outside.
+    pub holes_outside: Vec<u32>,
+    /// Region seeds in a region that already has a seed, each with that seed.
+    pub repeated_seeds: Vec<[u32; 2]>,
+}
+
+/// The caller's seeds.
+pub struct Seeds<'a> {
+    /// Hole seeds.
+    pub holes: &'a [[f64; 3]],
+    /// Region seeds.
+    pub regions: &'a [RegionSeed],
+    /// The coordinates of the mesh are the caller's times two to this power.
+    pub exponent: i32,
+}
+
+impl Seeds<'_> {
+    /// The components of all seeds: the holes, then the regions. Fails if one lies on a facet.
+    fn locate(
+        &self,
+        mesh: &Tetrahedra,
+        points: &mut Points,
+        components: &Components,
+    ) -> Result<Vec<Option<u32>>, Error> {
+        let (count, holes) = (self.holes.len() + self.regions.len(), self.holes.len());
+        let mut all = Vec::new();
+        all.try_reserve_exact(count)?;
+        all.extend_from_slice(self.holes);
+        all.extend(self.regions.iter().map(|seed| seed.point));
+        let mut component = Vec::new();
+        component.try_reserve_exact(count)?;
+        for (i, place) in locate(mesh, points, components, &all, self.exponent)?.into_iter().enumerate() {
+            let element = match i.checked_sub(holes) {
+                None => Element::Hole(i as u32),
+                Some(region) => Element::Region(region as u32),
+            };
+            component.push(match place {
+                Place::Outside => None,
+                Place::In(component) => Some(component),
+                Place::OnFacet => {
+                    return Err(seed_error(
+                        DefectKind::SeedOnFacet,
+                        element,
+                        all[i],
+                        format_args!("{element} lies exactly on a facet").into(),
+                    ));
+                }
+            });
+        }
+        Ok(component)
+    }
+}
+
+fn seed_error(kind: DefectKind, element: Element, at: [f64; 3], message: Message) -> Error {
+    let defect = Defect { kind, first: element, second: None, point: Some(at) };
+    Error::with_defect(Status::SeedOutside, message, defect)
+}
+
+/// Decides what is carved and labels the rest. Fails if nothing is left, a seed is on a facet, or a region seed is outside.
+pub fn label(
+    mesh: &Tetrahedra,
+    points: &mut Points,
+    components: &Components,
+    seeds: &Seeds,
+    keep_hull: bool,
+) -> Result<Regions, Error> {
+    let count = components.count as usize;
+    let mut carved = Vec::new();
+    carved.try_reserve_exact(count)?;
+    carved.resize(count, false);
+    carved[0] = !keep_hull;
+    let component_of = seeds.locate(mesh, points, components)?;
+    let (of_holes, of_seeds) = component_of.split_at(seeds.holes.len());
+    let mut found = Regions::default();
+    for (i, component) in (0..).zip(of_holes) {
+        match component {
+            Some(component) if *component != 0 || keep_hull => carved[*component as usize] = true,
+            _ => {
+                found.holes_outside.try_reserve(1)?;
+                found.holes_outside.push(i);
+            }
+        }
+    }
+    let any_left = (0..mesh.slot_count() as u32)
+        .any(|t| mesh.is_live(t) && !mesh.is_ghost(t) && !carved[components.of[t as usize] as usize]);
+    if !any_left {
+        return Err(Error::new(
+            Status::NothingEnclosed,
+            "the surface encloses nothing (keep the convex hull to mesh around it)",
+        ));
+    }
+    let Regions { of_component, regions, repeated_seeds, .. } = &mut found;
+    of_component.try_reserve_exact(count)?;
+    of_component.resize(count, NONE);
+    regions.try_reserve(seeds.regions.len())?;
+    for ((i, seed), component) in (0..).zip(seeds.regions).zip(of_seeds) {
+        let element = Element::Region(i);
+        let Some(component) = component.filter(|&c| !carved[c as usize]) else {
+            return Err(seed_error(
+                DefectKind::SeedOutside,
+                element,
+                seed.point,
+                format_args!("{element} lies outside the domain").into(),
+            ));
+        };
+        match of_component[component as usize] {
+            NONE => {
+                of_component[component as usize] = regions.len() as u32;
+                regions.push(Region { attribute: seed.attribute, seed: i, max_volume: seed.max_volume });
+            }
+            first => {
+                repeated_seeds.try_reserve(1)?;
+                repeated_seeds.push([i, regions[first as usize].seed]);
+            }
+        }
+    }
+    number_unseeded(mesh, components, &carved, seeds.regions, &mut found)?;
+    Ok(found)
+}
+
+/// Gives every remaining component its own region, with the smallest attributes 1, 2, … that no seed has.
+fn number_unseeded(
+    mesh: &Tetrahedra,
+    components: &Components,
+    carved: &[bool],
+    seeds: &[RegionSeed],
+    found: &mut Regions,
+) -> Result<(), Error> {
+    let mut used: Vec<f64> = Vec::new();
+    used.try_reserve_exact(seeds.len())?;
+    used.extend(seeds.iter().map(|seed| seed.attribute).filter(|&a| a >= 1.0));
+    used.sort_unstable_by(f64::total_cmp);
+    let mut used = used.into_iter().peekable();
+    let mut next = 0.0;
+    for t in 0..mesh.slot_count() as u32 {
+        if !mesh.is_live(t) || mesh.is_ghost(t) {
+            continue;
+        }
+        let c = components.of[t as usize] as usize;
+        if carved[c] || found.of_component[c] != NONE {
+            continue;
+        }
+        next += 1.0;
+        while let Some(attribute) = used.next_if(|&a| a <= next) {
+            next += f64::from(attribute == next);
+        }
+        found.of_component[c] = found.regions.len() as u32;
+        found.regions.try_reserve(1)?;
+        found.regions.push(Region { attribute: next, seed: NONE, max_volume: None });
+    }
+    Ok(())
+}

@@ -1,0 +1,356 @@
+//! Diagonals of polygons that are planar only up to rounding.
+//!
+//! Hardly any two triangles of such a polygon are exactly coplanar, so each diagonal would be a segment, and one missing from the Delaunay
+//! tetrahedralization would need Steiner points, which make others go missing. But the diagonals are free: any triangulation of the polygon
+//! is valid. So segments of the input are recovered first. Then each polygon, with the Steiner points on its edges as corners, is made
+//! Delaunay in its plane (Lawson 1977) and gets all edges that the mesh has between its corners (Sloan 1993). If no edge is then missing,
+//! the polygon needs no point inside: its triangles are faces, or missing regions of one triangle each, which facet recovery fills. A
+//! polygon that still has a missing edge, because something pierces it, keeps its previous diagonals as segments.
+//!
+//! Nothing here can make a mesh invalid. Triangles that are faces of one tetrahedralization do not cross each other; if a polygon lies so
+//! close to another element that its new triangles cross it, facet recovery reports that, and the caller keeps the old ones.
+use crate::delaunay::Delaunay;
+use crate::error::{Error, Status};
+use crate::facets::subface::{Subfaces, Triangles};
+use crate::kernel::edge_key;
+use crate::kernel::star::StarSearch;
+use crate::kernel::{GHOST, NONE};
+use crate::plc::polygon::metric::is_inside_circle;
+use crate::predicates::{Points, Sign};
+use crate::segments::recovery::Segments;
+use rustc_hash::FxHashMap;
+use std::collections::VecDeque;
+
+/// The triangles of a surface, in vertex ids of the engine.
+pub struct Polygons<'a> {
+    /// Corners.
+    pub corners: &'a [[u32; 3]],
+    /// Input facet of each.
+    pub facet: &'a [u32],
+    /// For each segment whether it is a diagonal that may be removed.
+    pub soft: &'a [bool],
+}
+
+/// Triangles that replace those of some facets.
+#[derive(Clone, Debug, Default)]
+pub struct Retriangulated {
+    /// The facets, in ascending order.
+    pub facets: Vec<u32>,
+    /// Corners, including Steiner points.
+    pub corners: Vec<[u32; 3]>,
+    /// Facet of each.
+    pub facet: Vec<u32>,
+}
+
+impl Retriangulated {
+    /// Whether a facet has triangles other than the surface's.
+    pub fn has(&self, facet: u32) -> bool {
+        self.facets.binary_search(&facet).is_ok()
+    }
+}
+
+/// Triangulates the `wanted` facets (ascending) with edges of the mesh where possible; also returns the facets where it is not. All
+/// segments that are not soft must be unions of edges, and `delaunay.vertex_tet` up to date.
+///
+/// # Errors
+/// `OutOfMemory`, `Internal`.
+pub fn retriangulate(
+    delaunay: &mut Delaunay,
+    points: &Points,
+    segments: &Segments,
+    polygons: &Polygons,
+    wanted: &[u32],
+) -> Result<(Retriangulated, Vec<u32>), Error> {
+    // (place in `wanted`, triangle)
+    let mut picked: Vec<(u32, u32)> = Vec::new();
+    for (t, f) in (0..).zip(polygons.facet) {
+        if let Ok(place) = wanted.binary_search(f) {
+            picked.try_reserve(1)?;
+            picked.push((place as u32, t));
+        }
+    }
+    picked.sort_unstable();
+    let (mut corners, mut facet, mut patch): (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) = Default::default();
+    corners.try_reserve_exact(picked.len())?;
+    facet.try_reserve_exact(picked.len())?;
+    patch.try_reserve_exact(picked.len())?;
+    let mut axis: Vec<u8> = Vec::new();
+    axis.try_reserve_exact(wanted.len())?;
+    axis.resize(wanted.len(), 0);
+    let mut failed: Vec<bool> = Vec::new();
+    failed.try_reserve_exact(wanted.len())?;
+    failed.resize(wanted.len(), false);
+    for run in picked.chunk_by(|x, y| x.0 == y.0) {
+        let (place, triangles) = (run[0].0, run.iter().map(|x| polygons.corners[x.1 as usize]));
+        let Some(found) = common_axis(points, triangles.clone()) else {
+            failed[place as usize] = true;
+            continue;
+        };
+        axis[place as usize] = found;
+        corners.extend(triangles);
+        facet.resize(corners.len(), wanted[place as usize]);
+        patch.resize(corners.len(), place);
+    }
+    let triangles = Triangles { corners: &corners, facet: &facet, patch: &patch, patch_count: wanted.len() };
+    let (subfaces, entangled) = Subfaces::of_polygons(points, &triangles, axis, segments, polygons.soft)?;
+    entangled.into_iter().for_each(|p| failed[p as usize] = true);
+    let mut work =
+        Work { delaunay, points, subfaces, search: StarSearch::default(), triangle_of: FxHashMap::default() };
+    let mut members: Vec<(u32, u32)> = Vec::new();
+    members.try_reserve_exact(work.subfaces.verts.len())?;
+    members.extend((0..).zip(&work.subfaces.patch).map(|(t, &p)| (p, t)));
+    members.sort_unstable();
+    let mut done = Retriangulated::default();
+    let mut own: Vec<u32> = Vec::new();
+    for run in members.chunk_by(|x, y| x.0 == y.0) {
+        let number = run[0].0 as usize;
+        if failed[number] {
+            continue;
+        }
+        own.clear();
+        own.try_reserve(run.len())?;
+        own.extend(run.iter().map(|x| x.1));
+        work.make_delaunay(&own)?;
+        if !work.conform(&own)? {
+            failed[number] = true;
+            continue;
+        }
+        done.facets.try_reserve(1)?;
+        done.facets.push(wanted[number]);
+        done.corners.try_reserve(own.len())?;
+        done.facet.try_reserve(own.len())?;
+        done.corners.extend(own.iter().map(|&t| work.subfaces.verts[t as usize]));
+        done.facet.extend(own.iter().map(|_| wanted[number]));
+    }
+    let mut left: Vec<u32> = Vec::new();
+    left.try_reserve_exact(wanted.len() - done.facets.len())?;
+    left.extend(wanted.iter().zip(&failed).filter(|x| *x.1).map(|x| *x.0));
+    Ok((done, left))
+}
+
+/// The axis along which all triangles have the same orientation and their projections are largest, as far as doubles tell; `None` if there
+/// is none.
+fn common_axis(points: &Points, triangles: impl Iterator<Item = [u32; 3]> + Clone) -> Option<u8> {
+    let mut normal = [0.0; 3];
+    for corners in triangles.clone() {
+        let [p, q, r] = corners.map(|v| points.xyz(v));
+        let (d, e) = ([0, 1, 2].map(|k| q[k] - p[k]), [0, 1, 2].map(|k| r[k] - p[k]));
+        for k in 0..3 {
+            normal[k] += d[(k + 1) % 3] * e[(k + 2) % 3] - d[(k + 2) % 3] * e[(k + 1) % 3];
+        }
+    }
+    let mut axes = [0u8, 1, 2];
+    axes.sort_by(|&i, &j| normal[j as usize].abs().total_cmp(&normal[i as usize].abs()));
+    let turn = |axis: u8, [a, b, c]: [u32; 3]| points.orient_in_plane(axis as usize, a, b, c);
+    axes.into_iter().find(|&axis| {
+        let mut signs = triangles.clone().map(|corners| turn(axis, corners));
+        let first = signs.next().unwrap_or(Sign::Zero);
+        first != Sign::Zero && signs.all(|sign| sign == first)
+    })
+}
+
+/// The working state for polygons.
+struct Work<'a> {
+    delaunay: &'a mut Delaunay,
+    points: &'a Points,
+    subfaces: Subfaces,
+    search: StarSearch,
+    /// A triangle at each corner of the current polygon. Only looked up, never iterated.
+    triangle_of: FxHashMap<u32, u32>,
+}
+
+impl Work<'_> {
+    fn has_edge(&mut self, [a, b]: [u32; 2]) -> bool {
+        let start = self.delaunay.vertex_tet[a as usize];
+        start != NONE && self.search.find_edge(&mut self.delaunay.mesh, a, b, start).is_some()
+    }
+
+    /// The ends of the edge opposite a corner.
+    fn ends(&self, code: u32) -> [u32; 2] {
+        let (v, i) = (self.subfaces.verts[code as usize / 3], code as usize % 3);
+        [v[(i + 1) % 3], v[(i + 2) % 3]]
+    }
+
+    fn is_inner(&self, code: u32) -> bool {
+        self.subfaces.adj[code as usize / 3][code as usize % 3] != NONE
+    }
+
+    /// Lawson's flips in the plane of a polygon.
+    fn make_delaunay(&mut self, own: &[u32]) -> Result<(), Error> {
+        let axis = self.subfaces.axis(self.subfaces.patch[own[0] as usize]);
+        let origin = *self.points.xyz(self.subfaces.verts[own[0] as usize][0]);
+        let mut stack: Vec<u32> = Vec::new();
+        stack.try_reserve(3 * own.len())?;
+        stack.extend(own.iter().flat_map(|&t| 3 * t..3 * t + 3).filter(|&code| self.is_inner(code)));
+        while let Some(code) = stack.pop() {
+            let Some([a, d]) = self.subfaces.other_diagonal(self.points, code) else { continue };
+            let [b, c] = self.ends(code);
+            let corners = [a, b, c, d].map(|v| self.points.xyz(v));
+            if is_inside_circle(axis, &origin, corners) {
+                self.subfaces.turn(code);
+                stack.try_reserve(4)?;
+                stack.extend(self.subfaces.quadrilateral(code));
+            }
+        }
+        Ok(())
+    }
+
+    /// Gives a polygon all edges that the mesh has between its corners, except where these cross each other; returns true if no other edges
+    /// remain.
+    fn conform(&mut self, own: &[u32]) -> Result<bool, Error> {
+        self.triangle_of.clear();
+        own.iter().try_for_each(|&t| self.note_corners(t))?;
+        let mut missing: Vec<u32> = Vec::new();
+        let mut around: Vec<u32> = Vec::new();
+        for _ in 0..own.len() {
+            missing.clear();
+            missing.try_reserve(3 * own.len())?;
+            for code in own.iter().flat_map(|&t| 3 * t..3 * t + 3) {
+                let ends = self.ends(code);
+                if !self.has_edge(ends) {
+                    if !self.is_inner(code) {
+                        return Ok(false);
+                    }
+                    missing.push(code);
+                }
+            }
+            if missing.is_empty() {
+                return Ok(true);
+            }
+            // A mesh edge that crosses only missing edges begins at a corner opposite one of these.
+            let mut apexes: Vec<u32> = Vec::new();
+            apexes.try_reserve(missing.len())?;
+            let apex = |&code: &u32| self.subfaces.verts[code as usize / 3][code as usize % 3];
+            apexes.extend(missing.iter().map(apex));
+            apexes.sort_unstable();
+            apexes.dedup();
+            let mut changed = false;
+            for (i, &p) in apexes.iter().enumerate() {
+                self.neighbors(p, &mut around)?;
+                for &q in around.iter().filter(|q| apexes[i + 1..].binary_search(q).is_ok()) {
+                    changed |= self.insert_edge([p, q])?;
+                }
+            }
+            if !changed {
+                return Ok(false);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The vertices joined to `v` in the mesh, in ascending order.
+    fn neighbors(&mut self, v: u32, around: &mut Vec<u32>) -> Result<(), Error> {
+        around.clear();
+        let start = self.delaunay.vertex_tet[v as usize];
+        if start == NONE {
+            return Ok(());
+        }
+        self.search.vertex_star(&mut self.delaunay.mesh, v, start);
+        around.try_reserve(4 * self.search.tets.len())?;
+        around.extend(self.search.tets.iter().flat_map(|&t| self.delaunay.mesh.verts[t as usize]));
+        around.retain(|&w| w != v && w != GHOST);
+        around.sort_unstable();
+        around.dedup();
+        Ok(())
+    }
+
+    /// Flips the edges that cross `pq` until it exists, if the mesh has none of them; returns true if that created it.
+    fn insert_edge(&mut self, [p, q]: [u32; 2]) -> Result<bool, Error> {
+        let mut crossing: VecDeque<[u32; 2]> = VecDeque::new();
+        self.walk([p, q], |_, ends| {
+            crossing.try_reserve(1)?;
+            crossing.push_back(ends);
+            Ok(false)
+        })?;
+        if crossing.is_empty() || crossing.iter().any(|&ends| self.has_edge(ends)) {
+            return Ok(false);
+        }
+        let mut tries = 4 * crossing.len() * crossing.len() + 16;
+        while let Some(edge) = crossing.pop_front() {
+            if tries == 0 {
+                return Ok(false);
+            }
+            tries -= 1;
+            let mut found = None;
+            self.walk([p, q], |code, ends| {
+                found = (ends == edge).then_some(code);
+                Ok(found.is_some())
+            })?;
+            let Some(code) = found else { return Ok(false) };
+            let Some([a, d]) = self.subfaces.other_diagonal(self.points, code) else {
+                crossing.push_back(edge);
+                continue;
+            };
+            let other = self.subfaces.adj[code as usize / 3][code as usize % 3] / 3;
+            self.subfaces.turn(code);
+            for t in [code / 3, other] {
+                self.note_corners(t)?;
+            }
+            let inner = self.subfaces.verts[code as usize / 3].iter().position(|v| *v != a && *v != d);
+            let across = inner.map(|i| code / 3 * 3 + i as u32);
+            if across.is_some_and(|across| self.subfaces.crosses(self.points, across, [p, q])) {
+                crossing.push_back(edge_key(a, d));
+            }
+        }
+        Ok(true)
+    }
+
+    /// Calls `visit` with the edges that cross `pq`, as codes and ends, in their order from `p`, until it asks to stop. Does nothing if
+    /// `pq` does not lie in the polygon or passes through a corner.
+    fn walk(
+        &self,
+        [p, q]: [u32; 2],
+        mut visit: impl FnMut(u32, [u32; 2]) -> Result<bool, Error>,
+    ) -> Result<(), Error> {
+        let Some(mut code) = self.entry([p, q]) else { return Ok(()) };
+        loop {
+            let [x, y] = self.ends(code);
+            if visit(code, edge_key(x, y))? {
+                return Ok(());
+            }
+            let other = self.subfaces.adj[code as usize / 3][code as usize % 3];
+            let (t, i) = (other / 3, other % 3);
+            if self.subfaces.verts[t as usize][i as usize] == q {
+                return Ok(());
+            }
+            let onward = [3 * t + (i + 1) % 3, 3 * t + (i + 2) % 3];
+            let Some(next) = onward.into_iter().find(|&c| self.subfaces.crosses(self.points, c, [p, q]))
+            else {
+                return Ok(());
+            };
+            code = next;
+        }
+    }
+
+    /// The edge opposite `p` that `pq` crosses first, if any.
+    fn entry(&self, [p, q]: [u32; 2]) -> Option<u32> {
+        let &first = self.triangle_of.get(&p)?;
+        // Around `p` one way, then the other way if that ends at an edge of the polygon.
+        for turn in [1, 2] {
+            let mut t = first;
+            loop {
+                let i = self.subfaces.verts[t as usize].iter().position(|&v| v == p)?;
+                let code = 3 * t + i as u32;
+                if self.subfaces.crosses(self.points, code, [p, q]) {
+                    return Some(code);
+                }
+                let beyond = self.subfaces.adj[t as usize][(i + turn) % 3];
+                if beyond == NONE {
+                    break;
+                }
+                t = beyond / 3;
+                if t == first {
+                    return None;
+                }
+            }
+        }
+        None
+    }
+
+    /// Records a triangle at each of its corners.
+    fn note_corners(&mut self, t: u32) -> Result<(), Error> {
+        self.triangle_of.try_reserve(3).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        self.triangle_of.extend(self.subfaces.verts[t as usize].map(|v| (v, t)));
+        Ok(())
+    }
+}

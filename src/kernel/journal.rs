@@ -1,0 +1,85 @@
+//! A journal of replacements, so that they can be undone: the same tetrahedra return to the same slots.
+//!
+//! A replacement ([`Refill::replace`](crate::kernel::refill::Refill::replace)) releases the old slots in order and then allocates one for each new
+//! tetrahedron, from a stack of free slots. Undone in reverse order, these steps see the same stack: every old tetrahedron gets its own
+//! slot again, and its data, including neighbours, are restored.
+//!
+//! Invariant: replacements are undone in reverse order, and nothing else has been replaced since.
+use crate::error::Error;
+use crate::kernel::{flag, Tetrahedra};
+
+/// A tetrahedron that was replaced.
+struct Saved {
+    slot: u32,
+    flags: u16,
+    verts: [u32; 4],
+    adj: [u32; 4],
+}
+
+/// Replacements, in order.
+#[derive(Default)]
+pub struct Journal {
+    saved: Vec<Saved>,
+    fresh: Vec<u32>,
+    /// Where each replacement starts in both lists.
+    starts: Vec<[usize; 2]>,
+}
+
+impl Journal {
+    /// The number of replacements that can be undone.
+    pub fn len(&self) -> usize {
+        self.starts.len()
+    }
+
+    /// Forgets all entries: the replacements become permanent.
+    pub fn clear(&mut self) {
+        self.saved.clear();
+        self.fresh.clear();
+        self.starts.clear();
+    }
+
+    /// Begins the entry of a replacement: `old`, in that order, are about to be replaced.
+    pub fn begin(&mut self, mesh: &Tetrahedra, old: &[u32]) -> Result<(), Error> {
+        self.starts.try_reserve(1)?;
+        self.saved.try_reserve(old.len())?;
+        self.starts.push([self.saved.len(), self.fresh.len()]);
+        self.saved.extend(old.iter().map(|&slot| {
+            let t = slot as usize;
+            Saved { slot, flags: mesh.flags[t] & !flag::MARK, verts: mesh.verts[t], adj: mesh.adj[t] }
+        }));
+        Ok(())
+    }
+
+    /// Ends the entry: `fresh` are the new tetrahedra, in the order of their allocation.
+    pub fn end(&mut self, fresh: &[u32]) -> Result<(), Error> {
+        self.fresh.try_reserve(fresh.len())?;
+        self.fresh.extend_from_slice(fresh);
+        Ok(())
+    }
+
+    /// Undoes the last replacement.
+    ///
+    /// # Errors
+    /// `Internal` if something else has been replaced since.
+    pub fn take_back(&mut self, mesh: &mut Tetrahedra, vertex_tet: &mut [u32]) -> Result<(), Error> {
+        let Some([saved, fresh]) = self.starts.pop() else { return Ok(()) };
+        for t in self.fresh.drain(fresh..).rev() {
+            mesh.release(t);
+        }
+        for old in self.saved[saved..].iter().rev() {
+            if mesh.allocate(old.verts) != old.slot {
+                return Err(Error::internal("a replacement is undone out of order"));
+            }
+            mesh.flags[old.slot as usize] = old.flags;
+            for v in old.verts {
+                vertex_tet[v as usize] = old.slot;
+            }
+        }
+        for old in self.saved.drain(saved..) {
+            for (f, n) in old.adj.into_iter().enumerate() {
+                mesh.link(4 * old.slot + f as u32, n);
+            }
+        }
+        Ok(())
+    }
+}

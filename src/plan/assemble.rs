@@ -1,0 +1,390 @@
+//! From the engine's arrays to the output: what stays, renumbered, in the caller's coordinates.
+use crate::delaunay::Delaunay;
+use crate::domain::{Components, Regions};
+use crate::error::Error;
+use crate::facets::subface::Subfaces;
+use crate::fallible;
+use crate::kernel::{edge_key, face_key};
+use crate::kernel::{flag, Tetrahedra};
+use crate::output::{Guarantee, Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+use crate::plan::Engine;
+use crate::plc::surface::Surface;
+use crate::plc::Plc;
+use crate::predicates::{scale, Expansion};
+use crate::preserve::solid::Solid;
+use crate::preserve::Freed;
+use crate::rounding::Rounded;
+use crate::segments::recovery::Segments;
+use crate::INVALID;
+use rustc_hash::FxHashMap;
+
+/// What the mesh of a surface keeps of it.
+#[derive(Clone, Copy)]
+pub(super) struct Constraints<'a> {
+    pub(super) segments: &'a Segments,
+    pub(super) subfaces: &'a Subfaces,
+}
+
+/// The output mesh.
+pub(super) fn mesh(
+    engine: &Engine,
+    plc: &Plc,
+    surface: &Surface,
+    components: &Components,
+    regions: &Regions,
+    rounded: &Rounded,
+    constraints: Option<Constraints>,
+) -> Result<TetMesh, Error> {
+    let mut out = without_elements(plc, surface, regions)?;
+    let steiner_count = engine.points.len() - engine.input_of.len();
+    out.points.try_reserve(plc.points.len() + steiner_count)?;
+    out.points.extend_from_slice(&plc.points);
+    for p in &rounded.xyz[engine.input_of.len()..engine.points.len()] {
+        out.points.push(p.map(|x| scale(x, -engine.scale)));
+    }
+    let point_of = |v: u32| match engine.input_of.get(v as usize) {
+        Some(&input) => input,
+        None => (plc.points.len() + v as usize - engine.input_of.len()) as u32,
+    };
+    fallible::extend(&mut out.crowded, rounded.crowded.iter().map(|&v| point_of(v)))?;
+    let number = tets(engine, components, regions, &mut out, point_of)?;
+    out.replaced.try_reserve(rounded.replaced.len())?;
+    out.replaced.extend(rounded.replaced.iter().map(|&t| number[t as usize]));
+    out.replaced.sort_unstable();
+    if let Some(Constraints { segments, subfaces }) = constraints {
+        steiner(engine, segments, surface, rounded, &mut out, point_of)?;
+        subsegments(plc, surface, segments, &mut out, point_of)?;
+        let list = subfaces.verts.iter().copied().zip(subfaces.facet.iter().copied());
+        faces(&engine.delaunay.mesh, plc, list, &number, &mut out, point_of)?;
+    }
+    Ok(out)
+}
+
+/// What does not depend on the tetrahedra.
+fn without_elements(plc: &Plc, surface: &Surface, regions: &Regions) -> Result<TetMesh, Error> {
+    Ok(TetMesh {
+        input_point_count: plc.points.len() as u32,
+        point_alias: fallible::copied(&surface.alias)?,
+        regions: fallible::copied(&regions.regions)?,
+        facet_flips: fallible::copied(&surface.facet_flips)?,
+        ..TetMesh::default()
+    })
+}
+
+/// The output mesh of a domain without points on its surface, or on its outer boundary.
+pub(super) fn preserved(
+    engine: &Engine,
+    plc: &Plc,
+    surface: &Surface,
+    solid: &Solid,
+    freed: &Freed,
+    segments: &Segments,
+    regions: &Regions,
+) -> Result<TetMesh, Error> {
+    let mut out = TetMesh { preserved: true, ..without_elements(plc, surface, regions)? };
+    let mut number_of: Vec<u32> = Vec::new();
+    number_of.try_reserve(engine.points.len())?;
+    number_of.extend_from_slice(&engine.input_of);
+    number_of.resize(engine.points.len(), INVALID);
+    let inside = &freed.inside.list;
+    out.points.try_reserve(plc.points.len() + freed.settled.len() + inside.len())?;
+    out.points.extend_from_slice(&plc.points);
+    for v in freed.settled.iter().map(|point| point.v).chain(inside.iter().copied()) {
+        number_of[v as usize] = out.points.len() as u32;
+        out.points.push(engine.points.xyz(v).map(|x| scale(x, -engine.scale)));
+    }
+    out.steiner.try_reserve(freed.settled.len() + inside.len())?;
+    settled(engine, freed, segments, surface, &mut out)?;
+    out.steiner.extend(inside.iter().map(|_| SteinerPoint::INSIDE));
+    let mesh = &solid.mesh;
+    let mut number = Vec::new();
+    number.try_reserve(mesh.slot_count())?;
+    let mut count = 0;
+    for t in 0..mesh.slot_count() as u32 {
+        let stays = mesh.is_live(t) && !mesh.is_ghost(t);
+        number.push(if stays { count } else { INVALID });
+        count += u32::from(stays);
+    }
+    out.tets.try_reserve(count as usize)?;
+    out.neighbors.try_reserve(count as usize)?;
+    out.tet_region.try_reserve(count as usize)?;
+    for (t, _) in number.iter().enumerate().filter(|&(_, &n)| n != INVALID) {
+        out.tets.push(mesh.verts[t].map(|v| number_of[v as usize]));
+        out.neighbors.push(mesh.adj[t].map(|code| number[(code >> 2) as usize]));
+        out.tet_region.push(solid.region[t]);
+    }
+    let chains = chains(engine, freed, segments, surface)?;
+    let mut chains = chains.into_iter().peekable();
+    for (s, (&ends, &segment)) in surface.segments.iter().zip(&surface.segment_parent).enumerate() {
+        let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);
+        let mut from = ends[0];
+        while let Some((_, v)) = chains.next_if(|x| x.0 == s) {
+            let to = number_of[v as usize];
+            out.subsegments.try_reserve(1)?;
+            out.subsegments.push(Subsegment { ends: [from, to], segment, marker });
+            from = to;
+        }
+        out.subsegments.try_reserve(1)?;
+        out.subsegments.push(Subsegment { ends: [from, ends[1]], segment, marker });
+    }
+    faces(mesh, plc, freed.subfaces.iter().copied(), &number, &mut out, |v| number_of[v as usize])?;
+    Ok(out)
+}
+
+/// The surface's segment that a Steiner point lies on, in the order of both, and whether its ends are reversed.
+fn segment_of(
+    engine: &Engine,
+    segments: &Segments,
+    surface: &Surface,
+    segment: u32,
+) -> Option<(usize, bool)> {
+    let [a, b] = segments.ends[segment as usize].map(|v| engine.input_of[v as usize]);
+    let found = surface.segments.binary_search(&edge_key(a, b)).ok()?;
+    Some((found, surface.segments[found] != [a, b]))
+}
+
+/// Steiner points that stay on internal segments: their parents.
+fn settled(
+    engine: &Engine,
+    freed: &Freed,
+    segments: &Segments,
+    surface: &Surface,
+    out: &mut TetMesh,
+) -> Result<(), Error> {
+    for (i, point) in freed.settled.iter().enumerate() {
+        let index = point.v - segments.first_steiner;
+        let (s, t) = (segments.steiner_segment[index as usize], segments.steiner_t[index as usize]);
+        let at = *engine.points.xyz(point.v);
+        // Scaling back may lose bits of subnormal coordinates.
+        let returned = at.map(|x| scale(scale(x, -engine.scale), engine.scale)) == at;
+        let parent = segment_of(engine, segments, surface, s);
+        out.steiner.push(SteinerPoint {
+            ends: segments.ends[s as usize].map(|v| engine.input_of[v as usize]),
+            t,
+            segment: parent.map_or(INVALID, |(found, _)| surface.segment_parent[found]),
+            exact: point.exact && returned,
+        });
+        let Some(exact) = segments.fine.get(&index) else { continue };
+        push_terms(exact, t, i as u32, out)?;
+    }
+    Ok(())
+}
+
+/// The terms of a Steiner point's parameter beyond its double.
+fn push_terms(exact: &Expansion, t: f64, steiner: u32, out: &mut TetMesh) -> Result<(), Error> {
+    let rest = exact.difference(&t.into()).compressed();
+    out.steiner_terms.try_reserve(rest.components().len())?;
+    let term = |&value: &f64| SteinerTerm { steiner, value };
+    out.steiner_terms.extend(rest.components().iter().rev().map(term));
+    Ok(())
+}
+
+/// The points that stay on each segment of the surface, from its first end to its second.
+fn chains(
+    engine: &Engine,
+    freed: &Freed,
+    segments: &Segments,
+    surface: &Surface,
+) -> Result<Vec<(usize, u32)>, Error> {
+    let mut chains = Vec::new();
+    if freed.settled.is_empty() {
+        return Ok(chains);
+    }
+    chains.try_reserve(freed.settled.len())?;
+    let list = segments.steiner_by_segment()?;
+    for run in list.chunk_by(|x, y| x.0 == y.0) {
+        let Some((s, turned)) = segment_of(engine, segments, surface, run[0].0) else { continue };
+        let from = chains.len();
+        let stays = |v: &u32| freed.settled.binary_search_by_key(v, |point| point.v).is_ok();
+        chains.extend(run.iter().map(|x| x.2).filter(stays).map(|v| (s, v)));
+        if turned {
+            chains[from..].reverse();
+        }
+    }
+    fallible::stable_sort_by(&mut chains, |x, y| x.0.cmp(&y.0))?;
+    Ok(chains)
+}
+
+/// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
+pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<TetMesh, Error> {
+    // Destructured by name, since fields left in the struct would live until the end.
+    let Engine { points, delaunay, input_of, rounds: _, engine_of, scale: _ } = engine;
+    drop((points, engine_of));
+    let Delaunay { mut mesh, cavity, vertex_tet, .. } = delaunay;
+    drop((cavity, vertex_tet));
+    // Flags tell below which slots stay; the list of free ones is no longer needed.
+    mesh.free = Vec::new();
+    let mut number = Vec::new();
+    number.try_reserve_exact(mesh.slot_count())?;
+    let mut count = 0;
+    for t in 0..mesh.slot_count() as u32 {
+        let stays = mesh.is_live(t) && !mesh.is_ghost(t);
+        number.push(if stays { count } else { INVALID });
+        count += stays as u32;
+    }
+    mesh.flags = Vec::new();
+    for (t, &n) in number.iter().enumerate().filter(|&(_, &n)| n != INVALID) {
+        // New numbers are never larger: nothing is overwritten before it is read.
+        mesh.verts[n as usize] = mesh.verts[t].map(|v| input_of[v as usize]);
+        mesh.adj[n as usize] = mesh.adj[t].map(|code| number[(code >> 2) as usize]);
+    }
+    drop((number, input_of));
+    mesh.verts.truncate(count as usize);
+    mesh.adj.truncate(count as usize);
+    let mut out = TetMesh {
+        input_point_count: plc.points.len() as u32,
+        point_alias: alias,
+        regions: fallible::collect([Region { attribute: 1.0, seed: INVALID, max_volume: None }])?,
+        tets: mesh.verts,
+        neighbors: mesh.adj,
+        hull_kept: true,
+        guarantee: Guarantee::Delaunay,
+        ..TetMesh::default()
+    };
+    out.points.try_reserve_exact(plc.points.len())?;
+    out.points.extend_from_slice(&plc.points);
+    out.tet_region.try_reserve_exact(count as usize)?;
+    out.tet_region.resize(count as usize, 0);
+    Ok(out)
+}
+
+/// Tetrahedra that stay, their neighbours and regions; returns the new number of each slot.
+fn tets(
+    engine: &Engine,
+    components: &Components,
+    regions: &Regions,
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+) -> Result<Vec<u32>, Error> {
+    let mesh = &engine.delaunay.mesh;
+    let mut number = Vec::new();
+    number.try_reserve(mesh.slot_count())?;
+    number.resize(mesh.slot_count(), INVALID);
+    let stays = |t: u32| {
+        mesh.is_live(t)
+            && !mesh.is_ghost(t)
+            && regions.of_component[components.of[t as usize] as usize] != INVALID
+    };
+    let mut count = 0;
+    for t in 0..mesh.slot_count() as u32 {
+        if stays(t) {
+            number[t as usize] = count;
+            count += 1;
+        }
+    }
+    out.tets.try_reserve(count as usize)?;
+    out.neighbors.try_reserve(count as usize)?;
+    out.tet_region.try_reserve(count as usize)?;
+    for t in 0..mesh.slot_count() as u32 {
+        if number[t as usize] == INVALID {
+            continue;
+        }
+        out.tets.push(mesh.verts[t as usize].map(&point_of));
+        out.neighbors.push(mesh.adj[t as usize].map(|code| number[(code >> 2) as usize]));
+        out.tet_region.push(regions.of_component[components.of[t as usize] as usize]);
+    }
+    Ok(number)
+}
+
+fn steiner(
+    engine: &Engine,
+    segments: &Segments,
+    surface: &Surface,
+    rounded: &Rounded,
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+) -> Result<(), Error> {
+    out.steiner.try_reserve(segments.steiner_t.len())?;
+    for (i, (&s, &t)) in segments.steiner_segment.iter().zip(&segments.steiner_t).enumerate() {
+        let v = segments.first_steiner + i as u32;
+        let exact = engine.points.is_explicit(v) && rounded.xyz[v as usize] == *engine.points.xyz(v);
+        // Scaling back may lose bits of subnormal coordinates.
+        let returned =
+            out.points[point_of(v) as usize].map(|x| scale(x, engine.scale)) == rounded.xyz[v as usize];
+        out.steiner.push(SteinerPoint {
+            ends: segments.ends[s as usize].map(&point_of),
+            t,
+            segment: surface.segment_parent[s as usize],
+            exact: exact && returned,
+        });
+        let Some(exact) = segments.fine.get(&(i as u32)) else { continue };
+        push_terms(exact, t, i as u32, out)?;
+    }
+    Ok(())
+}
+
+fn subsegments(
+    plc: &Plc,
+    surface: &Surface,
+    segments: &Segments,
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+) -> Result<(), Error> {
+    out.subsegments.try_reserve(segments.pieces.len())?;
+    let mut pieces = fallible::collect(segments.pieces.iter())?;
+    pieces.sort_unstable_by(|x, y| {
+        let order = || segments.order(x.segment, [x.ends[0], y.ends[0]], [x.t[0], y.t[0]]);
+        x.segment.cmp(&y.segment).then_with(order)
+    });
+    for piece in pieces {
+        let segment = surface.segment_parent[piece.segment as usize];
+        let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);
+        out.subsegments.push(Subsegment { ends: piece.ends.map(&point_of), segment, marker });
+    }
+    Ok(())
+}
+
+/// Subfaces with the tetrahedra on both sides.
+fn faces(
+    mesh: &Tetrahedra,
+    plc: &Plc,
+    subfaces: impl ExactSizeIterator<Item = ([u32; 3], u32)>,
+    number: &[u32],
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+) -> Result<(), Error> {
+    let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+    code_of.try_reserve(subfaces.len())?;
+    for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t)) {
+        for code in 4 * t..4 * t + 4 {
+            // One side is enough: both are flagged.
+            if mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0 && code < mesh.across(code) {
+                code_of.insert(face_key(mesh.face(code)), code);
+            }
+        }
+    }
+    out.subfaces.try_reserve(subfaces.len())?;
+    for (corners, facet) in subfaces {
+        let marker = plc.facet_marker(facet as usize);
+        let Some(&code) = code_of.get(&face_key(corners)) else {
+            // Everything around it was carved, and is no longer even in the mesh.
+            if !out.preserved {
+                return Err(Error::internal("a subface is no face of the mesh"));
+            }
+            let corners = corners.map(&point_of);
+            out.unmeshed_subfaces.try_reserve(1)?;
+            out.unmeshed_subfaces.push(Subface { corners, facet, marker, tets: [INVALID; 2] });
+            continue;
+        };
+        // (apex, x, y, z) is positive, so (x, y, z, apex) is not: the normal of (x, y, z) points away from the apex.
+        let found = mesh.face(code);
+        let same = (0..3).any(|k| found[0] == corners[k] && found[1] == corners[(k + 1) % 3]);
+        let (behind, ahead) = if same { (code, mesh.across(code)) } else { (mesh.across(code), code) };
+        let mut corners = corners.map(&point_of);
+        let mut tets = [number[(behind >> 2) as usize], number[(ahead >> 2) as usize]];
+        // The lower region first, INVALID last: on the boundary normals point outward.
+        let rank = |t: u32| (out.tet_region.get(t as usize).copied().unwrap_or(INVALID), t);
+        if rank(tets[0]) > rank(tets[1]) {
+            tets.swap(0, 1);
+            corners.swap(1, 2);
+        }
+        let subface = Subface { corners, facet, marker, tets };
+        if tets == [INVALID; 2] {
+            out.unmeshed_subfaces.try_reserve(1)?;
+            out.unmeshed_subfaces.push(subface);
+        } else {
+            out.subfaces.push(subface);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,603 @@
+//! The pipeline: prepare → Delaunay → segments → facets → regions → rounding → output → audit. The only place that knows the
+//! order.
+use crate::check::{audit, audit_promise, Promise};
+use crate::delaunay::order::{insertion_order, Order};
+use crate::delaunay::Delaunay;
+use crate::domain::{components, label, Components, Regions, Seeds};
+use crate::error::{Element, Error, Status};
+use crate::facets::polygons::{retriangulate, Polygons, Retriangulated};
+use crate::facets::recovery::FacetRecovery;
+use crate::facets::subface::{Subfaces, Triangles};
+use crate::fallible;
+use crate::kernel::edge_key;
+use crate::kernel::flag;
+use crate::options::{Mode, Options};
+use crate::output::{Statistics, TetMesh};
+use crate::plc::near::Home;
+use crate::plc::surface::Surface;
+use crate::plc::{Plc, Prepared};
+use crate::predicates::{scale, Points};
+use crate::progress::{report, Observer, Phase, Steady};
+use crate::rounding::{round, Kept};
+use crate::segments::recovery::{Recovery, Segments};
+use crate::warning::Warnings;
+use crate::INVALID;
+use std::time::Instant;
+
+mod assemble;
+mod crowding;
+mod merge;
+mod preserve;
+mod promise;
+mod unmeshed;
+mod unrounded;
+mod warn;
+
+use crowding::crowding;
+use preserve::Embedded;
+
+/// Makes a tetrahedral mesh of a PLC.
+///
+/// The result is constrained Delaunay (or Delaunay, by [`Mode`]), its tetrahedra are all positive in exact arithmetic on
+/// the returned doubles, and input points come back first, in order, bit for bit. See [`Status`] for what can fail; a
+/// valid PLC does not.
+pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<TetMesh, Error> {
+    let (statistics, warnings) = (Statistics::default(), Warnings::default());
+    let promise = Promise::default();
+    let observer = &mut Steady::new(observer);
+    let seeds = Warnings::default();
+    let mut run =
+        Run { clock: Instant::now(), statistics, warnings, seeds, unmerged_at_least: 0, promise, observer };
+    let outcome = run.mesh(plc, options);
+    match &outcome {
+        Ok(mesh) => mesh.warnings.log(run.observer),
+        Err(_) => run.warnings.log(run.observer),
+    }
+    outcome
+}
+
+/// Translates the engine's segments in an error to the caller's: a facet edge is named by the first facet that has it. The location is
+/// translated too.
+fn in_terms_of_input(mut error: Error, segments: &Segments, input_of: &[u32], surface: &Surface) -> Error {
+    for defect in &mut error.defects {
+        let Element::Segment(s) = defect.first else { continue };
+        let [a, b] = segments.ends[s as usize].map(|v| input_of[v as usize]);
+        let found = surface.segments.binary_search(&edge_key(a, b));
+        let parent = found.map_or(INVALID, |s| surface.segment_parent[s]);
+        let facet = || surface.triangles.iter().position(|t| t.contains(&a) && t.contains(&b));
+        defect.first = match parent {
+            INVALID => facet().map_or(Element::Point(a), |t| Element::Facet(surface.triangle_facet[t])),
+            parent => Element::Segment(parent),
+        };
+        let at = surface.points[a as usize].map(|x| scale(x, -surface.scale));
+        defect.point = defect.point.or(Some(at));
+    }
+    error
+}
+
+/// Segments that are unions of edges, and polygons with other diagonals than the surface's.
+struct Recovered {
+    segments: Segments,
+    polygons: Retriangulated,
+}
+
+impl Recovered {
+    /// Segments alone.
+    fn of(segments: Segments) -> Recovered {
+        Recovered { segments, polygons: Retriangulated::default() }
+    }
+}
+
+/// Clock, counts and the caller's observer.
+struct Run<'a> {
+    clock: Instant,
+    statistics: Statistics,
+    warnings: Warnings,
+    /// Warnings about seeds, of the last mesh made.
+    seeds: Warnings,
+    /// The number of Steiner points certain to be needed without merging.
+    unmerged_at_least: u64,
+    /// What the mesh must have, if it is to keep the surface.
+    promise: Promise,
+    observer: &'a mut dyn Observer,
+}
+
+/// The working state: vertices in insertion order and their triangulation.
+pub(crate) struct Engine {
+    pub(crate) points: Points,
+    pub(crate) delaunay: Delaunay,
+    /// Input point of each engine vertex (Steiner points excluded).
+    pub(crate) input_of: Vec<u32>,
+    /// Where rounds of insertion end.
+    pub(crate) rounds: Vec<usize>,
+    /// Engine vertex of each input point (of its first equal one).
+    pub(crate) engine_of: Vec<u32>,
+    /// Coordinates are the input's times two to this power.
+    pub(crate) scale: i32,
+}
+
+impl Engine {
+    /// Orders the distinct points and sets up the exact arithmetic.
+    fn new(surface: &Surface, options: &Options) -> Result<Self, Error> {
+        Ok(Self::numbered(surface, options, &[])?.0)
+    }
+
+    /// The same, where the given points get the lowest ids; and the order in which to insert the vertices.
+    fn numbered(surface: &Surface, options: &Options, first: &[u32]) -> Result<(Self, Vec<u32>), Error> {
+        let mut distinct = Vec::new();
+        distinct.try_reserve_exact(surface.alias.len())?;
+        distinct.extend((0u32..).zip(&surface.alias).filter(|&(i, &a)| i == a).map(|(i, _)| i));
+        let Order { ids: sorted, rounds } = if options.points_sorted {
+            Order { ids: distinct, rounds: Vec::new() }
+        } else {
+            insertion_order(&surface.points, &distinct)?
+        };
+        let mut engine_of = fallible::filled(INVALID, surface.points.len())?;
+        for (engine, &input) in first.iter().enumerate() {
+            engine_of[input as usize] = engine as u32;
+        }
+        let mut input_of = Vec::new();
+        input_of.try_reserve(sorted.len())?;
+        input_of.extend_from_slice(first);
+        input_of.extend(sorted.iter().filter(|&&i| engine_of[i as usize] == INVALID));
+        for (engine, &input) in input_of.iter().enumerate() {
+            engine_of[input as usize] = engine as u32;
+        }
+        for i in 0..surface.alias.len() {
+            engine_of[i] = engine_of[surface.alias[i] as usize];
+        }
+        let mut xyz = Vec::new();
+        xyz.try_reserve(input_of.len())?;
+        xyz.extend(input_of.iter().map(|&i| surface.points[i as usize]));
+        let mut order = sorted;
+        for v in &mut order {
+            *v = engine_of[*v as usize];
+        }
+        let points = Points::new(xyz);
+        let engine =
+            Engine { points, delaunay: Delaunay::new(), input_of, rounds, engine_of, scale: surface.scale };
+        Ok((engine, order))
+    }
+
+    /// A copy.
+    fn copied(&self) -> Result<Engine, Error> {
+        Ok(Engine {
+            points: self.points.clone(),
+            delaunay: self.delaunay.clone(),
+            input_of: fallible::copied(&self.input_of)?,
+            rounds: fallible::copied(&self.rounds)?,
+            engine_of: fallible::copied(&self.engine_of)?,
+            scale: self.scale,
+        })
+    }
+
+    /// Takes everything out.
+    fn take(&mut self) -> Engine {
+        let empty = Engine {
+            points: Points::new(Vec::new()),
+            delaunay: Delaunay::new(),
+            input_of: Vec::new(),
+            rounds: Vec::new(),
+            engine_of: Vec::new(),
+            scale: 0,
+        };
+        std::mem::replace(self, empty)
+    }
+
+    fn map<const N: usize>(&self, list: &[[u32; N]]) -> Result<Vec<[u32; N]>, Error> {
+        let mut mapped = Vec::new();
+        mapped.try_reserve(list.len())?;
+        mapped.extend(list.iter().map(|v| v.map(|i| self.engine_of[i as usize])));
+        Ok(mapped)
+    }
+}
+
+impl Run<'_> {
+    /// All stages in their order.
+    fn mesh(&mut self, plc: &Plc, options: &Options) -> Result<TetMesh, Error> {
+        let prepared = self.prepare(plc, options)?;
+        let mut mesh = match options.mode {
+            Mode::Delaunay => {
+                let mut engine = Engine::new(prepared.surface(), options)?;
+                // The surface's copy of the points would coexist with the mesh at its peak size.
+                let alias = fallible::copied(&prepared.surface().alias)?;
+                drop(prepared);
+                self.delaunay(&mut engine, options.worker_threads())?;
+                assemble::delaunay(engine, plc, alias)?
+            }
+            Mode::Constrained | Mode::Preserve => {
+                let made = match options.merge_facets {
+                    None => self.mesh_surface(plc, options, prepared),
+                    Some(_) => self.merged_or_not(plc, options, prepared),
+                };
+                match made {
+                    Err(error) if error.status == Status::Rounding && options.mode == Mode::Preserve => {
+                        return Err(unrounded::with_hint(plc, options, error, self.observer))
+                    }
+                    made => made?,
+                }
+            }
+        };
+        self.audit(plc, options, &mut mesh)?;
+        unmeshed::set_apart(&mut mesh)?;
+        self.warnings.append(&self.seeds);
+        warn::about_mesh(&mesh, options, &mut self.warnings)?;
+        mesh.warnings = std::mem::take(&mut self.warnings);
+        if options.drop_unmeshed_points {
+            mesh.drop_unmeshed_points()?;
+        }
+        Ok(mesh)
+    }
+
+    /// Books the time since the last call for `phase`.
+    fn lap(&mut self, phase: Phase) {
+        self.statistics.seconds[phase as usize] += self.clock.elapsed().as_secs_f64();
+        self.clock = Instant::now();
+    }
+
+    fn prepare(&mut self, plc: &Plc, options: &Options) -> Result<Prepared, Error> {
+        report(self.observer, Phase::Validate, 0.0)?;
+        let prepared = match options.mode {
+            Mode::Constrained | Mode::Preserve => crate::plc::check_and_split(plc, options, self.observer)?,
+            Mode::Delaunay => {
+                let points_only = Plc { points: fallible::copied(&plc.points)?, ..Plc::default() };
+                crate::plc::check_and_split(&points_only, options, self.observer)?
+            }
+        };
+        self.statistics.duplicate_points =
+            warn::about_input(plc, &prepared.surface().alias, options, &mut self.warnings);
+        self.lap(Phase::Validate);
+        Ok(prepared)
+    }
+
+    /// Meshes in the modes that keep facets, with merging or without.
+    fn mesh_surface(&mut self, plc: &Plc, options: &Options, prepared: Prepared) -> Result<TetMesh, Error> {
+        if options.mode == Mode::Preserve {
+            return self.preserve(plc, options, prepared);
+        }
+        let mut engine = Engine::new(prepared.surface(), options)?;
+        self.delaunay(&mut engine, options.worker_threads())?;
+        let (surface, recovered) = self.connect_and_recover(plc, options, prepared, &mut engine, true)?;
+        self.constrain(plc, &surface, options, recovered, &mut engine)
+    }
+
+    /// Makes segments and patches of the surface and recovers the segments. If `any_diagonals`, polygons may get others than the
+    /// surface's.
+    fn connect_and_recover(
+        &mut self,
+        plc: &Plc,
+        options: &Options,
+        prepared: Prepared,
+        engine: &mut Engine,
+        any_diagonals: bool,
+    ) -> Result<(Surface, Recovered), Error> {
+        engine.delaunay.index_vertices(engine.points.len())?;
+        if let Some(degrees) = options.merge_facets {
+            return self.merge_and_compare(plc, options, degrees, prepared, engine);
+        }
+        let surface = prepared.connect(plc, self.observer)?;
+        self.lap(Phase::Validate);
+        let segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+        let recovered = self.recover_with_polygons(&surface, segments, options, engine, any_diagonals)?;
+        Ok((surface, recovered))
+    }
+
+    /// Recovers segments: first those that must be there, then diagonals of polygons for which there are no others.
+    fn recover_with_polygons(
+        &mut self,
+        surface: &Surface,
+        mut segments: Segments,
+        options: &Options,
+        engine: &mut Engine,
+        any_diagonals: bool,
+    ) -> Result<Recovered, Error> {
+        if surface.diagonals.is_empty() || !any_diagonals {
+            self.recover_segments(&mut segments, surface, options, engine)?;
+            return Ok(Recovered::of(segments));
+        }
+        let mut soft: Vec<bool> = Vec::new();
+        soft.try_reserve_exact(surface.segments.len())?;
+        soft.resize(surface.segments.len(), false);
+        surface.diagonals.iter().for_each(|d| soft[d.0 as usize] = true);
+        let corners = engine.map(&surface.triangles)?;
+        loop {
+            segments.deferred.clear();
+            segments.deferred.try_reserve_exact(soft.len())?;
+            segments.deferred.extend_from_slice(&soft);
+            self.recover_segments(&mut segments, surface, options, engine)?;
+            if segments.waiting.is_empty() {
+                return Ok(Recovered::of(segments));
+            }
+            segments.waiting.sort_unstable();
+            let waits = |s: &u32| segments.waiting.binary_search(s).is_ok();
+            // Diagonals are in the order of segments, not of facets.
+            let mut wanted: Vec<u32> = Vec::new();
+            wanted.try_reserve(segments.waiting.len())?;
+            wanted.extend(surface.diagonals.iter().filter(|d| waits(&d.0)).map(|d| d.1));
+            wanted.sort_unstable();
+            wanted.dedup();
+            let polygons = Polygons { corners: &corners, facet: &surface.triangle_facet, soft: &soft };
+            let Engine { delaunay, points, .. } = &mut *engine;
+            let (polygons, left) = retriangulate(delaunay, points, &segments, &polygons, &wanted)?;
+            if left.is_empty() {
+                let mut gone: Vec<bool> = Vec::new();
+                gone.try_reserve_exact(soft.len())?;
+                gone.resize(soft.len(), false);
+                let theirs = surface.diagonals.iter().filter(|d| polygons.has(d.1));
+                theirs.for_each(|d| gone[d.0 as usize] = soft[d.0 as usize]);
+                segments.give_up(&gone)?;
+                return Ok(Recovered { segments, polygons });
+            }
+            for &(segment, facet) in &surface.diagonals {
+                let stays = left.binary_search(&facet).is_ok();
+                soft[segment as usize] &= !(stays && segments.waiting.binary_search(&segment).is_ok());
+            }
+            let ends = engine.map(&surface.segments)?;
+            let careful = std::mem::take(&mut segments.careful);
+            segments = segments.exchange(&engine.points, ends)?;
+            segments.careful = careful;
+        }
+    }
+
+    /// Records the current size of the engine's arrays.
+    fn note_peak(&mut self, engine: &Engine) {
+        self.statistics.peak_bytes = self.statistics.peak_bytes.max(engine.delaunay.bytes() as u64);
+    }
+
+    fn delaunay(&mut self, engine: &mut Engine, threads: usize) -> Result<(), Error> {
+        let mut order = fallible::collect(0..engine.points.len() as u32)?;
+        self.delaunay_in(engine, &mut order, threads)
+    }
+
+    /// Inserts the vertices in this order.
+    fn delaunay_in(&mut self, engine: &mut Engine, order: &mut [u32], threads: usize) -> Result<(), Error> {
+        let total = order.len().max(1) as f64;
+        let observer = &mut *self.observer;
+        engine.delaunay.build_rounds(&engine.points, order, &engine.rounds, threads, &mut |done| {
+            report(observer, Phase::Delaunay, done as f64 / total)
+        })?;
+        self.note_peak(engine);
+        self.lap(Phase::Delaunay);
+        Ok(())
+    }
+
+    fn constrain(
+        &mut self,
+        plc: &Plc,
+        surface: &Surface,
+        options: &Options,
+        mut recovered: Recovered,
+        engine: &mut Engine,
+    ) -> Result<TetMesh, Error> {
+        let mut careful = fallible::filled(0u8, surface.segments.len())?;
+        let mut fewest: Option<usize> = None;
+        let mut any_diagonals = true;
+        loop {
+            let subfaces = match self.recover_facets(surface, &recovered, engine) {
+                // An element lies so close to a polygon that it crosses its new triangles. It does not cross the surface's triangles, which
+                // were checked.
+                Err(e)
+                    if matches!(e.status, Status::SelfIntersection | Status::Internal)
+                        && !recovered.polygons.facets.is_empty() =>
+                {
+                    any_diagonals = false;
+                    let first = recovered.segments.first_steiner;
+                    recovered =
+                        self.recover_anew(surface, options, engine, first, &careful, any_diagonals)?;
+                    continue;
+                }
+                subfaces => subfaces?,
+            };
+            let segments = &mut recovered.segments;
+            let (mut components, regions) = self.find_regions(plc, surface, options, engine)?;
+            report(self.observer, Phase::Round, 0.0)?;
+            let mut kept = Kept { components: &mut components, regions: &regions };
+            let rounded = round(
+                &mut engine.delaunay,
+                &mut engine.points,
+                segments,
+                &mut kept,
+                engine.scale,
+                !options.exact_form,
+            )?;
+            self.lap(Phase::Round);
+            // At least once, and as long as each attempt leaves at most half as many; not if other points might be needed on edges made by
+            // merging.
+            let hopeful = surface.edges_beside.is_empty()
+                && fewest.is_none_or(|fewest| 2 * rounded.crowded.len() <= fewest);
+            if !rounded.crowded.is_empty() && hopeful {
+                // The exact mesh is valid but has no counterpart in doubles: other parameters on those segments make another
+                // exact mesh.
+                fewest = Some(rounded.crowded.len());
+                for &v in &rounded.crowded {
+                    careful[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize] += 1;
+                }
+                let first = segments.first_steiner;
+                recovered = self.recover_anew(surface, options, engine, first, &careful, any_diagonals)?;
+                continue;
+            }
+            if !rounded.crowded.is_empty() && !options.exact_form {
+                let place = |&v: &u32| {
+                    let segment = segments.steiner_segment[(v - segments.first_steiner) as usize];
+                    let ends = segments.ends[segment as usize].map(|v| engine.input_of[v as usize]);
+                    (Home::Edge(ends), *engine.points.xyz(v))
+                };
+                let places = fallible::collect(rounded.crowded.iter().map(place))?;
+                drop((rounded, components, regions));
+                let mut subfaces = subfaces;
+                if !recovered.polygons.facets.is_empty() {
+                    // What will be kept are the surface's own triangles.
+                    let first = recovered.segments.first_steiner;
+                    recovered = self.recover_anew(surface, options, engine, first, &careful, false)?;
+                    subfaces = self.recover_facets(surface, &recovered, engine)?;
+                }
+                let engine = engine.take();
+                let patch = fallible::copied(&surface.triangle_patch)?;
+                let segments = recovered.segments;
+                let embedded = Embedded { engine, segments, subfaces, patch, inside: Vec::new(), attempt: 0 };
+                return self.without_boundary_points(plc, surface, options, embedded).map_err(|other| {
+                    if other.status != Status::Rounding {
+                        return other;
+                    }
+                    let hint = "; nor is there room in any mesh without points on the surface";
+                    crowding(surface, &places, hint, options.max_defects)
+                });
+            }
+            let constraints = Some(assemble::Constraints { segments, subfaces: &subfaces });
+            let mut mesh =
+                assemble::mesh(engine, plc, surface, &components, &regions, &rounded, constraints)?;
+            mesh.hull_kept = options.keep_hull;
+            self.seeds = warn::about_seeds(plc, &regions, options);
+            self.statistics.missing_segments = segments.missing;
+            self.statistics.steiner = segments.steiner_t.len() as u64;
+            self.statistics.steiner_moved = rounded.moved;
+            self.statistics.replaced = rounded.replaced.len() as u64;
+            self.statistics.steiner_exact = mesh.steiner.iter().filter(|s| s.exact).count() as u64;
+            self.lap(Phase::Round);
+            return Ok(mesh);
+        }
+    }
+
+    /// Begins segment recovery again, with other parameters on segments where rounding failed.
+    fn recover_anew(
+        &mut self,
+        surface: &Surface,
+        options: &Options,
+        engine: &mut Engine,
+        first_steiner: u32,
+        careful: &[u8],
+        any_diagonals: bool,
+    ) -> Result<Recovered, Error> {
+        engine.points.truncate(first_steiner as usize);
+        self.delaunay(engine, options.worker_threads())?;
+        engine.delaunay.index_vertices(engine.points.len())?;
+        let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+        segments.careful.try_reserve_exact(careful.len())?;
+        segments.careful.extend_from_slice(careful);
+        self.recover_with_polygons(surface, segments, options, engine, any_diagonals)
+    }
+
+    fn recover_segments(
+        &mut self,
+        segments: &mut Segments,
+        surface: &Surface,
+        options: &Options,
+        engine: &mut Engine,
+    ) -> Result<(), Error> {
+        self.recover_fewer(segments, surface, options, engine, None).map(|_| ())
+    }
+
+    /// The same, given up with `false` as soon as it is certain to take `enough` Steiner points.
+    fn recover_fewer(
+        &mut self,
+        segments: &mut Segments,
+        surface: &Surface,
+        options: &Options,
+        engine: &mut Engine,
+        enough: Option<u64>,
+    ) -> Result<bool, Error> {
+        report(self.observer, Phase::Segments, 0.0)?;
+        let observer = &mut *self.observer;
+        let mut best = 0.0f64;
+        let limit = options.steiner_limit.unwrap_or(100_000 + 100 * segments.ends.len() as u64);
+        let mut recovery = Recovery::new(&mut engine.delaunay, &mut engine.points, segments, Some(limit));
+        recovery.enough = enough;
+        let done = recovery.run(&mut |done, known| {
+            best = best.max(done as f64 / known.max(1) as f64);
+            report(observer, Phase::Segments, best)
+        });
+        drop(recovery);
+        let done = done.map_err(|e| in_terms_of_input(e, segments, &engine.input_of, surface))?;
+        self.lap(Phase::Segments);
+        Ok(done)
+    }
+
+    fn recover_facets(
+        &mut self,
+        surface: &Surface,
+        Recovered { segments, polygons }: &Recovered,
+        engine: &mut Engine,
+    ) -> Result<Subfaces, Error> {
+        report(self.observer, Phase::Facets, 0.0)?;
+        let corners = engine.map(&surface.triangles)?;
+        let (facet, patch) = (&surface.triangle_facet, &surface.triangle_patch);
+        let patch_count = surface.patch_count as usize;
+        let subfaces = if polygons.facets.is_empty() {
+            let triangles = Triangles { corners: &corners, facet, patch, patch_count };
+            Subfaces::build(&engine.points, &triangles, segments)?
+        } else {
+            let (mut rest, mut rest_facet, mut rest_patch) = (Vec::new(), Vec::new(), Vec::new());
+            rest.try_reserve_exact(corners.len())?;
+            rest_facet.try_reserve_exact(corners.len())?;
+            rest_patch.try_reserve_exact(corners.len())?;
+            for t in (0..corners.len()).filter(|&t| !polygons.has(facet[t])) {
+                rest.push(corners[t]);
+                rest_facet.push(facet[t]);
+                rest_patch.push(patch[t]);
+            }
+            let triangles = Triangles { corners: &rest, facet: &rest_facet, patch: &rest_patch, patch_count };
+            let mut subfaces = Subfaces::build(&engine.points, &triangles, segments)?;
+            subfaces.add_single(&engine.points, &polygons.corners, &polygons.facet)?;
+            subfaces
+        };
+        let observer = &mut *self.observer;
+        let mut recovery = FacetRecovery::new(&mut engine.delaunay, &engine.points, &subfaces)?;
+        recovery.run(&mut |done, all| report(observer, Phase::Facets, done as f64 / all.max(1) as f64))?;
+        self.statistics.missing_regions = recovery.regions;
+        drop(recovery);
+        self.lap(Phase::Facets);
+        Ok(subfaces)
+    }
+
+    fn find_regions(
+        &mut self,
+        plc: &Plc,
+        surface: &Surface,
+        options: &Options,
+        engine: &mut Engine,
+    ) -> Result<(Components, Regions), Error> {
+        report(self.observer, Phase::Regions, 0.0)?;
+        for flags in &mut engine.delaunay.mesh.flags {
+            *flags &= flag::FACES | flag::DEAD;
+        }
+        let components = components(&engine.delaunay.mesh)?;
+        let regions = label(
+            &engine.delaunay.mesh,
+            &mut engine.points,
+            &components,
+            &Seeds { holes: &plc.holes, regions: &plc.regions, exponent: engine.scale },
+            options.keep_hull,
+        )
+        .map_err(|error| match error.status {
+            Status::NothingEnclosed => warn::nothing_enclosed(plc, surface, options.max_defects),
+            _ => error,
+        })?;
+        self.note_peak(engine);
+        self.lap(Phase::Regions);
+        Ok((components, regions))
+    }
+
+    /// The exact audit of the output.
+    fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
+        report(self.observer, Phase::Audit, 0.0)?;
+        let audited = audit(plc, mesh, options.max_defects);
+        let audited = audited.and_then(|()| audit_promise(mesh, &self.promise, options.max_defects));
+        audited.map_err(|e| match e.status {
+            Status::CheckFailed => Error { status: Status::Internal, ..e.at(format_args!("audit")) },
+            _ => e,
+        })?;
+        report(self.observer, Phase::Audit, 1.0)?;
+        self.lap(Phase::Audit);
+        mesh.statistics = std::mem::take(&mut self.statistics);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod polygon_tests;
+#[cfg(test)]
+mod preserve_tests;
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+mod unrounded_tests;

@@ -1,0 +1,104 @@
+//! What mode preserve promises for a carved domain, recorded before anything is removed from its surface.
+use crate::check::Promise;
+use crate::error::Error;
+use crate::fallible;
+use crate::kernel::edge_key;
+use crate::kernel::star::StarSearch;
+use crate::kernel::NONE;
+use crate::options::Preserve;
+use crate::plan::Engine;
+use crate::plc::surface::Surface;
+use crate::preserve::internal::Internal;
+use crate::preserve::solid::Solid;
+use crate::segments::recovery::Segments;
+use crate::INVALID;
+
+/// The triangles, polygons and segments that are in the domain; with [`Preserve::Outer`] those of the outer boundary. `patch` has
+/// the patch of each triangle.
+pub(super) fn promise(
+    engine: &Engine,
+    surface: &Surface,
+    patch: &[u32],
+    solid: &mut Solid,
+    segments: &Segments,
+    preserve: Preserve,
+) -> Result<Promise, Error> {
+    let internal = Internal::find(preserve, solid, segments)?;
+    // Whether a patch is in the domain and must be kept.
+    let patches = patch.iter().chain(solid.patch_of.values());
+    let mut kept = fallible::filled(false, patches.max().map_or(0, |&last| last as usize + 1))?;
+    for patch in solid.patch_of.values().filter(|patch| !internal.patches.contains(patch)) {
+        kept[*patch as usize] = true;
+    }
+    let mut promise = Promise::default();
+    promise.triangles.try_reserve(surface.triangles.len())?;
+    let mut edges: Vec<([u32; 2], u32)> = Vec::new();
+    let mut polygons: Vec<u32> = Vec::new();
+    for ((&corners, &facet), &patch) in surface.triangles.iter().zip(&surface.triangle_facet).zip(patch) {
+        if !kept[patch as usize] {
+            continue;
+        }
+        if facet < surface.first_polygon {
+            promise.triangles.push((corners, facet));
+            continue;
+        }
+        let [a, b, c] = corners;
+        edges.try_reserve(3)?;
+        edges.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)].map(|edge| (edge, facet)));
+        polygons.try_reserve(1)?;
+        polygons.push(facet);
+    }
+    edges.sort_unstable();
+    polygons.sort_unstable();
+    for run in edges.chunk_by(|x, y| x.0 == y.0) {
+        if !matches!(run, [(_, f), (_, g)] if f == g) {
+            promise.polygon_edges.try_reserve(1)?;
+            promise.polygon_edges.push(run[0]);
+        }
+    }
+    for run in polygons.chunk_by(|x, y| x == y) {
+        promise.polygons.try_reserve(1)?;
+        promise.polygons.push((run[0], run.len() as u32));
+    }
+    if preserve == Preserve::All {
+        promise.segments = whole_segments(engine, surface, solid, segments)?;
+    }
+    Ok(promise)
+}
+
+/// Segments of the input whose pieces are all in the domain.
+fn whole_segments(
+    engine: &Engine,
+    surface: &Surface,
+    solid: &mut Solid,
+    segments: &Segments,
+) -> Result<Vec<([u32; 2], u32)>, Error> {
+    let mut whole: Vec<([u32; 2], u32)> = Vec::new();
+    if surface.segment_parent.iter().all(|&parent| parent == INVALID) {
+        return Ok(whole);
+    }
+    // Per segment its ends in the input and its parent, or that it has none.
+    let mut known: Vec<Option<([u32; 2], u32)>> = Vec::new();
+    known.try_reserve_exact(segments.ends.len())?;
+    known.extend(segments.ends.iter().map(|ends| {
+        let [a, b] = ends.map(|v| engine.input_of[v as usize]);
+        let found = surface.segments.binary_search(&edge_key(a, b)).ok()?;
+        let parent = surface.segment_parent[found];
+        (parent != INVALID).then_some(([a, b], parent))
+    }));
+    let mut search = StarSearch::default();
+    for piece in &segments.pieces {
+        let known = &mut known[piece.segment as usize];
+        if known.is_none() {
+            continue;
+        }
+        let [a, b] = piece.ends;
+        let start = solid.vertex_tet[a as usize];
+        if start == NONE || search.find_edge(&mut solid.mesh, a, b, start).is_none() {
+            *known = None;
+        }
+    }
+    whole.try_reserve(known.len())?;
+    whole.extend(known.into_iter().flatten());
+    Ok(whole)
+}

@@ -1,0 +1,170 @@
+//! Other apexes for the walls of a bad tetrahedron.
+//!
+//! A flat tetrahedron on the boundary can be removed only if its walls get another apex, which may be far away, on the other side of a thin
+//! part. So apexes are chosen by the tetrahedra that they would form with the walls, and the cavity is what these overlap, as when
+//! inserting a vertex (Watson 1981), but for an existing vertex. All this is floating-point arithmetic: it only chooses what to try.
+use crate::error::Error;
+use crate::kernel::tables::FACE;
+use crate::kernel::{flag, NONE};
+use crate::ops::shape::{Goal, Shape};
+use crate::predicates::Points;
+use crate::preserve::improve::reshape::may_join;
+use crate::preserve::solid::Solid;
+use crate::vector::{cross, dot, sub};
+use rustc_hash::FxHashSet;
+
+/// Most tetrahedra round a bad one whose vertices may become apexes.
+const NEAR: usize = 200;
+
+/// Most tetrahedra of a cavity.
+const MOST: usize = 60;
+
+/// How many of the apexes with the best tetrahedra are considered, and how many of these, those with the smallest cavities, are tried.
+const CANDIDATES: usize = 20;
+const TRIES: usize = 8;
+
+/// Finds apexes and cavities; keeps its scratch space.
+#[derive(Default)]
+pub struct Approach {
+    /// Vertices that would make better tetrahedra with the walls; what they overlap is smallest for the first.
+    pub apexes: Vec<u32>,
+    /// The walls: `(p, x, y, z)` is positive for `p` on the side of the tetrahedron.
+    pub walls: Vec<[u32; 3]>,
+    near: Vec<u32>,
+    /// Candidates, and how good their tetrahedra are.
+    ranked: Vec<(f64, u32)>,
+    /// Those left, after the size of what they overlap.
+    sized: Vec<(usize, u32)>,
+}
+
+impl Approach {
+    /// Finds apexes for the walls of a tetrahedron, so that the goal is reached there; none if it has no wall.
+    pub fn find(
+        &mut self,
+        solid: &mut Solid,
+        points: &Points,
+        isolated: &FxHashSet<[u32; 2]>,
+        t: u32,
+        goal: &Goal,
+    ) -> Result<(), Error> {
+        self.apexes.clear();
+        self.walls.clear();
+        self.walls.try_reserve(4)?;
+        self.walls.extend((4 * t..4 * t + 4).filter(|&c| solid.is_wall(c)).map(|c| solid.mesh.face(c)));
+        if self.walls.is_empty() {
+            return Ok(());
+        }
+        self.look_round(solid, t)?;
+        self.rank(solid, points, t, goal)?;
+        let mut tets = std::mem::take(&mut self.near);
+        self.sized.clear();
+        self.sized.try_reserve(CANDIDATES)?;
+        for i in 0..self.ranked.len().min(CANDIDATES) {
+            let apex = self.ranked[i].1;
+            if self.collect(solid, points, isolated, t, apex, &mut tets)? {
+                self.sized.push((tets.len(), apex));
+            }
+        }
+        self.near = tets;
+        self.sized.sort_unstable();
+        self.apexes.try_reserve(TRIES)?;
+        self.apexes.extend(self.sized.iter().take(TRIES).map(|s| s.1));
+        Ok(())
+    }
+
+    /// Collects tetrahedra round one, layer by layer, not beyond walls.
+    fn look_round(&mut self, solid: &mut Solid, t: u32) -> Result<(), Error> {
+        self.near.clear();
+        self.near.try_reserve(NEAR + 4)?;
+        self.near.push(t);
+        solid.mesh.flags[t as usize] |= flag::MARK;
+        let mut i = 0;
+        while i < self.near.len() && self.near.len() < NEAR {
+            for code in 4 * self.near[i]..4 * self.near[i] + 4 {
+                let n = solid.mesh.across(code) >> 2;
+                if !solid.is_wall(code) && solid.mesh.flags[n as usize] & flag::MARK == 0 {
+                    solid.mesh.flags[n as usize] |= flag::MARK;
+                    self.near.push(n);
+                }
+            }
+            i += 1;
+        }
+        for &n in &self.near {
+            solid.mesh.flags[n as usize] &= !flag::MARK;
+        }
+        Ok(())
+    }
+
+    /// Ranks the vertices of these tetrahedra by the worse of their tetrahedra at the walls.
+    fn rank(&mut self, solid: &Solid, points: &Points, t: u32, goal: &Goal) -> Result<(), Error> {
+        self.ranked.clear();
+        let first = solid.mesh.verts[t as usize];
+        for &n in &self.near {
+            for p in solid.mesh.verts[n as usize] {
+                if first.contains(&p) || self.ranked.iter().any(|r| r.1 == p) {
+                    continue;
+                }
+                let of = |&[x, y, z]: &[u32; 3]| goal.quality(Shape::of(points, [p, x, y, z]));
+                self.ranked.try_reserve(1)?;
+                self.ranked.push((self.walls.iter().map(of).fold(f64::INFINITY, f64::min), p));
+            }
+        }
+        self.ranked.retain(|r| r.0 > goal.above);
+        self.ranked.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        Ok(())
+    }
+
+    /// Collects what the tetrahedra of an apex and the walls overlap; false if that is too much or must not be changed.
+    pub fn collect(
+        &mut self,
+        solid: &mut Solid,
+        points: &Points,
+        isolated: &FxHashSet<[u32; 2]>,
+        t: u32,
+        apex: u32,
+        tets: &mut Vec<u32>,
+    ) -> Result<bool, Error> {
+        tets.clear();
+        tets.try_reserve(MOST + 4)?;
+        tets.push(t);
+        solid.mesh.flags[t as usize] |= flag::MARK;
+        let mut i = 0;
+        let mut whole = true;
+        while i < tets.len() && tets.len() < MOST && whole {
+            for code in 4 * tets[i]..4 * tets[i] + 4 {
+                let n = solid.mesh.across(code) >> 2;
+                if solid.mesh.flags[n as usize] & flag::MARK != 0 || solid.region[n as usize] == NONE {
+                    continue;
+                }
+                let verts = solid.mesh.verts[n as usize];
+                if self.walls.iter().any(|&[x, y, z]| overlap(points, [apex, x, y, z], verts)) {
+                    whole &= !solid.is_wall(code) && may_join(solid, isolated, n);
+                    solid.mesh.flags[n as usize] |= flag::MARK;
+                    tets.push(n);
+                }
+            }
+            i += 1;
+        }
+        for &n in tets.iter() {
+            solid.mesh.flags[n as usize] &= !flag::MARK;
+        }
+        Ok(whole && tets.len() < MOST)
+    }
+}
+
+/// Whether no plane of a face seems to separate two positive tetrahedra.
+fn overlap(points: &Points, a: [u32; 4], b: [u32; 4]) -> bool {
+    !parts(points, a, b) && !parts(points, b, a)
+}
+
+/// Whether the plane of a face of the first tetrahedron seems to separate it from the second.
+fn parts(points: &Points, a: [u32; 4], b: [u32; 4]) -> bool {
+    FACE.iter().any(|face| {
+        let face = face.map(|i| a[i as usize]);
+        let [x, y, z] = face.map(|v| points.xyz(v));
+        b.iter().filter(|w| !face.contains(w)).all(|&w| {
+            let [u, v, w] = [x, y, z].map(|p| sub(p, points.xyz(w)));
+            dot(&u, &cross(&v, &w)) <= 0.0
+        })
+    })
+}

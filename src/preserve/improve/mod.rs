@@ -1,0 +1,187 @@
+//! Improvement: flat tetrahedra, and those with short edges and large circumspheres, are reconnected away as far as their
+//! surroundings allow.
+//!
+//! Hill climbing, the worst tetrahedron first (Freitag & Ollivier-Gooch 1997; Klingner & Shewchuk 2007), by steps of
+//! [`reshape`](crate::preserve::improve::reshape). Every step replaces tetrahedra by better ones, by one measure, so a stage ends: when nothing bad is left,
+//! or when too many tetrahedra could not be improved. The stages take turns between the smallest dihedral angle and the
+//! radius-edge ratio; the last ones try harder for the few worst.
+pub mod approach;
+pub mod reshape;
+pub mod smooth;
+
+use crate::error::Error;
+use crate::kernel::NONE;
+use crate::ops::shape::{needle, Measure, Shape};
+use crate::predicates::Points;
+use crate::preserve::improve::reshape::{shape, Aim, Effort, Reshape};
+use crate::preserve::solid::Solid;
+use rustc_hash::FxHashSet;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Tetrahedra below are improved: a dihedral angle of less than a degree, a circumradius of more than twenty edges.
+const BAD: Shape = Shape { angle: 0.0175, ratio: 0.05 };
+
+/// Above this, one measure may be lowered to improve the other.
+const ENOUGH: Shape = Shape { angle: 0.02, ratio: 0.25 };
+
+/// One stage of the improvement.
+struct Stage {
+    measure: Measure,
+    effort: Effort,
+    /// It ends when this many tetrahedra could not be improved, plus one per this many tetrahedra of the mesh.
+    failures: [usize; 2],
+}
+
+const QUICK: Effort = Effort { cavities: &[(9, 30), (12, 100)], thorough: false };
+const HARD: Effort = Effort { cavities: &[(12, 500), (18, 1500)], thorough: true };
+const STAGES: [Stage; 4] = [
+    Stage { measure: Measure::Angle, effort: QUICK, failures: [30, 800] },
+    Stage { measure: Measure::Ratio, effort: QUICK, failures: [30, 800] },
+    Stage { measure: Measure::Angle, effort: HARD, failures: [6, usize::MAX] },
+    Stage { measure: Measure::Ratio, effort: HARD, failures: [6, usize::MAX] },
+];
+
+/// A tetrahedron to improve: the bits of its quality, its slot, and after which change it came.
+type Entry = (u64, u32, u64);
+
+/// What is bad by one measure.
+#[derive(Default)]
+struct Bad {
+    /// The worst on top.
+    queue: BinaryHeap<Reverse<Entry>>,
+    /// Could not be improved.
+    stuck: Vec<Entry>,
+}
+
+/// Improves a mesh.
+#[derive(Default)]
+struct Improve {
+    reshape: Reshape,
+    by_angle: Bad,
+    by_ratio: Bad,
+    /// The worst of the mesh at first.
+    worst: Shape,
+}
+
+/// Improves the tetrahedra of a mesh; `isolated` are edges on no facet that must stay.
+///
+/// # Errors
+/// [`OutOfMemory`](crate::error::Status::OutOfMemory), and what `tick` returns.
+pub fn improve(
+    solid: &mut Solid,
+    points: &Points,
+    isolated: &FxHashSet<[u32; 2]>,
+    tick: &mut dyn FnMut() -> Result<(), Error>,
+) -> Result<(), Error> {
+    let mut improve = Improve { worst: Shape::BEST, ..Improve::default() };
+    for t in 0..solid.mesh.slot_count() as u32 {
+        if solid.region[t as usize] != NONE && solid.mesh.is_live(t) {
+            let shape = shape(solid, points, t);
+            improve.worst = improve.worst.worse(shape);
+            improve.push_shape(solid, t, shape)?;
+        }
+    }
+    // A needle on the surface forces the ratio of its tetrahedra.
+    let forced =
+        solid.patch_of.keys().map(|face| needle(face.map(|v| points.xyz(v)))).fold(ENOUGH.ratio, f64::min);
+    let enough = Shape { ratio: forced, ..ENOUGH };
+    for stage in STAGES {
+        let least = improve.worst(solid)?;
+        improve.run(solid, points, isolated, &stage, Aim { measure: stage.measure, enough, least }, tick)?;
+    }
+    Ok(())
+}
+
+impl Improve {
+    fn bad(&mut self, measure: Measure) -> &mut Bad {
+        match measure {
+            Measure::Angle => &mut self.by_angle,
+            Measure::Ratio => &mut self.by_ratio,
+        }
+    }
+
+    /// Takes note of a tetrahedron if it is bad.
+    fn push(&mut self, solid: &Solid, points: &Points, t: u32) -> Result<(), Error> {
+        self.push_shape(solid, t, shape(solid, points, t))
+    }
+
+    /// As [`Improve::push`], for a tetrahedron whose shape is known.
+    fn push_shape(&mut self, solid: &Solid, t: u32, shape: Shape) -> Result<(), Error> {
+        for measure in [Measure::Angle, Measure::Ratio] {
+            if shape.by(measure) < BAD.by(measure) {
+                let queue = &mut self.bad(measure).queue;
+                queue.try_reserve(1)?;
+                queue.push(Reverse((shape.by(measure).to_bits(), t, changed(solid, t))));
+            }
+        }
+        Ok(())
+    }
+
+    /// The worst of the mesh by either measure. What could not be improved is to be tried again.
+    fn worst(&mut self, solid: &Solid) -> Result<Shape, Error> {
+        let first = self.worst;
+        let mut of = |measure: Measure| {
+            let Bad { queue, stuck } = self.bad(measure);
+            queue.try_reserve(stuck.len())?;
+            queue.extend(stuck.drain(..).map(Reverse));
+            while queue.peek().is_some_and(|top| !is_there(solid, &top.0)) {
+                queue.pop();
+            }
+            let good = first.by(measure).max(BAD.by(measure));
+            Ok::<f64, Error>(queue.peek().map_or(good, |top| f64::from_bits(top.0 .0)))
+        };
+        Ok(Shape { angle: of(Measure::Angle)?, ratio: of(Measure::Ratio)? })
+    }
+
+    /// One stage.
+    fn run(
+        &mut self,
+        solid: &mut Solid,
+        points: &Points,
+        isolated: &FxHashSet<[u32; 2]>,
+        stage: &Stage,
+        aim: Aim,
+        tick: &mut dyn FnMut() -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let mut left = stage.failures[0] + solid.mesh.live_count() / stage.failures[1];
+        let mut last = None;
+        while left > 0 {
+            let Some(Reverse(entry)) = self.bad(stage.measure).queue.pop() else { break };
+            if last == Some(entry) || !is_there(solid, &entry) {
+                continue;
+            }
+            last = Some(entry);
+            tick()?;
+            if !self.reshape.improve(solid, points, isolated, entry.1, &aim, stage.effort)? {
+                left -= 1;
+                let stuck = &mut self.bad(stage.measure).stuck;
+                stuck.try_reserve(1)?;
+                stuck.push(entry);
+                continue;
+            }
+            // Neighbours that failed before may succeed now.
+            for i in 0..solid.fresh.len() {
+                let t = solid.fresh[i];
+                self.push(solid, points, t)?;
+                for code in 4 * t..4 * t + 4 {
+                    let n = solid.mesh.across(code) >> 2;
+                    if solid.region[n as usize] != NONE && changed(solid, n) != solid.changes {
+                        self.push(solid, points, n)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// After which change a tetrahedron is what it is.
+fn changed(solid: &Solid, t: u32) -> u64 {
+    solid.changed.get(t as usize).copied().unwrap_or(0)
+}
+
+/// Whether a tetrahedron is still there.
+fn is_there(solid: &Solid, &(_, t, since): &Entry) -> bool {
+    changed(solid, t) == since && solid.mesh.is_live(t)
+}

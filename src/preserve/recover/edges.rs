@@ -1,0 +1,343 @@
+//! Recovery of edges and faces by flips and reconnection, with points only on segments that resist.
+//!
+//! First by flips ([`flips`](crate::preserve::recover::flips)): an edge that obstructs a missing one is removed if fewer tetrahedra then obstruct it. Edges
+//! near the ends come first, and only a few are tried, since most removable edges are there. If no flip helps, a search fills the whole
+//! corridor with the edge in it (Liu, Chen & Chen 2007); for a missing triangle whose edges exist, the tetrahedra that cross it are
+//! removed, and both halves of the cavity are filled. What fails is tried again after the others, with more steps. A segment that resists
+//! to the end gets points ([`breakpoint`](crate::preserve::recover::breakpoint)), each of which makes the corridors shorter, so that this ends.
+//!
+//! Invariants: `edges` holds the surface's edges that the mesh has, flags the faces; neither is ever lost.
+use crate::delaunay::Delaunay;
+use crate::error::Error;
+use crate::facets::cavity::RegionCavity;
+use crate::kernel::edge_key;
+use crate::kernel::star::StarSearch;
+use crate::kernel::NONE;
+use crate::ops::reconnect::{Polyhedron, Reconnect};
+use crate::predicates::{Expansion, Points, Sign};
+use crate::preserve::cavity::{Cavity, Edges};
+use crate::preserve::recover::breakpoint::breakpoint;
+use crate::preserve::recover::corridor::{Corridor, Feature, Outcome};
+use crate::preserve::recover::flips::{Flips, Limits, Site};
+use crate::segments::recovery::Segments;
+use rustc_hash::FxHashMap;
+
+/// The effort for edges in one round.
+#[derive(Clone, Copy, Debug)]
+pub struct Round {
+    /// Limits for each obstructing edge.
+    pub limits: Limits,
+    /// The most obstructing edges tried before the corridor is filled.
+    pub tried: usize,
+    /// Search steps for the corridor.
+    pub budget: u32,
+}
+
+const fn round(depth: usize, rings: u32, tried: usize, budget: u32) -> Round {
+    Round { limits: Limits { depth, rings }, tried, budget }
+}
+
+/// Rounds over the missing edges; the last is that of the pieces of those that resist. The second list takes longer and needs fewer
+/// points: its meshes leave more room where those of the first leave none.
+pub const ROUNDS: [&[Round]; 2] = [
+    &[round(4, 60, 12, 50), round(6, 200, 12, 200), round(6, 600, 12, 200)],
+    &[round(4, 200, 50, 0), round(6, 1000, 50, 200), round(6, 1000, 50, 200), round(7, 2000, 50, 200)],
+];
+
+/// Search steps per cavity of a face in each round, and the limits for edges that pierce it.
+pub(super) const BUDGETS: [u32; 3] = [50, 200, 200];
+pub(super) const PIERCING: Limits = Limits { depth: 4, rings: 1000 };
+
+/// Most faces of a cavity that is searched: the cost of a step grows with the square. (Larger ones may still be cones.)
+const MOST_SEARCHED: usize = 60;
+
+/// Most pieces of one segment; beyond, reconnection has failed.
+const MOST_PIECES: u32 = 4096;
+
+/// The state of a recovery.
+pub struct Recovery<'a> {
+    pub(super) delaunay: &'a mut Delaunay,
+    /// The vertices.
+    pub points: &'a mut Points,
+    pub(super) rounds: &'static [Round],
+    pub(super) edges: Edges,
+    pub(super) cavity: Cavity,
+    corridor: Corridor,
+    places: Vec<f64>,
+    obstacles: Vec<[u32; 2]>,
+    flips: Flips,
+    pub(super) search: StarSearch,
+    pub(super) crossed: RegionCavity,
+    pub(super) reconnect: Reconnect,
+    pub(super) tets: Vec<[u32; 4]>,
+    /// Edges missing at the start.
+    pub missing_edges: u64,
+    /// Faces missing once all edges were there.
+    pub missing_faces: u64,
+    /// Edges and faces recovered without a point.
+    pub recovered: u64,
+    /// Edges recovered by points on them.
+    pub split: u64,
+    /// Faces recovered with points inside.
+    pub by_points: u64,
+    /// The points inside.
+    pub inside: Vec<u32>,
+}
+
+impl<'a> Recovery<'a> {
+    /// Prepares a recovery; `delaunay.vertex_tet` must be up to date.
+    pub fn new(delaunay: &'a mut Delaunay, points: &'a mut Points, rounds: &'static [Round]) -> Self {
+        Recovery {
+            delaunay,
+            points,
+            rounds,
+            edges: Edges::default(),
+            cavity: Cavity::default(),
+            corridor: Corridor::default(),
+            places: Vec::new(),
+            obstacles: Vec::new(),
+            flips: Flips::default(),
+            search: StarSearch::default(),
+            crossed: RegionCavity::default(),
+            reconnect: Reconnect::default(),
+            tets: Vec::new(),
+            missing_edges: 0,
+            missing_faces: 0,
+            recovered: 0,
+            split: 0,
+            by_points: 0,
+            inside: Vec::new(),
+        }
+    }
+
+    /// Recovers edges by reconnection alone; returns the numbers of those it could not.
+    pub fn edges(
+        &mut self,
+        edges: &[[u32; 2]],
+        tick: &mut dyn FnMut(f64) -> Result<(), Error>,
+    ) -> Result<Vec<u32>, Error> {
+        let mut missing: Vec<u32> = Vec::new();
+        self.edges.try_reserve(edges.len())?;
+        for (i, &[a, b]) in edges.iter().enumerate() {
+            if self.has_edge(a, b) {
+                self.edges.insert(edge_key(a, b));
+            } else {
+                missing.try_reserve(1)?;
+                missing.push(i as u32);
+            }
+        }
+        self.missing_edges = missing.len() as u64;
+        self.sort_by_length(edges, &mut missing);
+        for round in &self.rounds[..self.rounds.len() - 1] {
+            let before = missing.len();
+            let mut left = Vec::new();
+            left.try_reserve(missing.len())?;
+            for (i, &edge) in missing.iter().enumerate() {
+                if i % 64 == 0 {
+                    tick(1.0 - (before - i + left.len()) as f64 / edges.len().max(1) as f64)?;
+                }
+                if self.recover_edge(edges[edge as usize], round)? {
+                    self.recovered += 1;
+                } else {
+                    left.push(edge);
+                }
+            }
+            missing = left;
+        }
+        Ok(missing)
+    }
+
+    /// Makes every segment a union of edges by points on those that are missing. False if it was given up.
+    pub fn split_missing(
+        &mut self,
+        segments: &mut Segments,
+        tick: &mut dyn FnMut(f64) -> Result<(), Error>,
+    ) -> Result<bool, Error> {
+        let mut missing: Vec<u32> = Vec::new();
+        for (i, piece) in segments.pieces.iter().enumerate() {
+            if !self.edges.contains(&edge_key(piece.ends[0], piece.ends[1])) {
+                missing.try_reserve(1)?;
+                missing.push(i as u32);
+            }
+        }
+        self.split += missing.len() as u64;
+        let Some(last) = self.rounds.last() else { return Ok(missing.is_empty()) };
+        let mut count: FxHashMap<u32, u32> = FxHashMap::default();
+        while let Some(piece) = missing.pop() {
+            tick(1.0)?;
+            let sub = segments.pieces[piece as usize];
+            if self.recover_edge(sub.ends, last)? {
+                continue;
+            }
+            let pieces = count.entry(sub.segment).or_insert(1);
+            *pieces += 1;
+            if *pieces > MOST_PIECES || !self.split(segments, piece)? {
+                return Ok(false);
+            }
+            missing.try_reserve(2)?;
+            missing.extend([segments.pieces.len() as u32 - 1, piece]);
+        }
+        Ok(true)
+    }
+
+    /// Puts a point on a missing piece.
+    fn split(&mut self, segments: &mut Segments, piece: u32) -> Result<bool, Error> {
+        let sub = segments.pieces[piece as usize];
+        if self.corridor.collect(self.delaunay, self.points, sub.ends, &mut self.cavity)? != Outcome::Found {
+            return Ok(false);
+        }
+        self.cavity.unmark(self.delaunay);
+        let [a, b] = segments.ends[sub.segment as usize];
+        let part = breakpoint(self.points, sub.ends, &self.corridor.features, &mut self.places);
+        let t = sub.t[0] + part * (sub.t[1] - sub.t[0]);
+        if !(t > sub.t[0] && t < sub.t[1]) {
+            return Ok(false);
+        }
+        let v = self.points.push_on_segment(a, b, &Expansion::from(t))?;
+        self.delaunay.vertex_tet.try_reserve(1)?;
+        self.delaunay.vertex_tet.push(NONE);
+        // The tetrahedra whose closure has the point: it sees their boundary.
+        let (mesh, points) = (&self.delaunay.mesh, &*self.points);
+        self.cavity.tets.retain(|&t| {
+            (0..4).all(|f| {
+                let [x, y, z] = mesh.face(4 * t + f);
+                points.orient3d(v, x, y, z) != Sign::Negative
+            })
+        });
+        self.cavity.mark(self.delaunay);
+        self.cavity.bound(self.delaunay, &self.edges)?;
+        self.tets.clear();
+        self.tets.try_reserve(self.cavity.faces.len())?;
+        self.tets.extend(self.cavity.faces.iter().map(|&[x, y, z]| [v, x, y, z]));
+        let fits = self.tets.iter().all(|&[v, x, y, z]| self.points.orient3d(v, x, y, z) == Sign::Positive);
+        if !fits || !self.cavity.edges.is_empty() || !self.cavity.inner.is_empty() {
+            return Ok(false);
+        }
+        self.cavity.replace(self.delaunay, &self.tets, &[])?;
+        segments.add_steiner(piece, v, t)?;
+        Ok(true)
+    }
+
+    /// Short edges first: their corridors are small, and what they fix stays out of the way of long ones.
+    fn sort_by_length(&self, edges: &[[u32; 2]], pieces: &mut [u32]) {
+        let length = |edge: u32| {
+            let [p, q] = edges[edge as usize].map(|v| self.points.xyz(v));
+            (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>()
+        };
+        pieces.sort_by(|&x, &y| length(x).total_cmp(&length(y)).then(x.cmp(&y)));
+    }
+
+    pub(super) fn has_edge(&mut self, a: u32, b: u32) -> bool {
+        let start = self.delaunay.vertex_tet[a as usize];
+        start != NONE && self.search.find_edge(&mut self.delaunay.mesh, a, b, start).is_some()
+    }
+
+    /// Makes `a b` an edge of the mesh, if possible: obstructing edges are flipped away as long as that shortens its corridor, then the
+    /// corridor is filled. Returns whether the edge exists.
+    pub(super) fn recover_edge(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
+        loop {
+            match self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? {
+                Outcome::Present => {
+                    self.edges.insert(edge_key(edge[0], edge[1]));
+                    return Ok(true);
+                }
+                Outcome::Blocked => return Ok(false),
+                Outcome::Found => self.cavity.unmark(self.delaunay),
+            }
+            if let [Feature::Edge(crossed)] = self.corridor.features[..] {
+                let (flips, mut site) = self.site();
+                if flips.exchange(&mut site, crossed, edge)? {
+                    continue;
+                }
+            }
+            if !self.clear_way(edge, round)? && !self.fill_corridor(edge, round.budget)? {
+                return Ok(false);
+            }
+        }
+    }
+
+    /// Fills the corridor of an edge with the edge in it.
+    fn fill_corridor(&mut self, edge: [u32; 2], budget: u32) -> Result<bool, Error> {
+        if self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? != Outcome::Found {
+            return Ok(false);
+        }
+        self.cavity.bound(self.delaunay, &self.edges)?;
+        self.cavity.edges.try_reserve(1)?;
+        self.cavity.edges.push(edge);
+        self.refill(budget)
+    }
+
+    /// What flips work on.
+    pub(super) fn site(&mut self) -> (&mut Flips, Site<'_>) {
+        let Recovery { delaunay, points, edges, cavity, flips, .. } = self;
+        (flips, Site { delaunay, points, edges, cavity })
+    }
+
+    /// Fills the bounded cavity and puts the filling in its place.
+    fn refill(&mut self, budget: u32) -> Result<bool, Error> {
+        self.tets.clear();
+        let budget = if self.cavity.faces.len() > MOST_SEARCHED { 0 } else { budget };
+        let polyhedron =
+            Polyhedron { faces: &self.cavity.faces, inner: &self.cavity.inner, edges: &self.cavity.edges };
+        if !self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
+            return Ok(false);
+        }
+        self.cavity.replace(self.delaunay, &self.tets, &[])?;
+        Ok(true)
+    }
+
+    /// Removes one of the edges that obstruct `edge` so that fewer are left.
+    fn clear_way(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
+        self.choose_obstacles(edge, round.tried)?;
+        let before = self.cavity.tets.len();
+        for i in 0..self.obstacles.len() {
+            let obstacle = self.obstacles[i];
+            let (flips, mut site) = self.site();
+            if !flips.remove(&mut site, obstacle, Some(edge), round.limits)? {
+                continue;
+            }
+            let outcome = self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)?;
+            let after = if outcome == Outcome::Present { 0 } else { self.cavity.tets.len() };
+            if outcome == Outcome::Found {
+                self.cavity.unmark(self.delaunay);
+            }
+            if outcome != Outcome::Blocked && after < before {
+                return Ok(true);
+            }
+            let (flips, mut site) = self.site();
+            flips.take_back(&mut site)?;
+        }
+        Ok(false)
+    }
+
+    /// The removable edges that obstruct `edge`, alternating from both ends, at most as many as are tried.
+    fn choose_obstacles(&mut self, edge: [u32; 2], most: usize) -> Result<(), Error> {
+        let Recovery { corridor, obstacles, edges, .. } = self;
+        obstacles.clear();
+        let found = corridor.obstacles.len();
+        obstacles.try_reserve(most.min(found))?;
+        let by_turns = (0..found).map(|i| if i % 2 == 0 { i / 2 } else { found - 1 - i / 2 });
+        for [p, q] in by_turns.map(|i| corridor.obstacles[i]) {
+            if obstacles.len() == most {
+                break;
+            }
+            let obstacle = edge_key(p, q);
+            let at_end = edge.iter().any(|v| obstacle.contains(v));
+            if !at_end && !edges.contains(&obstacle) && !obstacles.contains(&obstacle) {
+                obstacles.push(obstacle);
+            }
+        }
+        Ok(())
+    }
+
+    /// Flags the triangle in the mesh if it is a face there.
+    pub(super) fn mark_if_present(&mut self, corners: [u32; 3]) -> bool {
+        let start = self.delaunay.vertex_tet[corners[0] as usize];
+        let mesh = &mut self.delaunay.mesh;
+        let found = self.search.find_face(mesh, corners, start);
+        if let Some(code) = found {
+            mesh.flag_face(code);
+        }
+        found.is_some()
+    }
+}

@@ -1,0 +1,254 @@
+//! A polyhedron hollowed out of the mesh on one side of new walls, and its growth.
+//!
+//! A hollow that cannot be filled often can be after opening one of its edges: all tetrahedra around it are added, so that the edge is no
+//! longer required. Reflex and flat edges are what obstructs a filling (the twisted diagonals of a prism, for example).
+use crate::error::Error;
+use crate::kernel::tables::EDGE;
+use crate::kernel::NONE;
+use crate::kernel::{edge_key, face_key};
+use crate::ops::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
+use crate::predicates::{Points, Sign};
+use crate::preserve::solid::{Sector, Solid};
+use rustc_hash::FxHashSet;
+
+/// How far to grow.
+#[derive(Clone, Copy, Debug)]
+pub struct Growth {
+    /// Steps per search.
+    pub budget: u32,
+    /// Edges opened at each hollow.
+    pub branches: usize,
+    /// Hollows tried in all.
+    pub tries: usize,
+}
+
+/// Most tetrahedra added to open one edge.
+const MOST_RING: usize = 12;
+
+/// A polyhedron to fill; keeps its scratch space.
+#[derive(Default)]
+pub struct Hollow {
+    /// Tetrahedra taken out.
+    pub tets: Vec<u32>,
+    /// Boundary, turned inward: of the tetrahedra, but for the walls that go, and new walls.
+    pub faces: Vec<[u32; 3]>,
+    inner: Vec<u32>,
+    edges: Vec<[u32; 2]>,
+    inside: FxHashSet<u32>,
+    corners: FxHashSet<u32>,
+    /// Faces of tetrahedra behind which others could be added: corner codes of these.
+    doors: Vec<(u32, u32)>,
+    at_edge: Vec<([u32; 2], u32, u32)>,
+    /// All tetrahedra that the last growth looked at, with repetitions: while they stay, it would end the same way.
+    pub read: Vec<u32>,
+}
+
+/// What a hollow starts from.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<'a> {
+    /// The tetrahedra that must go.
+    pub tets: &'a [u32],
+    /// Subfaces that go, as keys.
+    pub gone: &'a [[u32; 3]],
+    /// Walls that come, turned inward.
+    pub walls: &'a [[u32; 3]],
+    /// A vertex that goes, or `NONE`.
+    pub without: u32,
+    /// An edge that must come.
+    pub edge: Option<[u32; 2]>,
+    /// Tetrahedra with both vertices are not added: they belong to another part of the same replacement.
+    pub avoid: [u32; 2],
+    /// Nor are these.
+    pub taken: &'a [Sector],
+}
+
+impl Hollow {
+    /// Finds the boundary for the tetrahedra in `self.tets`.
+    fn bound(&mut self, solid: &Solid, start: &Start, isolated: &FxHashSet<[u32; 2]>) -> Result<(), Error> {
+        let mesh = &solid.mesh;
+        self.inside.clear();
+        self.inside.extend(self.tets.iter().copied());
+        self.faces.clear();
+        self.doors.clear();
+        for &t in &self.tets {
+            for code in 4 * t..4 * t + 4 {
+                let n = mesh.across(code) >> 2;
+                let wall = solid.is_wall(code);
+                if !wall && self.inside.contains(&n) {
+                    continue;
+                }
+                let face = mesh.face(code);
+                if wall && start.gone.contains(&face_key(face)) {
+                    continue;
+                }
+                self.faces.try_reserve(1)?;
+                self.faces.push(face);
+                if !wall {
+                    self.doors.try_reserve(1)?;
+                    self.doors.push((self.faces.len() as u32 - 1, mesh.across(code)));
+                }
+            }
+        }
+        self.faces.try_reserve(start.walls.len())?;
+        self.faces.extend_from_slice(start.walls);
+        self.corners.clear();
+        self.corners.extend(self.faces.iter().flatten().copied());
+        self.inner.clear();
+        self.edges.clear();
+        self.edges.extend(start.edge);
+        for &t in &self.tets {
+            let verts = mesh.verts[t as usize];
+            for v in verts {
+                if v != start.without && self.corners.insert(v) {
+                    self.inner.try_reserve(1)?;
+                    self.inner.push(v);
+                }
+            }
+            if isolated.is_empty() {
+                continue;
+            }
+            for [i, j] in EDGE {
+                let key = edge_key(verts[i as usize], verts[j as usize]);
+                if isolated.contains(&key) && !key.contains(&start.without) && !self.edges.contains(&key) {
+                    self.edges.try_reserve(1)?;
+                    self.edges.push(key);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn fill(
+        &self,
+        reconnect: &mut Reconnect,
+        points: &Points,
+        budget: u32,
+        new: &mut Vec<[u32; 4]>,
+    ) -> Result<bool, Error> {
+        if self.corners.len() > MOST_VERTICES {
+            return Ok(false);
+        }
+        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges };
+        reconnect.fill_another(points, &polyhedron, budget, new)
+    }
+
+    /// Fills the hollow with more and more opened, breadth first. Returns the new tetrahedra, or nothing; the old ones are in `self.tets`.
+    pub fn grow(
+        &mut self,
+        solid: &Solid,
+        points: &Points,
+        reconnect: &mut Reconnect,
+        start: &Start,
+        isolated: &FxHashSet<[u32; 2]>,
+        growth: Growth,
+    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        self.read.clear();
+        // No point moves from here on.
+        reconnect.forget();
+        let mut new = Vec::new();
+        let mut known: FxHashSet<Vec<u32>> = FxHashSet::default();
+        let mut queue: Vec<Vec<u32>> = Vec::new();
+        let mut first = Vec::new();
+        first.try_reserve(start.tets.len())?;
+        first.extend_from_slice(start.tets);
+        queue.try_reserve(growth.tries + 1)?;
+        queue.push(first);
+        let mut next = 0;
+        while next < queue.len() {
+            self.tets.clear();
+            self.tets.try_reserve(queue[next].len())?;
+            self.tets.extend_from_slice(&queue[next]);
+            self.read.try_reserve(self.tets.len())?;
+            self.read.extend_from_slice(&self.tets);
+            self.bound(solid, start, isolated)?;
+            // The caller has already tried the start itself.
+            if next > 0 && self.fill(reconnect, points, growth.budget, &mut new)? {
+                return Ok(Some(new));
+            }
+            next += 1;
+            if queue.len() > growth.tries {
+                continue;
+            }
+            for ring in self.rings(solid, points, start)?.into_iter().take(growth.branches) {
+                let mut larger = self.tets.clone();
+                larger.try_reserve(ring.len())?;
+                larger.extend(ring);
+                let mut key = larger.clone();
+                key.sort_unstable();
+                if known.insert(key) && queue.len() <= growth.tries {
+                    queue.push(larger);
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// The tetrahedra outside round each edge of the boundary that could be opened: reflex edges first, then flat ones, then those
+    /// with few tetrahedra.
+    fn rings(&mut self, solid: &Solid, points: &Points, start: &Start) -> Result<Vec<Vec<u32>>, Error> {
+        self.at_edge.clear();
+        for &(face, code) in &self.doors {
+            let [x, y, z] = self.faces[face as usize];
+            for (p, q) in [(x, y), (y, z), (z, x)] {
+                self.at_edge.try_reserve(1)?;
+                self.at_edge.push((edge_key(p, q), face, code));
+            }
+        }
+        self.at_edge.sort_unstable();
+        let mut ranked: Vec<(Sign, usize, [u32; 2], Vec<u32>)> = Vec::new();
+        let Hollow { at_edge, faces, inside, read, .. } = self;
+        for pair in at_edge.chunk_by(|a, b| a.0 == b.0) {
+            let [(edge, face, code), (_, other, _)] = *pair else { continue };
+            let Some(ring) = ring(solid, edge, code, start, inside, read)? else { continue };
+            let [x, y, z] = faces[face as usize];
+            let apex = faces[other as usize].into_iter().find(|v| !edge.contains(v));
+            let Some(apex) = apex else { continue };
+            let sign =
+                if [x, y, z].contains(&apex) { Sign::Negative } else { points.orient3d(apex, x, y, z) };
+            ranked.try_reserve(1)?;
+            ranked.push((sign, ring.len(), edge, ring));
+        }
+        ranked.sort_unstable();
+        // Convex edges hardly ever obstruct a filling.
+        let blocking = ranked.iter().filter(|r| r.0 != Sign::Positive).count();
+        ranked.truncate(blocking.max(2));
+        Ok(ranked.into_iter().map(|r| r.3).collect())
+    }
+}
+
+/// The tetrahedra outside round an edge, from the one behind a boundary face to the next boundary face; none if a wall or what
+/// must not be taken is among them. All that were looked at are added to `read`.
+fn ring(
+    solid: &Solid,
+    edge: [u32; 2],
+    code: u32,
+    start: &Start,
+    inside: &FxHashSet<u32>,
+    read: &mut Vec<u32>,
+) -> Result<Option<Vec<u32>>, Error> {
+    let mesh = &solid.mesh;
+    let mut ring = Vec::new();
+    let mut entered = code;
+    let mut left = mesh.face(code).into_iter().find(|v| !edge.contains(v)).unwrap_or(NONE);
+    loop {
+        let t = entered >> 2;
+        if inside.contains(&t) {
+            return Ok(Some(ring));
+        }
+        read.try_reserve(1)?;
+        read.push(t);
+        let verts = &mesh.verts[t as usize];
+        let taken = start.taken.iter().any(|s| s.old.contains(&t));
+        if taken || ring.len() >= MOST_RING || start.avoid.iter().all(|v| verts.contains(v)) {
+            return Ok(None);
+        }
+        ring.try_reserve(1)?;
+        ring.push(t);
+        let Some(slot) = mesh.slot_of(t, left) else { return Ok(None) };
+        if solid.is_wall(4 * t + slot) {
+            return Ok(None);
+        }
+        left = mesh.apex(entered);
+        entered = mesh.across(4 * t + slot);
+    }
+}

@@ -1,0 +1,185 @@
+//! Cavities grown until one position sees all their faces, for points whose stars leave no room.
+//!
+//! If triangles of the surface are nearly coplanar, tetrahedra between them are as thin as the last bits of coordinates, and no double lies
+//! between their faces. A position clearly above the surface sees all its triangles, but not the faces of the thin tetrahedra that are
+//! turned away from it. So the position comes first: every tetrahedron behind a face that it does not see is added, until it sees all faces
+//! or one that it does not see must stay. The cavity is the smallest that holds the start and is star-shaped from the position; which
+//! tetrahedra it has does not depend on the order of the work.
+//!
+//! Points inside that the cavity swallows are no longer needed; other vertices must stay on its boundary.
+use crate::elementary::power_of_two;
+use crate::error::Error;
+use crate::kernel::tables::EDGE;
+use crate::kernel::{edge_key, face_key};
+use crate::predicates::{in_range, Points, Sign};
+use crate::preserve::release::hollow::Start;
+use crate::preserve::solid::Solid;
+use crate::vector::{dot, sub};
+use rustc_hash::FxHashSet;
+
+/// Most tetrahedra of a cavity.
+const MOST_TETS: usize = 1024;
+
+/// How often the height above the start is quartered: as often as doubles tell apart.
+const QUARTERINGS: i32 = 28;
+
+/// Grows cavities; keeps its scratch space.
+#[derive(Default)]
+pub struct Widen {
+    /// Tetrahedra taken out.
+    pub tets: Vec<u32>,
+    /// Points inside that no longer belong to any tetrahedron.
+    pub swallowed: Vec<u32>,
+    /// What the last search looked at, with repetitions.
+    pub read: Vec<u32>,
+    faces: Vec<[u32; 3]>,
+    inside: FxHashSet<u32>,
+    corners: FxHashSet<u32>,
+    edges: FxHashSet<[u32; 2]>,
+    doors: Vec<u32>,
+}
+
+/// Where a position is looked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Rays<'a> {
+    /// The point that is to get it.
+    pub point: u32,
+    /// Near which the cavity is open.
+    pub from: [f64; 3],
+    /// Directions into it, of length one.
+    pub toward: &'a [[f64; 3]],
+}
+
+impl Widen {
+    /// Moves the point to a position from which a cavity that holds the start is star-shaped. Returns the new tetrahedra, or nothing;
+    /// the old ones are in `self.tets`. `known`: the points inside.
+    pub fn place(
+        &mut self,
+        solid: &Solid,
+        points: &mut Points,
+        start: &Start,
+        isolated: &FxHashSet<[u32; 2]>,
+        known: &[u32],
+        rays: &Rays,
+    ) -> Result<Option<Vec<[u32; 4]>>, Error> {
+        let p = rays.point;
+        self.read.clear();
+        let corners = start.tets.iter().flat_map(|&t| solid.mesh.verts[t as usize]);
+        let reach =
+            corners.map(|v| sub(points.xyz(v), &rays.from)).map(|d| dot(&d, &d)).fold(0.0, f64::max).sqrt();
+        for k in 1..=QUARTERINGS {
+            let height = reach * power_of_two(-2 * k);
+            for way in rays.toward {
+                let at = [0, 1, 2].map(|k| rays.from[k] + height * way[k]);
+                if !at.iter().all(|&x| in_range(x)) {
+                    continue;
+                }
+                points.move_to(p, at)?;
+                if self.grow(solid, points, p, start)? && self.keeps(solid, start, isolated, known)? {
+                    let mut new = Vec::new();
+                    new.try_reserve(self.faces.len())?;
+                    new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+                    return Ok(Some(new));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// The smallest cavity that holds the start and is star-shaped from `p`; false if there is none.
+    fn grow(&mut self, solid: &Solid, points: &Points, p: u32, start: &Start) -> Result<bool, Error> {
+        let sees = |[x, y, z]: [u32; 3]| points.orient3d(p, x, y, z) == Sign::Positive;
+        if !start.walls.iter().all(|&face| sees(face)) {
+            return Ok(false);
+        }
+        let mesh = &solid.mesh;
+        self.tets.clear();
+        self.inside.clear();
+        self.doors.clear();
+        self.tets.try_reserve(start.tets.len())?;
+        self.doors.try_reserve(4 * start.tets.len())?;
+        self.tets.extend_from_slice(start.tets);
+        self.inside.extend(start.tets.iter().copied());
+        self.doors.extend(start.tets.iter().flat_map(|&t| 4 * t..4 * t + 4));
+        while let Some(code) = self.doors.pop() {
+            let n = mesh.across(code);
+            let wall = solid.is_wall(code);
+            if !wall && self.inside.contains(&(n >> 2)) {
+                continue;
+            }
+            let face = mesh.face(code);
+            if (wall && start.gone.contains(&face_key(face))) || sees(face) {
+                continue;
+            }
+            if wall || self.tets.len() >= MOST_TETS {
+                return Ok(false);
+            }
+            let (t, verts) = (n >> 2, &mesh.verts[(n >> 2) as usize]);
+            self.read.try_reserve(1)?;
+            self.read.push(t);
+            if start.taken.iter().any(|s| s.old.contains(&t)) || start.avoid.iter().all(|v| verts.contains(v))
+            {
+                return Ok(false);
+            }
+            self.inside.insert(t);
+            self.tets.try_reserve(1)?;
+            self.tets.push(t);
+            self.doors.try_reserve(3)?;
+            self.doors.extend((4 * t..4 * t + 4).filter(|&code| code != n));
+        }
+        Ok(true)
+    }
+
+    /// Collects the faces of the cavity; false if a vertex or an edge that must stay is on none of them.
+    fn keeps(
+        &mut self,
+        solid: &Solid,
+        start: &Start,
+        isolated: &FxHashSet<[u32; 2]>,
+        known: &[u32],
+    ) -> Result<bool, Error> {
+        let mesh = &solid.mesh;
+        let Widen { tets, swallowed, faces, inside, corners, edges, .. } = self;
+        faces.clear();
+        faces.try_reserve(start.walls.len())?;
+        faces.extend_from_slice(start.walls);
+        for code in tets.iter().flat_map(|&t| 4 * t..4 * t + 4) {
+            let face = mesh.face(code);
+            let wall = solid.is_wall(code);
+            let open = if wall {
+                start.gone.contains(&face_key(face))
+            } else {
+                inside.contains(&(mesh.across(code) >> 2))
+            };
+            if !open {
+                faces.try_reserve(1)?;
+                faces.push(face);
+            }
+        }
+        corners.clear();
+        corners.extend(faces.iter().flatten().copied());
+        swallowed.clear();
+        for v in tets.iter().flat_map(|&t| mesh.verts[t as usize]) {
+            if v == start.without || !corners.insert(v) {
+                continue;
+            }
+            if !known.contains(&v) {
+                return Ok(false);
+            }
+            swallowed.try_reserve(1)?;
+            swallowed.push(v);
+        }
+        if isolated.is_empty() {
+            return Ok(true);
+        }
+        edges.clear();
+        edges.extend(faces.iter().flat_map(|&[x, y, z]| [edge_key(x, y), edge_key(y, z), edge_key(z, x)]));
+        Ok(tets.iter().all(|&t| {
+            let verts = mesh.verts[t as usize];
+            EDGE.iter().all(|&[i, j]| {
+                let key = edge_key(verts[i as usize], verts[j as usize]);
+                !isolated.contains(&key) || key.contains(&start.without) || edges.contains(&key)
+            })
+        }))
+    }
+}
