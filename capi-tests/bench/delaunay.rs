@@ -3,7 +3,7 @@
 //! `cargo bench --bench delaunay -- FILE [REPETITIONS [THREADS]]` prints points, tetrahedra, the time of reading and of each
 //! part (minimum and median over the repetitions), bytes per tetrahedron and a hash of the tetrahedra that does not depend
 //! on their order.
-use delotet::internals::Delaunay;
+use delotet::internals::Construction;
 use delotet::internals::Points;
 use delotet::internals::{insertion_order, Order};
 use std::io::{BufRead, Read};
@@ -58,12 +58,12 @@ fn peak_megabytes() -> f64 {
 }
 
 /// A hash of the set of finite tetrahedra, in vertices of the file.
-fn fingerprint(delaunay: &Delaunay, order: &[u32]) -> (usize, u64) {
+fn fingerprint(delaunay: &Construction, order: &[u32]) -> (usize, u64) {
     let mesh = &delaunay.mesh;
     let (mut count, mut hash) = (0, 0u64);
     for t in 0..mesh.slot_count() as u32 {
         if mesh.is_live(t) && !mesh.is_ghost(t) {
-            let mut v = mesh.verts[t as usize].map(|v| order[v as usize]);
+            let mut v = mesh.verts(t).map(|v| order[v as usize]);
             v.sort_unstable();
             let mix = v.iter().fold(0x9e37_79b9_7f4a_7c15u64, |h, &v| {
                 (h ^ v as u64).wrapping_mul(0xff51_afd7_ed55_8ccd).rotate_left(29)
@@ -83,15 +83,15 @@ fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Order {
 
 /// The second part.
 #[inline(never)]
-fn insert_all(points: &Points, rounds: &[usize], threads: usize, ranges: Option<usize>) -> Delaunay {
-    let mut delaunay = Delaunay { ranges, ..Delaunay::new() };
+fn insert_all(points: &Points, rounds: &[usize], threads: usize, ranges: Option<usize>) -> Construction {
+    let mut delaunay = Construction { ranges, ..Construction::default() };
     let mut sequence: Vec<u32> = (0..points.len() as u32).collect();
     delaunay.build_rounds(points, &mut sequence, rounds, threads, &mut |_| Ok(())).unwrap();
     delaunay
 }
 
 /// Deferred vertices by round and pass, and bounds of the speed-up.
-fn simulation(delaunay: &Delaunay, count: usize) -> String {
+fn simulation(delaunay: &Construction, count: usize) -> String {
     let mut text = String::new();
     for round in &delaunay.rounds {
         text += &format!(

@@ -1,9 +1,8 @@
 //! Point location by a visibility walk (Devillers, Pion & Teillaud 2002): from tetrahedron to tetrahedron through a face
 //! that separates it from the target. In a Delaunay tetrahedralization the walk cannot cycle (Edelsbrunner 1990).
-use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::kernel::slots::Slots;
-use crate::kernel::{flag, GHOST};
+use crate::kernel::{flag, Mesh, GHOST};
 use crate::predicates::{Glance, Points, Sign};
 
 /// Where a walk ended.
@@ -16,13 +15,15 @@ pub(super) enum Walk {
     Lost,
 }
 
-impl Delaunay {
-    /// A tetrahedron in conflict with `p`: the finite one that contains it (including its boundary) or a ghost whose hull face sees it.
-    pub fn locate(&self, points: &Points, p: u32, start: u32) -> Result<u32, Error> {
-        match walk::<false, true>(&self.mesh.slots(), 0, points, p, start) {
-            Walk::Found(t, _) => Ok(t),
-            _ => Err(Error::internal("point location did not terminate")),
-        }
+/// A tetrahedron in conflict with `p`: the finite one that contains it (including its boundary) or a ghost whose hull face sees it. The
+/// walk starts at `start`, which must be live.
+pub fn locate(mesh: &Mesh, points: &Points, p: u32, start: u32) -> Result<u32, Error> {
+    if start as usize >= mesh.slot_count() || !mesh.is_live(start) {
+        return Err(Error::internal("point location starts nowhere"));
+    }
+    match walk::<false, true>(&mesh.slots(), 0, points, p, start) {
+        Walk::Found(t, _) => Ok(t),
+        _ => Err(Error::internal("point location did not terminate")),
     }
 }
 

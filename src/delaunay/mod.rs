@@ -5,11 +5,11 @@
 //!
 //! Invariant between insertions: `mesh` is the perturbed Delaunay tetrahedralization of the inserted vertices, closed by
 //! ghosts.
-pub mod cavity;
 #[cfg(test)]
 pub mod check;
 mod conflicts;
 mod edge_table;
+pub mod insert;
 pub mod locate;
 pub mod order;
 mod parallel;
@@ -18,9 +18,9 @@ mod workers;
 
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::kernel::{flag, Tetrahedra, GHOST, NONE};
+use crate::kernel::{Mesh, GHOST};
 use crate::predicates::{Points, Sign};
-use cavity::Cavity;
+use insert::Inserter;
 use locate::{walk, Walk};
 use order::Frame;
 use parallel::{Pass, FEWEST_VERTICES};
@@ -36,16 +36,14 @@ const CAREFUL: u32 = 64;
 const MOST_PASSES: usize = 2;
 
 /// A Delaunay tetrahedralization under construction.
-#[derive(Clone, Default)]
-pub struct Delaunay {
+#[derive(Default)]
+pub struct Construction {
     /// The tetrahedra.
-    pub mesh: Tetrahedra,
-    /// One live tetrahedron of each vertex, kept up to date by constrained insertion; see [`Delaunay::index_vertices`].
-    pub vertex_tet: Vec<u32>,
+    pub mesh: Mesh,
+    /// Inserts the vertices.
+    pub inserter: Inserter,
     /// Where the next walk starts.
     pub hint: u32,
-    /// Scratch space of insertions.
-    pub cavity: Cavity,
     /// Statistics of the rounds that the last [`build_rounds`](Self::build_rounds) inserted by ranges.
     pub rounds: Vec<Round>,
     /// For experiments: the number of ranges in each of these rounds, instead of one that suits its size.
@@ -64,15 +62,26 @@ pub struct Round {
     pub deferred: Vec<usize>,
 }
 
-impl Delaunay {
-    /// An empty triangulation.
-    pub fn new() -> Self {
-        Self::default()
+impl Construction {
+    /// Begins with the memory of a mesh and an inserter that are no longer needed.
+    pub fn with(mesh: Mesh, inserter: Inserter) -> Self {
+        Construction { mesh, inserter, ..Self::default() }
+    }
+
+    /// The Delaunay tetrahedralization of all points, with a tetrahedron of each vertex.
+    #[cfg(test)]
+    pub fn of(points: &Points) -> Mesh {
+        let mut construction = Construction::default();
+        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+        construction.build(points, &mut order, &mut |_| Ok(())).unwrap();
+        construction.mesh.index_vertices(points.len()).unwrap();
+        construction.mesh
     }
 
     /// Bytes held.
+    #[cfg(feature = "internals")]
     pub fn bytes(&self) -> usize {
-        self.mesh.bytes() + self.vertex_tet.capacity() * 4 + self.cavity.bytes()
+        self.mesh.bytes() + self.inserter.bytes()
     }
 
     /// Starts with the first four vertices of `order` that are not coplanar and moves them to its front. Fails if all are coplanar.
@@ -112,7 +121,7 @@ impl Delaunay {
 
     /// Makes two ghosts neighbours across the face of their common hull edge.
     fn link_ghosts(&mut self, g: u32, h: u32) {
-        let (a, b) = (self.mesh.verts[g as usize], self.mesh.verts[h as usize]);
+        let (a, b) = (self.mesh.verts(g), self.mesh.verts(h));
         let f = (0..3).find(|&i| !b.contains(&a[i])).unwrap_or(0) as u32;
         let k = (0..3).find(|&i| !a.contains(&b[i])).unwrap_or(0) as u32;
         self.mesh.link(4 * g + f, 4 * h + k);
@@ -123,7 +132,7 @@ impl Delaunay {
         let Walk::Found(t, steps) = walk::<false, false>(&self.mesh.slots(), 0, points, p, start) else {
             return Err(Error::internal("point location did not terminate"));
         };
-        self.hint = self.insert_at::<false>(points, p, t)?;
+        self.hint = self.inserter.insert::<false>(&mut self.mesh, points, p, t)?;
         Ok(steps)
     }
 
@@ -131,8 +140,8 @@ impl Delaunay {
     fn nearest_made(&self, points: &Points, p: u32) -> u32 {
         let at = points.xyz(p);
         let mut best = (f64::INFINITY, self.hint);
-        for &t in &self.cavity.fresh {
-            let verts = self.mesh.verts[t as usize];
+        for &t in &self.inserter.fresh {
+            let verts = self.mesh.verts(t);
             if verts[3] == GHOST {
                 continue;
             }
@@ -169,7 +178,7 @@ impl Delaunay {
         threads: usize,
         tick: &mut dyn FnMut(usize) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        self.cavity.prepare(points.len())?;
+        self.inserter.prepare(points.len())?;
         self.start(points, order)?;
         self.rounds.clear();
         let mut begin = 4;
@@ -202,9 +211,7 @@ impl Delaunay {
             begin = end;
         }
         if shared {
-            for flags in &mut self.mesh.flags {
-                *flags &= flag::DEAD;
-            }
+            self.mesh.disown();
         }
         Ok(())
     }
@@ -269,21 +276,6 @@ impl Delaunay {
         self.hint = (0..self.mesh.slot_count() as u32).find(|&t| self.mesh.is_live(t)).unwrap_or(0);
         let done_before = round.end - left.len();
         self.insert_in_order(points, &left, &mut |done| ahead(done_before + done))
-    }
-
-    /// Fills `vertex_tet` for `vertex_count` vertices: a finite tetrahedron if there is one, NONE for absent vertices.
-    pub fn index_vertices(&mut self, vertex_count: usize) -> Result<(), Error> {
-        self.vertex_tet.clear();
-        self.vertex_tet.try_reserve(vertex_count)?;
-        self.vertex_tet.resize(vertex_count, NONE);
-        for t in 0..self.mesh.slot_count() {
-            if self.mesh.is_live(t as u32) && !self.mesh.is_ghost(t as u32) {
-                for v in self.mesh.verts[t] {
-                    self.vertex_tet[v as usize] = t as u32;
-                }
-            }
-        }
-        Ok(())
     }
 }
 

@@ -35,16 +35,15 @@
 //!
 //! So 8 threads need 10^7 points and 16 a few 10^7; 64 ranges, by the law above fitted to the rows of 8, defer 7 % in the first pass at
 //! 8·10^7 points. Ordering and division are sequential; each pass visits all tetrahedra once, in parallel.
-#![allow(unsafe_code)]
-use crate::delaunay::cavity::Cavity;
+use crate::delaunay::insert::Inserter;
 use crate::delaunay::locate::{walk, Walk};
 use crate::delaunay::ranges::{Division, FEWEST};
 use crate::delaunay::workers::together;
-use crate::delaunay::Delaunay;
+use crate::delaunay::Construction;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::kernel::slots::Slots;
-use crate::kernel::{flag, Tetrahedra, NONE};
+use crate::kernel::{flag, NONE};
 use crate::predicates::Points;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -94,14 +93,14 @@ impl Shop<'_> {
     /// Processes tasks until there are none.
     fn work(
         &self,
-        cavity: &mut Cavity,
+        inserter: &mut Inserter,
         tick: &mut dyn FnMut(usize) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        cavity.prepare(self.points.len())?;
+        inserter.prepare(self.points.len())?;
         loop {
             let next = self.tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
             let Some((index, task)) = next else { return Ok(()) };
-            let outcome = self.run(task, cavity, tick)?;
+            let outcome = self.run(task, inserter, tick)?;
             let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
             outcomes.try_reserve(1)?;
             outcomes.push((index, outcome));
@@ -111,16 +110,16 @@ impl Shop<'_> {
     /// The same on the calling thread and `threads − 1` helpers. Only the calling thread calls `tick`.
     fn work_together(
         &self,
-        cavity: &mut Cavity,
+        inserter: &mut Inserter,
         threads: usize,
         tick: &mut dyn FnMut(usize) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let tick = RefCell::new(tick);
         together(
             threads,
-            &|| self.work(&mut Cavity::default(), &mut |_| Ok(())),
+            &|| self.work(&mut Inserter::default(), &mut |_| Ok(())),
             &|| self.stop.store(true, Ordering::Relaxed),
-            || self.work(cavity, &mut |done| (tick.borrow_mut())(done)),
+            || self.work(inserter, &mut |done| (tick.borrow_mut())(done)),
             &mut || (tick.borrow_mut())(self.done.load(Ordering::Relaxed)),
         )
     }
@@ -129,7 +128,7 @@ impl Shop<'_> {
     fn run(
         &self,
         mut task: Task,
-        cavity: &mut Cavity,
+        inserter: &mut Inserter,
         tick: &mut dyn FnMut(usize) -> Result<(), Error>,
     ) -> Result<Outcome, Error> {
         let vertices = std::mem::take(&mut task.vertices);
@@ -155,7 +154,7 @@ impl Shop<'_> {
             }
             let inserted = match hint {
                 NONE => None,
-                _ => self.insert(&mut task, cavity, p, hint)?,
+                _ => self.insert(&mut task, inserter, p, hint)?,
             };
             row = if inserted.is_some() { 0 } else { row + 1 };
             match inserted {
@@ -167,16 +166,9 @@ impl Shop<'_> {
             }
         }
         self.done.fetch_add(vertices.len() % TICK, Ordering::Relaxed);
-        // The rest of the block becomes part of the mesh as well.
+        // The rest of the block is part of the mesh as well.
         task.free.try_reserve(task.block.len())?;
-        for t in task.block.rev() {
-            self.slots.set_verts(t, [NONE; 4]);
-            for f in 0..4 {
-                self.slots.set_across(4 * t + f, NONE);
-            }
-            self.slots.set_flags(t, flag::DEAD);
-            task.free.push(t);
-        }
+        task.free.extend(task.block.rev());
         Ok(Outcome { deferred, free: task.free })
     }
 
@@ -196,41 +188,47 @@ impl Shop<'_> {
 
     /// Inserts `p` and returns one of its tetrahedra; `None` if it must be deferred.
     #[inline(always)]
-    fn insert(&self, task: &mut Task, cavity: &mut Cavity, p: u32, hint: u32) -> Result<Option<u32>, Error> {
+    fn insert(
+        &self,
+        task: &mut Task,
+        inserter: &mut Inserter,
+        p: u32,
+        hint: u32,
+    ) -> Result<Option<u32>, Error> {
         let slots = &self.slots;
         let t = match walk::<true, false>(slots, task.owner, self.points, p, hint) {
             Walk::Found(t, _) => t,
             Walk::Left => return Ok(None),
             Walk::Lost => return Err(Error::internal("point location did not terminate")),
         };
-        if !cavity.conflicts.collect::<true>(slots, task.owner, self.points, p, t)? {
+        if !inserter.conflicts.collect::<true>(slots, task.owner, self.points, p, t)? {
             return Ok(None);
         }
-        let (dead, fresh) = (cavity.conflicts.dead().len(), cavity.conflicts.face_count());
+        let (dead, fresh) = (inserter.conflicts.dead().len(), inserter.conflicts.face_count());
         let more = fresh.saturating_sub(dead);
         let recycled = more.min(task.free.len());
         if task.block.len() < more - recycled {
-            for &t in cavity.conflicts.dead() {
+            for &t in inserter.conflicts.dead() {
                 slots.set_flags(t, task.owner);
             }
             return Ok(None);
         }
-        cavity.reuse_slots()?;
+        inserter.reuse_slots()?;
         if more > 0 {
-            cavity.fresh.try_reserve(more)?;
-            cavity.fresh.extend(task.free.drain(task.free.len() - recycled..));
+            inserter.fresh.try_reserve(more)?;
+            inserter.fresh.extend(task.free.drain(task.free.len() - recycled..));
             let end = task.block.start + (more - recycled) as u32;
-            cavity.fresh.extend(task.block.start..end);
+            inserter.fresh.extend(task.block.start..end);
             task.block.start = end;
         } else {
             task.free.try_reserve(dead - fresh)?;
-            for &t in &cavity.conflicts.dead()[fresh..] {
+            for &t in &inserter.conflicts.dead()[fresh..] {
                 slots.set_flags(t, flag::DEAD);
                 task.free.push(t);
             }
         }
-        cavity.fill(slots, task.owner, p)?;
-        Ok(Some(cavity.fresh[0]))
+        inserter.fill(slots, task.owner, p)?;
+        Ok(Some(inserter.fresh[0]))
     }
 }
 
@@ -244,7 +242,7 @@ pub(super) struct Pass<'a> {
     pub(super) threads: usize,
 }
 
-impl Delaunay {
+impl Construction {
     /// Inserts vertices of a round, given by range; returns those that were deferred, in the same order.
     pub(super) fn insert_pass(
         &mut self,
@@ -259,7 +257,7 @@ impl Delaunay {
         let mut tasks = Vec::new();
         tasks.try_reserve(division.parts.len())?;
         // Free slots are distributed first; blocks cover the rest.
-        let mut free = std::mem::take(&mut self.mesh.free);
+        let mut free = self.mesh.take_free();
         let first = self.mesh.slot_count() as u32;
         let mut end = first;
         let share = free.len();
@@ -283,12 +281,9 @@ impl Delaunay {
             stop: AtomicBool::new(false),
             done: AtomicUsize::new(0),
         };
-        shop.work_together(&mut self.cavity, threads, tick)?;
+        shop.work_together(&mut self.inserter, threads, tick)?;
         let mut outcomes = shop.outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
         outcomes.sort_unstable_by_key(|&(index, _)| index);
-        // SAFETY: no range has failed, so each has written all slots of its block: those it used in `Cavity::fill`, the rest at its end.
-        // `share` has ensured the capacity.
-        unsafe { self.mesh.adopt(more) };
         let mut deferred = Vec::new();
         for (_, outcome) in outcomes {
             free.try_reserve(outcome.free.len())?;
@@ -296,13 +291,13 @@ impl Delaunay {
             deferred.try_reserve(outcome.deferred.len())?;
             deferred.extend(outcome.deferred);
         }
-        self.mesh.free = free;
+        self.mesh.give_free(free);
         Ok(deferred)
     }
 
     /// Writes the owner of each tetrahedron into its flags; returns for each range some of its tetrahedra.
     fn assign(&mut self, division: &Division, threads: usize) -> Result<Vec<Vec<u32>>, Error> {
-        let Tetrahedra { verts, flags, .. } = &mut self.mesh;
+        let (verts, flags) = self.mesh.verts_and_flags();
         let part = verts.len().div_ceil(threads).max(FEWEST);
         let parts = Mutex::new(verts.chunks(part).zip(flags.chunks_mut(part)));
         let work = || loop {

@@ -1,7 +1,7 @@
 //! The Delaunay invariants on random and degenerate point sets.
 use crate::delaunay::check::check_delaunay;
 use crate::delaunay::order::insertion_order;
-use crate::delaunay::{Delaunay, HELPERS_STARTED};
+use crate::delaunay::{Construction, HELPERS_STARTED};
 use crate::predicates::Points;
 
 /// Deterministic numbers in [0, 1).
@@ -14,27 +14,27 @@ impl Lcg {
     }
 }
 
-fn build(xyz: Vec<[f64; 3]>) -> (Delaunay, Points) {
+fn build(xyz: Vec<[f64; 3]>) -> (Construction, Points) {
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
     let mut order = insertion_order(&xyz, &ids).unwrap().ids;
     let points = Points::new(xyz);
-    let mut delaunay = Delaunay::new();
+    let mut delaunay = Construction::default();
     delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
-    check_delaunay(&delaunay, &points).unwrap();
+    check_delaunay(&delaunay.mesh, &points).unwrap();
     slots_are_accounted_for(&delaunay);
     (delaunay, points)
 }
 
 /// Each free slot is listed once, and no others are.
-fn slots_are_accounted_for(delaunay: &Delaunay) {
+fn slots_are_accounted_for(delaunay: &Construction) {
     let mesh = &delaunay.mesh;
-    let mut free = mesh.free.clone();
+    let mut free = mesh.free().to_vec();
     free.sort_unstable();
     let dead: Vec<u32> = (0..mesh.slot_count() as u32).filter(|&t| !mesh.is_live(t)).collect();
     assert_eq!(free, dead);
 }
 
-fn finite_count(delaunay: &Delaunay) -> usize {
+fn finite_count(delaunay: &Construction) -> usize {
     let mesh = &delaunay.mesh;
     (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t)).count()
 }
@@ -62,7 +62,7 @@ fn integer_grid_is_filled_without_flat_tetrahedra() {
     let volume: f64 = (0..delaunay.mesh.slot_count() as u32)
         .filter(|&t| delaunay.mesh.is_live(t) && !delaunay.mesh.is_ghost(t))
         .map(|t| {
-            let [a, b, c, d] = delaunay.mesh.verts[t as usize].map(|v| points.xyz(v));
+            let [a, b, c, d] = delaunay.mesh.verts(t).map(|v| points.xyz(v));
             let u: [f64; 3] = std::array::from_fn(|k| b[k] - a[k]);
             let v: [f64; 3] = std::array::from_fn(|k| c[k] - a[k]);
             let w: [f64; 3] = std::array::from_fn(|k| d[k] - a[k]);
@@ -106,13 +106,13 @@ fn the_result_does_not_depend_on_the_order() {
     }
     let points = Points::new(xyz);
     let sorted_tets = |mut order: Vec<u32>| {
-        let mut delaunay = Delaunay::new();
+        let mut delaunay = Construction::default();
         delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
         let mesh = &delaunay.mesh;
         let mut tets: Vec<[u32; 4]> = (0..mesh.slot_count() as u32)
             .filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t))
             .map(|t| {
-                let mut v = mesh.verts[t as usize];
+                let mut v = mesh.verts(t);
                 v.sort_unstable();
                 v
             })
@@ -131,21 +131,21 @@ fn the_result_does_not_depend_on_the_order() {
 #[test]
 fn coplanar_points_are_refused() {
     let points = Points::new((0..10).map(|i| [i as f64, (i * i % 7) as f64, 0.0]).collect());
-    let mut delaunay = Delaunay::new();
+    let mut delaunay = Construction::default();
     let mut order: Vec<u32> = (0..10).collect();
     let error = delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap_err();
     assert_eq!(error.status, crate::Status::DegenerateInput);
 }
 
 /// Vertices, neighbours, flags and free slots.
-type Bytes = (Vec<[u32; 4]>, Vec<[u32; 4]>, Vec<u16>, Vec<u32>);
+type Bytes = (Vec<([u32; 4], [u32; 4], bool)>, Vec<u32>);
 
-fn build_by(threads: usize, xyz: &[[f64; 3]]) -> (Delaunay, Points, Bytes) {
+fn build_by(threads: usize, xyz: &[[f64; 3]]) -> (Construction, Points, Bytes) {
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
     let order = insertion_order(xyz, &ids).unwrap();
     let points = Points::new(order.ids.iter().map(|&i| xyz[i as usize]).collect());
     let mut sequence = ids;
-    let mut delaunay = Delaunay::new();
+    let mut delaunay = Construction::default();
     let mut last = 0;
     let mut tick = |done| {
         assert!(done >= last && done <= xyz.len());
@@ -154,7 +154,7 @@ fn build_by(threads: usize, xyz: &[[f64; 3]]) -> (Delaunay, Points, Bytes) {
     };
     delaunay.build_rounds(&points, &mut sequence, &order.rounds, threads, &mut tick).unwrap();
     let mesh = &delaunay.mesh;
-    let bytes = (mesh.verts.clone(), mesh.adj.clone(), mesh.flags.clone(), mesh.free.clone());
+    let bytes = (mesh.slots_as_they_are(), mesh.free().to_vec());
     (delaunay, points, bytes)
 }
 
@@ -187,7 +187,7 @@ fn large_sets() -> Vec<(&'static str, Vec<[f64; 3]>)> {
 fn any_number_of_threads_makes_the_same_bytes() {
     for (name, xyz) in large_sets() {
         let (delaunay, points, one) = build_by(1, &xyz);
-        check_delaunay(&delaunay, &points).unwrap();
+        check_delaunay(&delaunay.mesh, &points).unwrap();
         slots_are_accounted_for(&delaunay);
         let round = delaunay.rounds.last().unwrap_or_else(|| panic!("{name}: no round by ranges"));
         assert!(round.ranges >= 2 && round.deferred[0] > 0, "{name}");
@@ -210,7 +210,7 @@ fn ranges_are_given_up_where_tetrahedra_cross_them() {
         })
         .collect();
     let (delaunay, points, one) = build_by(1, &xyz);
-    check_delaunay(&delaunay, &points).unwrap();
+    check_delaunay(&delaunay.mesh, &points).unwrap();
     slots_are_accounted_for(&delaunay);
     let round = delaunay.rounds.last().unwrap();
     assert!(round.deferred.len() == 1 && 4 * round.deferred[0] > 3 * round.vertices, "{round:?}");
@@ -223,13 +223,13 @@ fn ranges_are_given_up_where_tetrahedra_cross_them() {
 fn ranges_make_the_tetrahedra_that_one_by_one_insertion_makes() {
     for (name, xyz) in large_sets() {
         let (by_ranges, points, _) = build_by(2, &xyz);
-        let mut one_by_one = Delaunay::new();
+        let mut one_by_one = Construction::default();
         let mut order: Vec<u32> = (0..xyz.len() as u32).collect();
         one_by_one.build(&points, &mut order, &mut |_| Ok(())).unwrap();
-        let set = |delaunay: &Delaunay| {
+        let set = |delaunay: &Construction| {
             let mesh = &delaunay.mesh;
             let live = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t));
-            let mut set: Vec<[u32; 4]> = live.map(|t| mesh.verts[t as usize]).collect();
+            let mut set: Vec<[u32; 4]> = live.map(|t| mesh.verts(t)).collect();
             set.iter_mut().for_each(|v| v.sort_unstable());
             set.sort_unstable();
             set
@@ -245,7 +245,7 @@ fn a_cancel_reaches_all_workers() {
     let order = insertion_order(&xyz, &ids).unwrap();
     let points = Points::new(order.ids.iter().map(|&i| xyz[i as usize]).collect());
     for threads in [1, 3] {
-        let mut delaunay = Delaunay::new();
+        let mut delaunay = Construction::default();
         let mut tick = |done| match done {
             0..30_000 => Ok(()),
             _ => Err(crate::Error::new(crate::Status::Cancelled, "enough")),

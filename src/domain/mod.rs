@@ -1,10 +1,10 @@
 //! Carving and regions: flooding between subfaces.
 //!
-//! Tetrahedra connected through faces that are not subfaces form a component. The component of the ghosts is the outside, those with a hole
+//! Mesh connected through faces that are not subfaces form a component. The component of the ghosts is the outside, those with a hole
 //! seed are holes, the others are regions.
 use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
 use crate::fallible;
-use crate::kernel::{flag, Tetrahedra, NONE};
+use crate::kernel::{Mesh, NONE};
 use crate::output::Region;
 use crate::plc::RegionSeed;
 use crate::predicates::Points;
@@ -24,7 +24,7 @@ pub struct Components {
 }
 
 /// Finds the components by flood fill.
-pub fn components(mesh: &Tetrahedra) -> Result<Components, Error> {
+pub fn components(mesh: &Mesh) -> Result<Components, Error> {
     let mut of: Vec<u32> = Vec::new();
     of.try_reserve(mesh.slot_count())?;
     of.resize(mesh.slot_count(), NONE);
@@ -44,10 +44,10 @@ pub fn components(mesh: &Tetrahedra) -> Result<Components, Error> {
         while let Some(t) = stack.pop() {
             stack.try_reserve(4)?;
             for f in 0..4 {
-                if mesh.flags[t as usize] & (flag::FACE << f) != 0 {
+                if mesh.is_subface(4 * t + f) {
                     continue;
                 }
-                let n = mesh.adj[t as usize][f] >> 2;
+                let n = mesh.beyond(t, f);
                 if of[n as usize] == NONE {
                     of[n as usize] = label;
                     stack.push(n);
@@ -85,7 +85,7 @@ impl Seeds<'_> {
     /// The components of all seeds: the holes, then the regions. Fails if one lies on a facet.
     fn locate(
         &self,
-        mesh: &Tetrahedra,
+        mesh: &Mesh,
         points: &mut Points,
         components: &Components,
     ) -> Result<Vec<Option<u32>>, Error> {
@@ -125,7 +125,7 @@ fn seed_error(kind: DefectKind, element: Element, at: [f64; 3], message: Message
 
 /// Decides what is carved and labels the rest. Fails if nothing is left, a seed is on a facet, or a region seed is outside.
 pub fn label(
-    mesh: &Tetrahedra,
+    mesh: &Mesh,
     points: &mut Points,
     components: &Components,
     seeds: &Seeds,
@@ -187,7 +187,7 @@ pub fn label(
 
 /// Gives every remaining component its own region, with the smallest attributes 1, 2, … that no seed has.
 fn number_unseeded(
-    mesh: &Tetrahedra,
+    mesh: &Mesh,
     components: &Components,
     carved: &[bool],
     seeds: &[RegionSeed],

@@ -8,7 +8,7 @@
 //! proportional to the number of seeds.
 use crate::domain::Components;
 use crate::error::Error;
-use crate::kernel::{flag, Tetrahedra};
+use crate::kernel::Mesh;
 use crate::predicates::{in_range, scale, Points, Sign};
 
 /// Where a seed lies.
@@ -158,7 +158,7 @@ impl Tree {
 /// Finds the component of every seed. The coordinates of the mesh are the caller's times 2^`exponent`. Seeds may have any finite
 /// coordinates.
 pub(super) fn locate(
-    mesh: &Tetrahedra,
+    mesh: &Mesh,
     points: &mut Points,
     components: &Components,
     seeds: &[[f64; 3]],
@@ -181,7 +181,7 @@ pub(super) fn locate(
 }
 
 struct Search<'a> {
-    mesh: &'a Tetrahedra,
+    mesh: &'a Mesh,
     points: &'a mut Points,
     components: &'a Components,
     exponent: i32,
@@ -303,7 +303,7 @@ impl Search<'_> {
 
     /// The box of a tetrahedron; Steiner points are within an ulp of their doubles.
     fn box_of(&self, t: u32) -> ([f64; 3], [f64; 3]) {
-        let corners = self.mesh.verts[t as usize].map(|v| self.points.xyz(v));
+        let corners = self.mesh.verts(t).map(|v| self.points.xyz(v));
         let low = |k: usize| corners.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min).next_down();
         let high = |k: usize| corners.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max).next_up();
         ([0, 1, 2].map(low), [0, 1, 2].map(high))
@@ -335,8 +335,7 @@ impl Search<'_> {
                 Sign::Zero => {
                     strictly = false;
                     let beyond = self.components.of[(self.mesh.across(code) >> 2) as usize];
-                    on_facet |=
-                        self.mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0 && beyond != own;
+                    on_facet |= self.mesh.is_subface(code) && beyond != own;
                 }
                 Sign::Positive => {}
             }

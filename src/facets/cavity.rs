@@ -3,20 +3,20 @@
 //! A region is a set of coplanar triangles whose boundary edges are edges of the mesh. Two facts keep the search combinatorial: the section
 //! of a tetrahedron with the plane then lies entirely inside or outside the region; and the tetrahedra that the region crosses are
 //! connected through faces with vertices on both sides of the plane.
-use crate::delaunay::Delaunay;
 use crate::error::Error;
-use crate::kernel::star::{EdgeRing, StarSearch};
-use crate::kernel::{flag, NONE};
+use crate::kernel::around::{EdgeRing, StarSearch};
+use crate::kernel::visited::Visited;
+use crate::kernel::{Mesh, NONE};
 use crate::predicates::{Points, Sign};
 
 /// The result of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opening {
-    /// The tetrahedra were found and marked.
+    /// The tetrahedra were found.
     Found,
     /// No tetrahedron crosses the region.
     Nothing,
-    /// This face, a subface or on the hull, blocks the search. Nothing is marked.
+    /// This face, a subface or on the hull, blocks the search.
     Blocked([u32; 3]),
 }
 
@@ -30,6 +30,7 @@ pub struct RegionCavity {
     sides: Vec<(u32, Sign)>,
     stamp: u32,
     search: StarSearch,
+    visited: Visited,
 }
 
 impl RegionCavity {
@@ -57,27 +58,22 @@ impl RegionCavity {
         cached.1
     }
 
-    /// Collects and marks the tetrahedra that the region, given to [`begin`](Self::begin), crosses.
-    pub fn collect(
-        &mut self,
-        delaunay: &mut Delaunay,
-        points: &Points,
-        region: &[[u32; 3]],
-    ) -> Result<Opening, Error> {
+    /// Collects the tetrahedra that the region, given to [`begin`](Self::begin), crosses.
+    pub fn collect(&mut self, mesh: &Mesh, points: &Points, region: &[[u32; 3]]) -> Result<Opening, Error> {
         self.tets.clear();
-        let Some(first) = self.find_first(delaunay, points, region) else { return Ok(Opening::Nothing) };
+        let Some(first) = self.find_first(mesh, points, region)? else { return Ok(Opening::Nothing) };
         self.tets.try_reserve(1)?;
         self.tets.push(first);
-        delaunay.mesh.flags[first as usize] |= flag::MARK;
+        self.visited.begin();
+        self.visited.insert(first)?;
         let mut next = 0;
         while next < self.tets.len() {
             let t = self.tets[next];
             next += 1;
             self.tets.try_reserve(4)?;
             for f in 0..4u32 {
-                let mesh = &mut delaunay.mesh;
-                let n = mesh.adj[t as usize][f as usize] >> 2;
-                if mesh.flags[n as usize] & flag::MARK != 0 {
+                let n = mesh.beyond(t, f);
+                if self.visited.contains(n) {
                     continue;
                 }
                 let face = mesh.face(4 * t + f);
@@ -85,48 +81,49 @@ impl RegionCavity {
                 if !(sides.contains(&Sign::Positive) && sides.contains(&Sign::Negative)) {
                     continue;
                 }
-                if mesh.flags[t as usize] & (flag::FACE << f) != 0 || mesh.is_ghost(n) {
-                    self.unmark(delaunay);
+                if mesh.is_subface(4 * t + f) || mesh.is_ghost(n) {
                     return Ok(Opening::Blocked(face));
                 }
-                mesh.flags[n as usize] |= flag::MARK;
+                self.visited.insert(n)?;
                 self.tets.push(n);
             }
         }
         Ok(Opening::Found)
     }
 
-    /// Removes the marks.
-    pub fn unmark(&self, delaunay: &mut Delaunay) {
-        for &t in &self.tets {
-            delaunay.mesh.flags[t as usize] &= !flag::MARK;
-        }
+    /// Whether the last search found a tetrahedron.
+    pub fn has(&self, t: u32) -> bool {
+        self.visited.contains(t)
     }
 
     /// A tetrahedron whose interior the region enters from an edge of its boundary.
-    fn find_first(&mut self, delaunay: &mut Delaunay, points: &Points, region: &[[u32; 3]]) -> Option<u32> {
+    fn find_first(
+        &mut self,
+        mesh: &Mesh,
+        points: &Points,
+        region: &[[u32; 3]],
+    ) -> Result<Option<u32>, Error> {
         for corners in region {
             for k in 0..3 {
                 let (a, b) = (corners[k], corners[(k + 1) % 3]);
-                let start = delaunay.vertex_tet[a as usize];
+                let start = mesh.vertex_tet[a as usize];
                 if start == NONE {
                     continue;
                 }
-                let Some(t) = self.search.find_edge(&mut delaunay.mesh, a, b, start) else { continue };
+                let Some(t) = self.search.find_edge(mesh, a, b, start)? else { continue };
                 // Looking along a → b, the region lies at angle 0; the positive tetrahedron (a, b, x, y) spans the angles from x to y, and
                 // contains angle 0 exactly if x is below the plane and y above.
-                let mesh = &delaunay.mesh;
                 for (t, _, _, k, l) in EdgeRing::new(mesh, t, a, b) {
-                    let v = mesh.verts[t as usize];
+                    let v = mesh.verts(t);
                     if !mesh.is_ghost(t)
                         && self.side(points, v[k as usize]) == Sign::Negative
                         && self.side(points, v[l as usize]) == Sign::Positive
                     {
-                        return Some(t);
+                        return Ok(Some(t));
                     }
                 }
             }
         }
-        None
+        Ok(None)
     }
 }

@@ -3,11 +3,11 @@
 //! First the Delaunay tetrahedralization of the half's vertices, under the same perturbation: if it has all boundary faces, the tetrahedra
 //! inside are the result (Si & Gärtner 2011, section 6). Their lemma 8 does not cover a boundary face whose circumspheres contain a vertex
 //! of the half that a facet hides; constrained gift wrapping then decides by visibility.
-use crate::delaunay::Delaunay;
+use crate::delaunay::Construction;
 use crate::error::Error;
 use crate::facets::gift_wrap::gift_wrap;
 use crate::kernel::face_key;
-use crate::kernel::flag;
+use crate::kernel::visited::Visited;
 use crate::predicates::Points;
 use rustc_hash::FxHashMap;
 
@@ -24,11 +24,12 @@ pub struct Half {
 /// Scratch space for filling.
 #[derive(Default)]
 pub struct Filler {
-    local: Delaunay,
+    local: Construction,
     order: Vec<u32>,
     face_codes: FxHashMap<[u32; 3], u32>,
     inner: Vec<u32>,
     inside: Vec<u32>,
+    visited: Visited,
     /// Number of halves that needed gift wrapping.
     pub wrapped: u64,
 }
@@ -71,16 +72,14 @@ impl Filler {
         }
         let mesh = &mut self.local.mesh;
         for &code in &self.inner {
-            let other = mesh.across(code);
-            mesh.flags[(code >> 2) as usize] |= flag::FACE << (code & 3);
-            mesh.flags[(other >> 2) as usize] |= flag::FACE << (other & 3);
+            mesh.set_subface(code);
         }
         self.inside.clear();
+        self.visited.begin();
+        self.inside.try_reserve(self.inner.len())?;
         for &code in &self.inner {
-            let t = code >> 2;
-            if mesh.flags[t as usize] & flag::MARK == 0 {
-                mesh.flags[t as usize] |= flag::MARK;
-                self.inside.push(t);
+            if self.visited.insert(code >> 2)? {
+                self.inside.push(code >> 2);
             }
         }
         let mut next = 0;
@@ -92,12 +91,11 @@ impl Filler {
             }
             self.inside.try_reserve(4)?;
             for f in 0..4u32 {
-                if mesh.flags[t as usize] & (flag::FACE << f) != 0 {
+                if mesh.is_subface(4 * t + f) {
                     continue;
                 }
-                let n = mesh.adj[t as usize][f as usize] >> 2;
-                if mesh.flags[n as usize] & flag::MARK == 0 {
-                    mesh.flags[n as usize] |= flag::MARK;
+                let n = mesh.beyond(t, f);
+                if self.visited.insert(n)? {
                     self.inside.push(n);
                 }
             }
@@ -106,14 +104,12 @@ impl Filler {
         self.inner.sort_unstable();
         for &code in &self.inner {
             let other = mesh.across(code);
-            if mesh.flags[(other >> 2) as usize] & flag::MARK != 0
-                && self.inner.binary_search(&other).is_err()
-            {
+            if self.visited.contains(other >> 2) && self.inner.binary_search(&other).is_err() {
                 return Ok(false);
             }
         }
         tets.try_reserve(self.inside.len())?;
-        tets.extend(self.inside.iter().map(|&t| mesh.verts[t as usize]));
+        tets.extend(self.inside.iter().map(|&t| mesh.verts(t)));
         Ok(true)
     }
 

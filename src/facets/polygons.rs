@@ -9,11 +9,11 @@
 //!
 //! Nothing here can make a mesh invalid. Triangles that are faces of one tetrahedralization do not cross each other; if a polygon lies so
 //! close to another element that its new triangles cross it, facet recovery reports that, and the caller keeps the old ones.
-use crate::delaunay::Delaunay;
 use crate::error::{Error, Status};
 use crate::facets::subface::{Subfaces, Triangles};
+use crate::kernel::around::StarSearch;
 use crate::kernel::edge_key;
-use crate::kernel::star::StarSearch;
+use crate::kernel::Mesh;
 use crate::kernel::{GHOST, NONE};
 use crate::plc::polygon::metric::is_inside_circle;
 use crate::predicates::{Points, Sign};
@@ -50,12 +50,12 @@ impl Retriangulated {
 }
 
 /// Triangulates the `wanted` facets (ascending) with edges of the mesh where possible; also returns the facets where it is not. All
-/// segments that are not soft must be unions of edges, and `delaunay.vertex_tet` up to date.
+/// segments that are not soft must be unions of edges, and `mesh.vertex_tet` up to date.
 ///
 /// # Errors
 /// `OutOfMemory`, `Internal`.
 pub fn retriangulate(
-    delaunay: &mut Delaunay,
+    mesh: &mut Mesh,
     points: &Points,
     segments: &Segments,
     polygons: &Polygons,
@@ -95,7 +95,7 @@ pub fn retriangulate(
     let (subfaces, entangled) = Subfaces::of_polygons(points, &triangles, axis, segments, polygons.soft)?;
     entangled.into_iter().for_each(|p| failed[p as usize] = true);
     let mut work =
-        Work { delaunay, points, subfaces, search: StarSearch::default(), triangle_of: FxHashMap::default() };
+        Work { mesh, points, subfaces, search: StarSearch::default(), triangle_of: FxHashMap::default() };
     let mut members: Vec<(u32, u32)> = Vec::new();
     members.try_reserve_exact(work.subfaces.verts.len())?;
     members.extend((0..).zip(&work.subfaces.patch).map(|(t, &p)| (p, t)));
@@ -151,7 +151,7 @@ fn common_axis(points: &Points, triangles: impl Iterator<Item = [u32; 3]> + Clon
 
 /// The working state for polygons.
 struct Work<'a> {
-    delaunay: &'a mut Delaunay,
+    mesh: &'a mut Mesh,
     points: &'a Points,
     subfaces: Subfaces,
     search: StarSearch,
@@ -160,9 +160,9 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    fn has_edge(&mut self, [a, b]: [u32; 2]) -> bool {
-        let start = self.delaunay.vertex_tet[a as usize];
-        start != NONE && self.search.find_edge(&mut self.delaunay.mesh, a, b, start).is_some()
+    fn has_edge(&mut self, [a, b]: [u32; 2]) -> Result<bool, Error> {
+        let start = self.mesh.vertex_tet[a as usize];
+        Ok(start != NONE && self.search.find_edge(self.mesh, a, b, start)?.is_some())
     }
 
     /// The ends of the edge opposite a corner.
@@ -207,7 +207,7 @@ impl Work<'_> {
             missing.try_reserve(3 * own.len())?;
             for code in own.iter().flat_map(|&t| 3 * t..3 * t + 3) {
                 let ends = self.ends(code);
-                if !self.has_edge(ends) {
+                if !self.has_edge(ends)? {
                     if !self.is_inner(code) {
                         return Ok(false);
                     }
@@ -241,13 +241,13 @@ impl Work<'_> {
     /// The vertices joined to `v` in the mesh, in ascending order.
     fn neighbors(&mut self, v: u32, around: &mut Vec<u32>) -> Result<(), Error> {
         around.clear();
-        let start = self.delaunay.vertex_tet[v as usize];
+        let start = self.mesh.vertex_tet[v as usize];
         if start == NONE {
             return Ok(());
         }
-        self.search.vertex_star(&mut self.delaunay.mesh, v, start);
+        self.search.vertex_star(self.mesh, v, start)?;
         around.try_reserve(4 * self.search.tets.len())?;
-        around.extend(self.search.tets.iter().flat_map(|&t| self.delaunay.mesh.verts[t as usize]));
+        around.extend(self.search.tets.iter().flat_map(|&t| self.mesh.verts(t)));
         around.retain(|&w| w != v && w != GHOST);
         around.sort_unstable();
         around.dedup();
@@ -262,8 +262,13 @@ impl Work<'_> {
             crossing.push_back(ends);
             Ok(false)
         })?;
-        if crossing.is_empty() || crossing.iter().any(|&ends| self.has_edge(ends)) {
+        if crossing.is_empty() {
             return Ok(false);
+        }
+        for &ends in &crossing {
+            if self.has_edge(ends)? {
+                return Ok(false);
+            }
         }
         let mut tries = 4 * crossing.len() * crossing.len() + 16;
         while let Some(edge) = crossing.pop_front() {

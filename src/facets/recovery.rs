@@ -2,28 +2,27 @@
 //!
 //! When all segments are edges, the constrained Delaunay tetrahedralization exists (Shewchuk 1998), and still does after each facet. The
 //! tetrahedra that cross a connected set of missing subfaces form a cavity; the region cuts the cavity into two halves, each of which is
-//! filled on its own ([`fill`](crate::facets::fill)) without adding points. Tetrahedra that do not cross the region stay, since adding a constraint
+//! filled on its own ([`fill`](crate::facets::fill)) without adding points. Mesh that do not cross the region stay, since adding a constraint
 //! only hides vertices.
 //!
 //! A mesh edge in the plane is also in the patch's triangulation, because both break ties the same way. Hence regions are sets of missing
 //! subfaces connected through missing edges, and their boundaries are edges of the mesh.
-use crate::delaunay::Delaunay;
 use crate::error::{Element, Error};
 use crate::facets::cavity::{Opening, RegionCavity};
 use crate::facets::fill::{Filler, Half};
 use crate::facets::subface::Subfaces;
 use crate::fallible;
+use crate::kernel::around::StarSearch;
 use crate::kernel::face_key;
-use crate::kernel::flag;
 use crate::kernel::lookup::Lookup;
-use crate::kernel::refill::Refill;
-use crate::kernel::star::StarSearch;
+use crate::kernel::replace::Replace;
+use crate::kernel::Mesh;
 use crate::predicates::{Points, Sign};
 use crate::segments::crossing;
 
 /// The state of a recovery.
 pub struct FacetRecovery<'a> {
-    delaunay: &'a mut Delaunay,
+    mesh: &'a mut Mesh,
     points: &'a Points,
     subfaces: &'a Subfaces,
     recovered: Vec<bool>,
@@ -31,22 +30,18 @@ pub struct FacetRecovery<'a> {
     search: StarSearch,
     cavity: RegionCavity,
     filler: Filler,
-    refill: Refill,
+    replace: Replace,
     /// Number of missing regions filled.
     pub regions: u64,
 }
 
 impl<'a> FacetRecovery<'a> {
-    /// Prepares a recovery; `delaunay.vertex_tet` must be up to date.
-    pub fn new(
-        delaunay: &'a mut Delaunay,
-        points: &'a Points,
-        subfaces: &'a Subfaces,
-    ) -> Result<Self, Error> {
+    /// Prepares a recovery; `mesh.vertex_tet` must be up to date.
+    pub fn new(mesh: &'a mut Mesh, points: &'a Points, subfaces: &'a Subfaces) -> Result<Self, Error> {
         let recovered = fallible::filled(false, subfaces.verts.len())?;
         let in_region = fallible::filled(false, subfaces.verts.len())?;
         Ok(FacetRecovery {
-            delaunay,
+            mesh,
             points,
             subfaces,
             recovered,
@@ -54,7 +49,7 @@ impl<'a> FacetRecovery<'a> {
             search: StarSearch::default(),
             cavity: RegionCavity::default(),
             filler: Filler::default(),
-            refill: Refill::default(),
+            replace: Replace::default(),
             regions: 0,
         })
     }
@@ -68,7 +63,7 @@ impl<'a> FacetRecovery<'a> {
             if i % 256 == 0 {
                 tick(i, order.len())?;
             }
-            if self.recovered[s as usize] || self.mark_if_present(s) {
+            if self.recovered[s as usize] || self.mark_if_present(s)? {
                 continue;
             }
             self.collect_region(s, &mut region)?;
@@ -79,7 +74,7 @@ impl<'a> FacetRecovery<'a> {
             filled?;
             self.regions += 1;
             for &r in &region {
-                if !self.mark_if_present(r) {
+                if !self.mark_if_present(r)? {
                     return Err(Error::internal("a filled region has a missing subface"));
                 }
             }
@@ -94,9 +89,9 @@ impl<'a> FacetRecovery<'a> {
             (a, [b, c], s)
         });
         let subface_of = Lookup::new(self.points.len(), keys)?;
-        let mesh = &mut self.delaunay.mesh;
+        self.mesh.clear_subsegments();
+        let mesh = &mut self.mesh;
         for t in 0..mesh.slot_count() as u32 {
-            mesh.flags[t as usize] &= !flag::EDGES;
             if !mesh.is_live(t) || mesh.is_ghost(t) {
                 continue;
             }
@@ -109,7 +104,7 @@ impl<'a> FacetRecovery<'a> {
                 }
                 let [a, b, c] = face_key(mesh.face(4 * t + f));
                 if let Some(s) = subface_of.get(a, [b, c]) {
-                    mesh.flag_face(4 * t + f);
+                    mesh.set_subface(4 * t + f);
                     self.recovered[s as usize] = true;
                 }
             }
@@ -139,24 +134,24 @@ impl<'a> FacetRecovery<'a> {
     }
 
     /// Flags the subface in the mesh if it is a face; returns whether it is.
-    fn mark_if_present(&mut self, s: u32) -> bool {
+    fn mark_if_present(&mut self, s: u32) -> Result<bool, Error> {
         let corners = self.subfaces.verts[s as usize];
-        let start = self.delaunay.vertex_tet[corners[0] as usize];
-        let mesh = &mut self.delaunay.mesh;
-        let found = self.search.find_face(mesh, corners, start);
+        let start = self.mesh.vertex_tet[corners[0] as usize];
+        let mesh = &mut self.mesh;
+        let found = self.search.find_face(mesh, corners, start)?;
         if let Some(code) = found {
-            mesh.flag_face(code);
+            mesh.set_subface(code);
             self.recovered[s as usize] = true;
         }
-        found.is_some()
+        Ok(found.is_some())
     }
 
     /// Collects the missing subfaces connected to `s` through edges missing from the mesh.
     fn collect_region(&mut self, s: u32, region: &mut Vec<u32>) -> Result<(), Error> {
-        let FacetRecovery { delaunay, search, subfaces, recovered, in_region, .. } = self;
+        let FacetRecovery { mesh, search, subfaces, recovered, in_region, .. } = self;
         subfaces.collect_region(s, recovered, in_region, region, |[a, b]| {
-            let start = delaunay.vertex_tet[a as usize];
-            search.find_edge(&mut delaunay.mesh, a, b, start).is_some()
+            let start = mesh.vertex_tet[a as usize];
+            Ok(search.find_edge(mesh, a, b, start)?.is_some())
         })
     }
 
@@ -166,19 +161,16 @@ impl<'a> FacetRecovery<'a> {
         corners.try_reserve(region.len())?;
         corners.extend(region.iter().map(|&s| self.subfaces.verts[s as usize]));
         self.cavity.begin(self.points, &corners)?;
-        match self.cavity.collect(self.delaunay, self.points, &corners)? {
+        match self.cavity.collect(self.mesh, self.points, &corners)? {
             Opening::Found => {}
             Opening::Nothing => return Err(Error::internal("no tetrahedron crosses a missing region")),
             Opening::Blocked(face) => return Err(self.facet_of(face, region)),
         }
-        let halves = self.halves(&corners);
-        self.cavity.unmark(self.delaunay);
-        let [upper, lower] = halves?;
+        let [upper, lower] = self.halves(&corners)?;
         let mut tets = Vec::new();
         self.filler.fill(self.points, upper, &mut tets)?;
         self.filler.fill(self.points, lower, &mut tets)?;
-        let Delaunay { mesh, vertex_tet, .. } = &mut *self.delaunay;
-        self.refill.replace(mesh, vertex_tet, &self.cavity.tets, &tets, corners.into_iter())
+        self.replace.cavity(self.mesh, &self.cavity.tets, &tets, &corners)
     }
 
     /// The error for a region that crosses a recovered subface: the PLC crosses itself.
@@ -201,7 +193,7 @@ impl<'a> FacetRecovery<'a> {
             // Vertices come from the tetrahedra, not from the faces: the whole star of a vertex may be in the cavity.
             upper.vertices.try_reserve(4)?;
             lower.vertices.try_reserve(4)?;
-            for v in self.delaunay.mesh.verts[t as usize] {
+            for v in self.mesh.verts(t) {
                 let side = self.cavity.side(self.points, v);
                 if side != Sign::Negative {
                     upper.vertices.push(v);
@@ -211,13 +203,13 @@ impl<'a> FacetRecovery<'a> {
                 }
             }
             for f in 0..4u32 {
-                let n = self.delaunay.mesh.adj[t as usize][f as usize] >> 2;
-                let inner = self.delaunay.mesh.flags[n as usize] & flag::MARK != 0;
-                let constrained = self.delaunay.mesh.flags[t as usize] & (flag::FACE << f) != 0;
+                let n = self.mesh.beyond(t, f);
+                let inner = self.cavity.has(n);
+                let constrained = self.mesh.is_subface(4 * t + f);
                 if inner && !constrained {
                     continue;
                 }
-                let face = self.delaunay.mesh.face(4 * t + f);
+                let face = self.mesh.face(4 * t + f);
                 let sides = face.map(|v| self.cavity.side(self.points, v));
                 let half = if sides.contains(&Sign::Positive) {
                     &mut upper

@@ -345,7 +345,7 @@ impl Subfaces {
         present: &[bool],
         in_region: &mut [bool],
         region: &mut Vec<u32>,
-        mut has_edge: impl FnMut([u32; 2]) -> bool,
+        mut has_edge: impl FnMut([u32; 2]) -> Result<bool, Error>,
     ) -> Result<(), Error> {
         region.clear();
         region.try_reserve(1)?;
@@ -362,7 +362,7 @@ impl Subfaces {
                     continue;
                 }
                 let v = self.verts[t];
-                if !has_edge([v[(e + 1) % 3], v[(e + 2) % 3]]) {
+                if !has_edge([v[(e + 1) % 3], v[(e + 2) % 3]])? {
                     in_region[(n / 3) as usize] = true;
                     region.push(n / 3);
                 }

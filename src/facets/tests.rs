@@ -1,5 +1,5 @@
 //! Filling: gift wrapping and Delaunay filling give the same result.
-use crate::delaunay::Delaunay;
+use crate::delaunay::Construction;
 use crate::facets::fill::{Filler, Half};
 use crate::facets::gift_wrap::gift_wrap;
 use crate::predicates::Points;
@@ -14,21 +14,17 @@ fn sorted(mut tets: Vec<[u32; 4]>) -> Vec<[u32; 4]> {
 
 /// The hull of a Delaunay tetrahedralization as a polyhedron to fill, and the tetrahedra that fill it.
 fn hull(points: &Points) -> (Half, Vec<[u32; 4]>) {
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    let mut delaunay = Delaunay::new();
-    delaunay.build(points, &mut order, &mut |_| Ok(())).unwrap();
-    let mesh = &delaunay.mesh;
+    let mesh = Construction::of(points);
     let (mut half, mut tets) = (Half::default(), Vec::new());
     for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t)) {
         if mesh.is_ghost(t) {
-            half.faces.push(mesh.face(mesh.adj[t as usize][3]));
+            half.faces.push(mesh.face(mesh.across(4 * t + 3)));
         } else {
-            tets.push(mesh.verts[t as usize]);
+            tets.push(mesh.verts(t));
         }
     }
     // Most vertices are not on the boundary; a half may swallow some too.
-    order.sort_unstable();
-    half.vertices = order;
+    half.vertices = (0..points.len() as u32).collect();
     (half, tets)
 }
 

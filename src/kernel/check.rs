@@ -1,13 +1,14 @@
-//! Checks the topological invariants of [`Tetrahedra`].
-use crate::kernel::{flag, Tetrahedra, GHOST};
+//! Checks the invariants of [`Mesh`]: topology, and what hangs on it.
+use crate::kernel::around::EdgeRing;
+use crate::kernel::{flag, Mesh, GHOST, NONE};
 
 /// `Ok`, or a description of what is wrong with the topology.
-pub fn check_topology(mesh: &Tetrahedra) -> Result<(), String> {
+pub fn check_topology(mesh: &Mesh) -> Result<(), String> {
     for t in 0..mesh.slot_count() as u32 {
         if !mesh.is_live(t) {
             continue;
         }
-        let v = mesh.verts[t as usize];
+        let v = mesh.verts(t);
         if v[..3].contains(&GHOST) {
             return Err(format!("tetrahedron {t}: ghost vertex outside slot 3"));
         }
@@ -34,11 +35,57 @@ pub fn check_topology(mesh: &Tetrahedra) -> Result<(), String> {
             if a != b || !odd {
                 return Err(format!("tetrahedron {t}: face {f} {a:?} differs from its neighbour's {b:?}"));
             }
-            let subface = |c: u32| mesh.flags[(c >> 2) as usize] & (flag::FACE << (c & 3)) != 0;
-            if subface(c) != subface(n) {
+            if mesh.is_subface(c) != mesh.is_subface(n) {
                 return Err(format!("tetrahedron {t}: face {f} is a subface on one side only"));
             }
         }
     }
     Ok(())
+}
+
+/// `Ok`, or a description of what is wrong with regions, names of subfaces, subsegments, or the tetrahedra of vertices.
+pub fn check_attachments(mesh: &Mesh) -> Result<(), String> {
+    for t in mesh.all().filter(|&t| mesh.is_live(t)) {
+        let ghost = mesh.is_ghost(t);
+        if !mesh.region.is_empty() && ghost && mesh.region(t) != NONE {
+            return Err(format!("ghost {t} has region {}", mesh.region(t)));
+        }
+        for code in 4 * t..4 * t + 4 {
+            let n = mesh.across(code);
+            if mesh.subface(code) != mesh.subface(n) {
+                return Err(format!(
+                    "tetrahedron {t}: the subface of face {:?} has two names",
+                    mesh.face(code)
+                ));
+            }
+            let apart = !ghost && !mesh.is_ghost(n >> 2) && mesh.region(t) != mesh.region(n >> 2);
+            if apart && !mesh.is_subface(code) {
+                return Err(format!("tetrahedron {t}: another region beyond face {:?}", mesh.face(code)));
+            }
+        }
+        for [a, b] in mesh.subsegments(t) {
+            let ring = EdgeRing::new(mesh, t, a, b);
+            if ring.map(|x| x.0).any(|n| !mesh.subsegments(n).any(|e| e == [a, b] || e == [b, a])) {
+                return Err(format!("tetrahedron {t}: edge {:?} is not a subsegment all around", [a, b]));
+            }
+        }
+    }
+    for (v, &t) in mesh.vertex_tet.iter().enumerate().filter(|x| *x.1 != NONE) {
+        if !mesh.is_live(t) || mesh.is_ghost(t) || mesh.slot_of(t, v as u32).is_none() {
+            return Err(format!("vertex {v} is not in tetrahedron {t}"));
+        }
+    }
+    Ok(())
+}
+
+impl Mesh {
+    /// The free slots.
+    pub fn free(&self) -> &[u32] {
+        &self.free
+    }
+
+    /// Vertices, neighbours and whether it is live, of every slot.
+    pub fn slots_as_they_are(&self) -> Vec<([u32; 4], [u32; 4], bool)> {
+        self.all().map(|t| (self.verts(t), self.adj(t), self.is_live(t))).collect()
+    }
 }

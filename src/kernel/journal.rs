@@ -1,12 +1,12 @@
 //! A journal of replacements, so that they can be undone: the same tetrahedra return to the same slots.
 //!
-//! A replacement ([`Refill::replace`](crate::kernel::refill::Refill::replace)) releases the old slots in order and then allocates one for each new
+//! A replacement ([`Replace`](crate::kernel::replace::Replace)) releases the old slots in order and then allocates one for each new
 //! tetrahedron, from a stack of free slots. Undone in reverse order, these steps see the same stack: every old tetrahedron gets its own
-//! slot again, and its data, including neighbours, are restored.
+//! slot again, and its data, including neighbours and attachments, are restored.
 //!
 //! Invariant: replacements are undone in reverse order, and nothing else has been replaced since.
 use crate::error::Error;
-use crate::kernel::{flag, Tetrahedra};
+use crate::kernel::{flag, Mesh, NONE};
 
 /// A tetrahedron that was replaced.
 struct Saved {
@@ -14,6 +14,8 @@ struct Saved {
     flags: u16,
     verts: [u32; 4],
     adj: [u32; 4],
+    region: u32,
+    subface: [u32; 4],
 }
 
 /// Replacements, in order.
@@ -39,19 +41,26 @@ impl Journal {
     }
 
     /// Begins the entry of a replacement: `old`, in that order, are about to be replaced.
-    pub fn begin(&mut self, mesh: &Tetrahedra, old: &[u32]) -> Result<(), Error> {
+    pub(super) fn begin(&mut self, mesh: &Mesh, old: &[u32]) -> Result<(), Error> {
         self.starts.try_reserve(1)?;
         self.saved.try_reserve(old.len())?;
         self.starts.push([self.saved.len(), self.fresh.len()]);
         self.saved.extend(old.iter().map(|&slot| {
             let t = slot as usize;
-            Saved { slot, flags: mesh.flags[t] & !flag::MARK, verts: mesh.verts[t], adj: mesh.adj[t] }
+            Saved {
+                slot,
+                flags: mesh.flags[t],
+                verts: mesh.verts[t],
+                adj: mesh.adj[t],
+                region: mesh.region(slot),
+                subface: mesh.subface.get(t).copied().unwrap_or([NONE; 4]),
+            }
         }));
         Ok(())
     }
 
     /// Ends the entry: `fresh` are the new tetrahedra, in the order of their allocation.
-    pub fn end(&mut self, fresh: &[u32]) -> Result<(), Error> {
+    pub(super) fn end(&mut self, fresh: &[u32]) -> Result<(), Error> {
         self.fresh.try_reserve(fresh.len())?;
         self.fresh.extend_from_slice(fresh);
         Ok(())
@@ -61,7 +70,7 @@ impl Journal {
     ///
     /// # Errors
     /// `Internal` if something else has been replaced since.
-    pub fn take_back(&mut self, mesh: &mut Tetrahedra, vertex_tet: &mut [u32]) -> Result<(), Error> {
+    pub fn take_back(&mut self, mesh: &mut Mesh) -> Result<(), Error> {
         let Some([saved, fresh]) = self.starts.pop() else { return Ok(()) };
         for t in self.fresh.drain(fresh..).rev() {
             mesh.release(t);
@@ -70,9 +79,16 @@ impl Journal {
             if mesh.allocate(old.verts) != old.slot {
                 return Err(Error::internal("a replacement is undone out of order"));
             }
-            mesh.flags[old.slot as usize] = old.flags;
+            let t = old.slot as usize;
+            mesh.flags[t] = old.flags & !flag::MARK;
+            if let Some(region) = mesh.region.get_mut(t) {
+                *region = old.region;
+            }
+            if let Some(subface) = mesh.subface.get_mut(t) {
+                *subface = old.subface;
+            }
             for v in old.verts {
-                vertex_tet[v as usize] = old.slot;
+                mesh.vertex_tet[v as usize] = old.slot;
             }
         }
         for old in self.saved.drain(saved..) {

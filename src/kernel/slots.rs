@@ -2,10 +2,10 @@
 //!
 //! The inner loops of insertion use it, on one thread or several. Why it is sound:
 //!
-//! *In bounds.* Codes and slots come from `adj` of live tetrahedra or from the allocator, and the invariants of [`Tetrahedra`] bound both
+//! *In bounds.* Codes and slots come from `adj` of live tetrahedra or from the allocator, and the invariants of [`Mesh`] bound both
 //! by the number of slots; debug builds assert this at each access.
 //!
-//! *No data races.* While workers share the arrays ([`Slots::shared`]), a tetrahedron belongs to the range that its flags name, or to none:
+//! *No data races.* While workers share the arrays ([`Mesh::share`]), a tetrahedron belongs to the range that its flags name, or to none:
 //! then it is *frozen*. All vertices of an owned tetrahedron belong to its range. So two tetrahedra of different ranges share no vertex,
 //! the neighbours of an owned tetrahedron are owned by the same range or frozen, and a worker that starts from an owned one and stops at
 //! frozen ones meets no others. A worker
@@ -17,17 +17,17 @@
 //!   is frozen too, since its range would have the ghost's three vertices; so nobody writes this entry.
 #![allow(unsafe_code)]
 use crate::kernel::tables::FACE;
-use crate::kernel::Tetrahedra;
+use crate::kernel::{flag, Mesh};
 use std::marker::PhantomData;
 
-/// Pointers to the arrays of [`Tetrahedra`].
+/// Pointers to the arrays of [`Mesh`].
 pub struct Slots<'a> {
     verts: *mut [u32; 4],
     adj: *mut [u32; 4],
     flags: *mut u16,
-    /// Number of slots that exist or are reserved for new tetrahedra.
+    /// Number of slots.
     count: usize,
-    life: PhantomData<&'a Tetrahedra>,
+    life: PhantomData<&'a Mesh>,
 }
 
 // SAFETY: plain pointers to arrays that outlive the view; the absence of data races is shown above.
@@ -38,7 +38,7 @@ unsafe impl Sync for Slots<'_> {}
 impl<'a> Slots<'a> {
     /// A view for readers: nothing may be written through it.
     #[inline(always)]
-    pub(super) fn read(mesh: &'a Tetrahedra) -> Self {
+    pub(super) fn read(mesh: &'a Mesh) -> Self {
         Slots {
             verts: mesh.verts.as_ptr().cast_mut(),
             adj: mesh.adj.as_ptr().cast_mut(),
@@ -50,7 +50,7 @@ impl<'a> Slots<'a> {
 
     /// A view for one writer.
     #[inline(always)]
-    pub(super) fn exclusive(mesh: &'a mut Tetrahedra) -> Self {
+    pub(super) fn exclusive(mesh: &'a mut Mesh) -> Self {
         Slots {
             verts: mesh.verts.as_mut_ptr(),
             adj: mesh.adj.as_mut_ptr(),
@@ -58,16 +58,6 @@ impl<'a> Slots<'a> {
             count: mesh.verts.len(),
             life: PhantomData,
         }
-    }
-
-    /// A view for several writers, with `more` slots after the existing ones, for which there must be room. [`Tetrahedra::adopt`] makes
-    /// them part of the mesh.
-    pub(super) fn shared(mesh: &'a mut Tetrahedra, more: usize) -> Self {
-        let count = mesh.verts.len() + more;
-        assert!(
-            mesh.verts.capacity() >= count && mesh.adj.capacity() >= count && mesh.flags.capacity() >= count
-        );
-        Slots { count, ..Slots::exclusive(mesh) }
     }
 
     /// The number of slots.
@@ -161,26 +151,33 @@ impl<'a> Slots<'a> {
         }
     }
 
-    /// Like [`Tetrahedra::face`].
+    /// Like [`Mesh::face`].
     #[inline(always)]
     pub(crate) fn face(&self, c: u32) -> [u32; 3] {
         FACE[(c & 3) as usize].map(|i| self.vertex(c >> 2, i))
     }
 }
 
-impl Tetrahedra {
-    /// Makes the `count` slots after the existing ones part of the mesh.
-    ///
-    /// # Safety
-    /// All their vertices, neighbours and flags were written through a view from [`Tetrahedra::share`] for at least as many slots.
-    pub(crate) unsafe fn adopt(&mut self, count: usize) {
-        let length = self.verts.len() + count;
-        debug_assert!(length <= self.verts.capacity() && length <= self.adj.capacity());
-        // SAFETY: the caller has written them; `share` has ensured the capacity.
-        unsafe {
-            self.verts.set_len(length);
-            self.adj.set_len(length);
-            self.flags.set_len(length);
+impl Mesh {
+    /// Takes the list of free slots, to distribute them among workers; [`Mesh::give_free`] returns what is left.
+    pub(crate) fn take_free(&mut self) -> Vec<u32> {
+        std::mem::take(&mut self.free)
+    }
+
+    /// Returns free slots.
+    pub(crate) fn give_free(&mut self, free: Vec<u32>) {
+        self.free = free;
+    }
+
+    /// Vertices and flags, to write owners into the flags.
+    pub(crate) fn verts_and_flags(&mut self) -> (&[[u32; 4]], &mut [u16]) {
+        (&self.verts, &mut self.flags)
+    }
+
+    /// No tetrahedron belongs to a range any more.
+    pub(crate) fn disown(&mut self) {
+        for flags in &mut self.flags {
+            *flags &= flag::DEAD;
         }
     }
 }

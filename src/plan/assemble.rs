@@ -1,17 +1,15 @@
 //! From the engine's arrays to the output: what stays, renumbered, in the caller's coordinates.
-use crate::delaunay::Delaunay;
-use crate::domain::{Components, Regions};
+use crate::domain::Regions;
 use crate::error::Error;
 use crate::facets::subface::Subfaces;
 use crate::fallible;
 use crate::kernel::{edge_key, face_key};
-use crate::kernel::{flag, Tetrahedra};
+use crate::kernel::{Mesh, NONE};
 use crate::output::{Guarantee, Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plan::Engine;
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
 use crate::predicates::{scale, Expansion};
-use crate::preserve::solid::Solid;
 use crate::preserve::Freed;
 use crate::rounding::Rounded;
 use crate::segments::recovery::Segments;
@@ -30,7 +28,6 @@ pub(super) fn mesh(
     engine: &Engine,
     plc: &Plc,
     surface: &Surface,
-    components: &Components,
     regions: &Regions,
     rounded: &Rounded,
     constraints: Option<Constraints>,
@@ -47,7 +44,7 @@ pub(super) fn mesh(
         None => (plc.points.len() + v as usize - engine.input_of.len()) as u32,
     };
     fallible::extend(&mut out.crowded, rounded.crowded.iter().map(|&v| point_of(v)))?;
-    let number = tets(engine, components, regions, &mut out, point_of)?;
+    let number = tets(&engine.mesh, &mut out, point_of)?;
     out.replaced.try_reserve(rounded.replaced.len())?;
     out.replaced.extend(rounded.replaced.iter().map(|&t| number[t as usize]));
     out.replaced.sort_unstable();
@@ -55,7 +52,7 @@ pub(super) fn mesh(
         steiner(engine, segments, surface, rounded, &mut out, point_of)?;
         subsegments(plc, surface, segments, &mut out, point_of)?;
         let list = subfaces.verts.iter().copied().zip(subfaces.facet.iter().copied());
-        faces(&engine.delaunay.mesh, plc, list, &number, &mut out, point_of)?;
+        faces(&engine.mesh, plc, list, &number, &mut out, point_of)?;
     }
     Ok(out)
 }
@@ -76,7 +73,7 @@ pub(super) fn preserved(
     engine: &Engine,
     plc: &Plc,
     surface: &Surface,
-    solid: &Solid,
+    mesh: &Mesh,
     freed: &Freed,
     segments: &Segments,
     regions: &Regions,
@@ -96,23 +93,7 @@ pub(super) fn preserved(
     out.steiner.try_reserve(freed.settled.len() + inside.len())?;
     settled(engine, freed, segments, surface, &mut out)?;
     out.steiner.extend(inside.iter().map(|_| SteinerPoint::INSIDE));
-    let mesh = &solid.mesh;
-    let mut number = Vec::new();
-    number.try_reserve(mesh.slot_count())?;
-    let mut count = 0;
-    for t in 0..mesh.slot_count() as u32 {
-        let stays = mesh.is_live(t) && !mesh.is_ghost(t);
-        number.push(if stays { count } else { INVALID });
-        count += u32::from(stays);
-    }
-    out.tets.try_reserve(count as usize)?;
-    out.neighbors.try_reserve(count as usize)?;
-    out.tet_region.try_reserve(count as usize)?;
-    for (t, _) in number.iter().enumerate().filter(|&(_, &n)| n != INVALID) {
-        out.tets.push(mesh.verts[t].map(|v| number_of[v as usize]));
-        out.neighbors.push(mesh.adj[t].map(|code| number[(code >> 2) as usize]));
-        out.tet_region.push(solid.region[t]);
-    }
+    let number = tets(mesh, &mut out, |v| number_of[v as usize])?;
     let chains = chains(engine, freed, segments, surface)?;
     let mut chains = chains.into_iter().peekable();
     for (s, (&ends, &segment)) in surface.segments.iter().zip(&surface.segment_parent).enumerate() {
@@ -208,80 +189,45 @@ fn chains(
 /// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
 pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<TetMesh, Error> {
     // Destructured by name, since fields left in the struct would live until the end.
-    let Engine { points, delaunay, input_of, rounds: _, engine_of, scale: _ } = engine;
-    drop((points, engine_of));
-    let Delaunay { mut mesh, cavity, vertex_tet, .. } = delaunay;
-    drop((cavity, vertex_tet));
-    // Flags tell below which slots stay; the list of free ones is no longer needed.
-    mesh.free = Vec::new();
-    let mut number = Vec::new();
-    number.try_reserve_exact(mesh.slot_count())?;
-    let mut count = 0;
-    for t in 0..mesh.slot_count() as u32 {
-        let stays = mesh.is_live(t) && !mesh.is_ghost(t);
-        number.push(if stays { count } else { INVALID });
-        count += stays as u32;
-    }
-    mesh.flags = Vec::new();
-    for (t, &n) in number.iter().enumerate().filter(|&(_, &n)| n != INVALID) {
-        // New numbers are never larger: nothing is overwritten before it is read.
-        mesh.verts[n as usize] = mesh.verts[t].map(|v| input_of[v as usize]);
-        mesh.adj[n as usize] = mesh.adj[t].map(|code| number[(code >> 2) as usize]);
-    }
-    drop((number, input_of));
-    mesh.verts.truncate(count as usize);
-    mesh.adj.truncate(count as usize);
+    let Engine { points, mesh, inserter, input_of, rounds: _, engine_of, scale: _ } = engine;
+    drop((points, engine_of, inserter));
+    let stays = |mesh: &Mesh, t| mesh.is_live(t) && !mesh.is_ghost(t);
+    let [tets, neighbors] = mesh.into_arrays(stays, |v| input_of[v as usize])?;
+    drop(input_of);
     let mut out = TetMesh {
         input_point_count: plc.points.len() as u32,
         point_alias: alias,
         regions: fallible::collect([Region { attribute: 1.0, seed: INVALID, max_volume: None }])?,
-        tets: mesh.verts,
-        neighbors: mesh.adj,
+        tets,
+        neighbors,
         hull_kept: true,
         guarantee: Guarantee::Delaunay,
         ..TetMesh::default()
     };
     out.points.try_reserve_exact(plc.points.len())?;
     out.points.extend_from_slice(&plc.points);
-    out.tet_region.try_reserve_exact(count as usize)?;
-    out.tet_region.resize(count as usize, 0);
+    out.tet_region.try_reserve_exact(out.tets.len())?;
+    out.tet_region.resize(out.tets.len(), 0);
     Ok(out)
 }
 
 /// Tetrahedra that stay, their neighbours and regions; returns the new number of each slot.
-fn tets(
-    engine: &Engine,
-    components: &Components,
-    regions: &Regions,
-    out: &mut TetMesh,
-    point_of: impl Fn(u32) -> u32,
-) -> Result<Vec<u32>, Error> {
-    let mesh = &engine.delaunay.mesh;
+fn tets(mesh: &Mesh, out: &mut TetMesh, point_of: impl Fn(u32) -> u32) -> Result<Vec<u32>, Error> {
     let mut number = Vec::new();
     number.try_reserve(mesh.slot_count())?;
-    number.resize(mesh.slot_count(), INVALID);
-    let stays = |t: u32| {
-        mesh.is_live(t)
-            && !mesh.is_ghost(t)
-            && regions.of_component[components.of[t as usize] as usize] != INVALID
-    };
     let mut count = 0;
-    for t in 0..mesh.slot_count() as u32 {
-        if stays(t) {
-            number[t as usize] = count;
-            count += 1;
-        }
+    for t in mesh.all() {
+        let stays = mesh.is_live(t) && mesh.region(t) != NONE;
+        number.push(if stays { count } else { INVALID });
+        count += u32::from(stays);
     }
     out.tets.try_reserve(count as usize)?;
     out.neighbors.try_reserve(count as usize)?;
     out.tet_region.try_reserve(count as usize)?;
-    for t in 0..mesh.slot_count() as u32 {
-        if number[t as usize] == INVALID {
-            continue;
-        }
-        out.tets.push(mesh.verts[t as usize].map(&point_of));
-        out.neighbors.push(mesh.adj[t as usize].map(|code| number[(code >> 2) as usize]));
-        out.tet_region.push(regions.of_component[components.of[t as usize] as usize]);
+    for t in mesh.all().filter(|&t| number[t as usize] != INVALID) {
+        out.tets.push(mesh.verts(t).map(&point_of));
+        out.neighbors.push(mesh.adj(t).map(|code| number[(code >> 2) as usize]));
+        out.tet_region.push(mesh.region(t));
     }
     Ok(number)
 }
@@ -336,7 +282,7 @@ fn subsegments(
 
 /// Subfaces with the tetrahedra on both sides.
 fn faces(
-    mesh: &Tetrahedra,
+    mesh: &Mesh,
     plc: &Plc,
     subfaces: impl ExactSizeIterator<Item = ([u32; 3], u32)>,
     number: &[u32],
@@ -345,13 +291,9 @@ fn faces(
 ) -> Result<(), Error> {
     let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
     code_of.try_reserve(subfaces.len())?;
-    for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t)) {
-        for code in 4 * t..4 * t + 4 {
-            // One side is enough: both are flagged.
-            if mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0 && code < mesh.across(code) {
-                code_of.insert(face_key(mesh.face(code)), code);
-            }
-        }
+    // One side is enough.
+    for code in mesh.subfaces() {
+        code_of.insert(face_key(mesh.face(code)), code);
     }
     out.subfaces.try_reserve(subfaces.len())?;
     for (corners, facet) in subfaces {

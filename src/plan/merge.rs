@@ -7,7 +7,7 @@
 //! many segments are missing at the start.
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::kernel::star::StarSearch;
+use crate::kernel::around::StarSearch;
 use crate::options::{Mode, Options};
 use crate::output::TetMesh;
 use crate::plan::{Engine, Recovered, Run};
@@ -234,24 +234,29 @@ impl Run<'_> {
         avoid: &[[u32; 2]],
         avoid_all: bool,
     ) -> Result<(), Error> {
-        let Engine { delaunay, engine_of, .. } = engine;
+        let Engine { mesh, engine_of, .. } = engine;
         let mut search = StarSearch::default();
         // Every edge is looked up many times. Never iterated.
         let mut known: FxHashMap<[u32; 2], bool> = FxHashMap::default();
+        let mut failed = None;
         let mut is_edge = |[a, b]: [u32; 2]| {
             let key = [a.min(b), a.max(b)];
             if let Some(&answer) = known.get(&key) {
                 return answer;
             }
             let [a, b] = key.map(|v| engine_of[v as usize]);
-            let start = delaunay.vertex_tet[a as usize];
-            let answer = search.find_edge(&mut delaunay.mesh, a, b, start).is_some();
+            let start = mesh.vertex_tet[a as usize];
+            let answer = search.find_edge(mesh, a, b, start).unwrap_or_else(|error| {
+                failed = Some(error);
+                None
+            });
             if known.try_reserve(1).is_ok() {
-                known.insert(key, answer);
+                known.insert(key, answer.is_some());
             }
-            answer
+            answer.is_some()
         };
-        merger.run(Some(&mut Guide { is_edge: &mut is_edge, avoid, avoid_all }), self.observer)?;
+        let run = merger.run(Some(&mut Guide { is_edge: &mut is_edge, avoid, avoid_all }), self.observer);
+        failed.map_or(run, Err)?;
         report(self.observer, Phase::Validate, 1.0)?;
         self.lap(Phase::Validate);
         Ok(())

@@ -1,16 +1,17 @@
 //! The pipeline: prepare → Delaunay → segments → facets → regions → rounding → output → audit. The only place that knows the
 //! order.
 use crate::check::{audit, audit_promise, Promise};
+use crate::delaunay::insert::Inserter;
 use crate::delaunay::order::{insertion_order, Order};
-use crate::delaunay::Delaunay;
-use crate::domain::{components, label, Components, Regions, Seeds};
+use crate::delaunay::Construction;
+use crate::domain::{components, label, Regions, Seeds};
 use crate::error::{Element, Error, Status};
 use crate::facets::polygons::{retriangulate, Polygons, Retriangulated};
 use crate::facets::recovery::FacetRecovery;
 use crate::facets::subface::{Subfaces, Triangles};
 use crate::fallible;
 use crate::kernel::edge_key;
-use crate::kernel::flag;
+use crate::kernel::Mesh;
 use crate::options::{Mode, Options};
 use crate::output::{Statistics, TetMesh};
 use crate::plc::near::Home;
@@ -18,7 +19,7 @@ use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
 use crate::predicates::{scale, Points};
 use crate::progress::{report, Observer, Phase, Steady};
-use crate::rounding::{round, Kept};
+use crate::rounding::round;
 use crate::segments::recovery::{Recovery, Segments};
 use crate::warning::Warnings;
 use crate::INVALID;
@@ -105,7 +106,10 @@ struct Run<'a> {
 /// The working state: vertices in insertion order and their triangulation.
 pub(crate) struct Engine {
     pub(crate) points: Points,
-    pub(crate) delaunay: Delaunay,
+    /// The tetrahedra.
+    pub(crate) mesh: Mesh,
+    /// Inserts vertices.
+    pub(crate) inserter: Inserter,
     /// Input point of each engine vertex (Steiner points excluded).
     pub(crate) input_of: Vec<u32>,
     /// Where rounds of insertion end.
@@ -154,8 +158,7 @@ impl Engine {
             *v = engine_of[*v as usize];
         }
         let points = Points::new(xyz);
-        let engine =
-            Engine { points, delaunay: Delaunay::new(), input_of, rounds, engine_of, scale: surface.scale };
+        let engine = Engine { points, input_of, rounds, engine_of, scale: surface.scale, ..Engine::empty() };
         Ok((engine, order))
     }
 
@@ -163,7 +166,8 @@ impl Engine {
     fn copied(&self) -> Result<Engine, Error> {
         Ok(Engine {
             points: self.points.clone(),
-            delaunay: self.delaunay.clone(),
+            mesh: self.mesh.copied()?,
+            inserter: Inserter::default(),
             input_of: fallible::copied(&self.input_of)?,
             rounds: fallible::copied(&self.rounds)?,
             engine_of: fallible::copied(&self.engine_of)?,
@@ -171,17 +175,22 @@ impl Engine {
         })
     }
 
-    /// Takes everything out.
-    fn take(&mut self) -> Engine {
-        let empty = Engine {
+    /// Nothing.
+    fn empty() -> Engine {
+        Engine {
             points: Points::new(Vec::new()),
-            delaunay: Delaunay::new(),
+            mesh: Mesh::default(),
+            inserter: Inserter::default(),
             input_of: Vec::new(),
             rounds: Vec::new(),
             engine_of: Vec::new(),
             scale: 0,
-        };
-        std::mem::replace(self, empty)
+        }
+    }
+
+    /// Takes everything out.
+    fn take(&mut self) -> Engine {
+        std::mem::replace(self, Engine::empty())
     }
 
     fn map<const N: usize>(&self, list: &[[u32; N]]) -> Result<Vec<[u32; N]>, Error> {
@@ -271,7 +280,7 @@ impl Run<'_> {
         engine: &mut Engine,
         any_diagonals: bool,
     ) -> Result<(Surface, Recovered), Error> {
-        engine.delaunay.index_vertices(engine.points.len())?;
+        engine.mesh.index_vertices(engine.points.len())?;
         if let Some(degrees) = options.merge_facets {
             return self.merge_and_compare(plc, options, degrees, prepared, engine);
         }
@@ -317,8 +326,8 @@ impl Run<'_> {
             wanted.sort_unstable();
             wanted.dedup();
             let polygons = Polygons { corners: &corners, facet: &surface.triangle_facet, soft: &soft };
-            let Engine { delaunay, points, .. } = &mut *engine;
-            let (polygons, left) = retriangulate(delaunay, points, &segments, &polygons, &wanted)?;
+            let Engine { mesh, points, .. } = &mut *engine;
+            let (polygons, left) = retriangulate(mesh, points, &segments, &polygons, &wanted)?;
             if left.is_empty() {
                 let mut gone: Vec<bool> = Vec::new();
                 gone.try_reserve_exact(soft.len())?;
@@ -341,7 +350,8 @@ impl Run<'_> {
 
     /// Records the current size of the engine's arrays.
     fn note_peak(&mut self, engine: &Engine) {
-        self.statistics.peak_bytes = self.statistics.peak_bytes.max(engine.delaunay.bytes() as u64);
+        self.statistics.peak_bytes =
+            self.statistics.peak_bytes.max((engine.mesh.bytes() + engine.inserter.bytes()) as u64);
     }
 
     fn delaunay(&mut self, engine: &mut Engine, threads: usize) -> Result<(), Error> {
@@ -353,9 +363,12 @@ impl Run<'_> {
     fn delaunay_in(&mut self, engine: &mut Engine, order: &mut [u32], threads: usize) -> Result<(), Error> {
         let total = order.len().max(1) as f64;
         let observer = &mut *self.observer;
-        engine.delaunay.build_rounds(&engine.points, order, &engine.rounds, threads, &mut |done| {
+        let (mesh, inserter) = (std::mem::take(&mut engine.mesh), std::mem::take(&mut engine.inserter));
+        let mut construction = Construction::with(mesh, inserter);
+        construction.build_rounds(&engine.points, order, &engine.rounds, threads, &mut |done| {
             report(observer, Phase::Delaunay, done as f64 / total)
         })?;
+        (engine.mesh, engine.inserter) = (construction.mesh, construction.inserter);
         self.note_peak(engine);
         self.lap(Phase::Delaunay);
         Ok(())
@@ -389,17 +402,10 @@ impl Run<'_> {
                 subfaces => subfaces?,
             };
             let segments = &mut recovered.segments;
-            let (mut components, regions) = self.find_regions(plc, surface, options, engine)?;
+            let regions = self.find_regions(plc, surface, options, engine)?;
             report(self.observer, Phase::Round, 0.0)?;
-            let mut kept = Kept { components: &mut components, regions: &regions };
-            let rounded = round(
-                &mut engine.delaunay,
-                &mut engine.points,
-                segments,
-                &mut kept,
-                engine.scale,
-                !options.exact_form,
-            )?;
+            let rounded =
+                round(&mut engine.mesh, &mut engine.points, segments, engine.scale, !options.exact_form)?;
             self.lap(Phase::Round);
             // At least once, and as long as each attempt leaves at most half as many; not if other points might be needed on edges made by
             // merging.
@@ -423,7 +429,7 @@ impl Run<'_> {
                     (Home::Edge(ends), *engine.points.xyz(v))
                 };
                 let places = fallible::collect(rounded.crowded.iter().map(place))?;
-                drop((rounded, components, regions));
+                drop((rounded, regions));
                 let mut subfaces = subfaces;
                 if !recovered.polygons.facets.is_empty() {
                     // What will be kept are the surface's own triangles.
@@ -444,8 +450,7 @@ impl Run<'_> {
                 });
             }
             let constraints = Some(assemble::Constraints { segments, subfaces: &subfaces });
-            let mut mesh =
-                assemble::mesh(engine, plc, surface, &components, &regions, &rounded, constraints)?;
+            let mut mesh = assemble::mesh(engine, plc, surface, &regions, &rounded, constraints)?;
             mesh.hull_kept = options.keep_hull;
             self.seeds = warn::about_seeds(plc, &regions, options);
             self.statistics.missing_segments = segments.missing;
@@ -470,7 +475,7 @@ impl Run<'_> {
     ) -> Result<Recovered, Error> {
         engine.points.truncate(first_steiner as usize);
         self.delaunay(engine, options.worker_threads())?;
-        engine.delaunay.index_vertices(engine.points.len())?;
+        engine.mesh.index_vertices(engine.points.len())?;
         let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
         segments.careful.try_reserve_exact(careful.len())?;
         segments.careful.extend_from_slice(careful);
@@ -500,7 +505,12 @@ impl Run<'_> {
         let observer = &mut *self.observer;
         let mut best = 0.0f64;
         let limit = options.steiner_limit.unwrap_or(100_000 + 100 * segments.ends.len() as u64);
-        let mut recovery = Recovery::new(&mut engine.delaunay, &mut engine.points, segments, Some(limit));
+        let mut recovery = Recovery::new(
+            (&mut engine.mesh, &mut engine.inserter),
+            &mut engine.points,
+            segments,
+            Some(limit),
+        );
         recovery.enough = enough;
         let done = recovery.run(&mut |done, known| {
             best = best.max(done as f64 / known.max(1) as f64);
@@ -541,7 +551,7 @@ impl Run<'_> {
             subfaces
         };
         let observer = &mut *self.observer;
-        let mut recovery = FacetRecovery::new(&mut engine.delaunay, &engine.points, &subfaces)?;
+        let mut recovery = FacetRecovery::new(&mut engine.mesh, &engine.points, &subfaces)?;
         recovery.run(&mut |done, all| report(observer, Phase::Facets, done as f64 / all.max(1) as f64))?;
         self.statistics.missing_regions = recovery.regions;
         drop(recovery);
@@ -555,14 +565,12 @@ impl Run<'_> {
         surface: &Surface,
         options: &Options,
         engine: &mut Engine,
-    ) -> Result<(Components, Regions), Error> {
+    ) -> Result<Regions, Error> {
         report(self.observer, Phase::Regions, 0.0)?;
-        for flags in &mut engine.delaunay.mesh.flags {
-            *flags &= flag::FACES | flag::DEAD;
-        }
-        let components = components(&engine.delaunay.mesh)?;
+        engine.mesh.clear_subsegments();
+        let components = components(&engine.mesh)?;
         let regions = label(
-            &engine.delaunay.mesh,
+            &engine.mesh,
             &mut engine.points,
             &components,
             &Seeds { holes: &plc.holes, regions: &plc.regions, exponent: engine.scale },
@@ -572,9 +580,10 @@ impl Run<'_> {
             Status::NothingEnclosed => warn::nothing_enclosed(plc, surface, options.max_defects),
             _ => error,
         })?;
+        engine.mesh.set_regions(|t| regions.of_component[components.of[t as usize] as usize])?;
         self.note_peak(engine);
         self.lap(Phase::Regions);
-        Ok((components, regions))
+        Ok(regions)
     }
 
     /// The exact audit of the output.

@@ -23,9 +23,8 @@ use crate::preserve::inside::Inside;
 use crate::preserve::recover::edges::{Recovery, Round, ROUNDS};
 use crate::preserve::recover::order::first_points;
 use crate::preserve::release::patches::Target;
-use crate::preserve::solid::Solid;
 use crate::preserve::whole::{fill_hull, Wanted};
-use crate::preserve::{from_constrained, Failure, Spot};
+use crate::preserve::{carve, from_constrained, Failure, Spot};
 use crate::progress::{report, Phase};
 use crate::segments::recovery::Segments;
 use rustc_hash::FxHashMap;
@@ -106,12 +105,12 @@ impl Run<'_> {
         let wanted = Wanted { triangles: &corners, edges: &segments.ends };
         let observer = &mut *self.observer;
         let mut tick = || report(observer, Phase::Preserve, 0.0);
-        let filled = fill_hull(&mut engine.delaunay, &mut engine.points, wanted, &mut tick)?;
+        let filled = fill_hull(&mut engine.mesh, &mut engine.points, wanted, &mut tick)?;
         let Some(inside) = filled else { return Ok(None) };
         let triangles =
             Triangles { corners: &corners, facet: &surface.triangle_facet, patch: &patch, patch_count };
         let subfaces = Subfaces::build(&engine.points, &triangles, &segments)?;
-        FacetRecovery::new(&mut engine.delaunay, &engine.points, &subfaces)?.run(&mut |_, _| Ok(()))?;
+        FacetRecovery::new(&mut engine.mesh, &engine.points, &subfaces)?.run(&mut |_, _| Ok(()))?;
         let embedded = Embedded { engine, segments, subfaces, patch, inside, attempt: 0 };
         match self.free_surface(plc, surface, options, embedded) {
             Err(e) if e.status == Status::Rounding => Ok(None),
@@ -176,12 +175,12 @@ impl Run<'_> {
         embedded: Embedded,
     ) -> Result<TetMesh, Error> {
         let Embedded { mut engine, segments, subfaces, patch, inside, attempt } = embedded;
-        let (components, regions) = self.find_regions(plc, surface, options, &mut engine)?;
+        let regions = self.find_regions(plc, surface, options, &mut engine)?;
         report(self.observer, Phase::Preserve, 0.0)?;
-        let carved = std::mem::take(&mut engine.delaunay.mesh);
-        let mut solid = Solid::carve(carved, engine.points.len(), &components, &regions, &subfaces)?;
-        drop((subfaces, components));
-        self.promise = promise(&engine, surface, &patch, &mut solid, &segments, options.preserve)?;
+        let mut mesh = std::mem::take(&mut engine.mesh);
+        carve(&mut mesh, engine.points.len(), &subfaces)?;
+        drop(subfaces);
+        self.promise = promise(&engine, surface, &patch, &mesh, &segments, options.preserve)?;
         let target = Target {
             triangles: &engine.map(&surface.triangles)?,
             patch: &patch,
@@ -192,7 +191,7 @@ impl Run<'_> {
         };
         let observer = &mut *self.observer;
         let freed = from_constrained(
-            &mut solid,
+            &mut mesh,
             &mut engine.points,
             &segments,
             &target,
@@ -217,7 +216,7 @@ impl Run<'_> {
         self.statistics.missing_segments = segments.missing;
         self.statistics.steiner = freed.settled.len() as u64;
         self.statistics.steiner_moved = freed.settled.iter().filter(|point| point.moved).count() as u64;
-        let mut mesh = assemble::preserved(&engine, plc, surface, &solid, &freed, &segments, &regions)?;
+        let mut mesh = assemble::preserved(&engine, plc, surface, &mesh, &freed, &segments, &regions)?;
         self.statistics.steiner_exact =
             mesh.steiner.iter().filter(|point| point.exact && !point.is_inside()).count() as u64;
         mesh.hull_kept = options.keep_hull;
@@ -249,15 +248,15 @@ impl Run<'_> {
         }
         let mut order = fallible::collect((count..count + 8).chain(inner))?;
         self.delaunay_in(&mut engine, &mut order, options.worker_threads())?;
-        engine.delaunay.index_vertices(engine.points.len())?;
+        engine.mesh.index_vertices(engine.points.len())?;
 
         report(self.observer, Phase::Segments, 0.0)?;
         let all_edges = edges_of(surface)?;
         let edges = engine.map(&all_edges)?;
         let corners = engine.map(&surface.triangles)?;
-        let Engine { delaunay, points, input_of, .. } = &mut engine;
+        let Engine { mesh, points, input_of, .. } = &mut engine;
         let observer = &mut *self.observer;
-        let mut recovery = Recovery::new(delaunay, points, rounds);
+        let mut recovery = Recovery::new(mesh, points, rounds);
         let missing = recovery.edges(&edges, &mut |f| report(observer, Phase::Segments, f))?;
         let relaxed = relax(surface, &all_edges, &missing)?;
         let mut kept = Vec::new();

@@ -2,14 +2,14 @@
 use crate::check::Promise;
 use crate::error::Error;
 use crate::fallible;
+use crate::kernel::around::StarSearch;
 use crate::kernel::edge_key;
-use crate::kernel::star::StarSearch;
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::options::Preserve;
 use crate::plan::Engine;
 use crate::plc::surface::Surface;
 use crate::preserve::internal::Internal;
-use crate::preserve::solid::Solid;
 use crate::segments::recovery::Segments;
 use crate::INVALID;
 
@@ -19,16 +19,17 @@ pub(super) fn promise(
     engine: &Engine,
     surface: &Surface,
     patch: &[u32],
-    solid: &mut Solid,
+    mesh: &Mesh,
     segments: &Segments,
     preserve: Preserve,
 ) -> Result<Promise, Error> {
-    let internal = Internal::find(preserve, solid, segments)?;
+    let internal = Internal::find(preserve, mesh, segments)?;
     // Whether a patch is in the domain and must be kept.
-    let patches = patch.iter().chain(solid.patch_of.values());
-    let mut kept = fallible::filled(false, patches.max().map_or(0, |&last| last as usize + 1))?;
-    for patch in solid.patch_of.values().filter(|patch| !internal.patches.contains(patch)) {
-        kept[*patch as usize] = true;
+    let in_mesh = || mesh.subfaces().map(|code| mesh.subface(code));
+    let patches = patch.iter().copied().chain(in_mesh());
+    let mut kept = fallible::filled(false, patches.max().map_or(0, |last| last as usize + 1))?;
+    for patch in in_mesh().filter(|patch| !internal.patches.contains(patch)) {
+        kept[patch as usize] = true;
     }
     let mut promise = Promise::default();
     promise.triangles.try_reserve(surface.triangles.len())?;
@@ -61,7 +62,7 @@ pub(super) fn promise(
         promise.polygons.push((run[0], run.len() as u32));
     }
     if preserve == Preserve::All {
-        promise.segments = whole_segments(engine, surface, solid, segments)?;
+        promise.segments = whole_segments(engine, surface, mesh, segments)?;
     }
     Ok(promise)
 }
@@ -70,7 +71,7 @@ pub(super) fn promise(
 fn whole_segments(
     engine: &Engine,
     surface: &Surface,
-    solid: &mut Solid,
+    mesh: &Mesh,
     segments: &Segments,
 ) -> Result<Vec<([u32; 2], u32)>, Error> {
     let mut whole: Vec<([u32; 2], u32)> = Vec::new();
@@ -93,8 +94,8 @@ fn whole_segments(
             continue;
         }
         let [a, b] = piece.ends;
-        let start = solid.vertex_tet[a as usize];
-        if start == NONE || search.find_edge(&mut solid.mesh, a, b, start).is_none() {
+        let start = mesh.vertex_tet[a as usize];
+        if start == NONE || search.find_edge(mesh, a, b, start)?.is_none() {
             *known = None;
         }
     }

@@ -1,8 +1,8 @@
 //! The points inside: added where the boundary cannot be kept without them, explicit, in doubles.
 use crate::error::Error;
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::predicates::Points;
-use crate::preserve::solid::Solid;
 
 /// Points inside that are vertices of the mesh, in order of their making, and ids free for new ones.
 #[derive(Clone, Debug, Default)]
@@ -19,7 +19,7 @@ impl Inside {
     }
 
     /// A new point. (Its coordinates must be in the exact range.)
-    pub fn add(&mut self, solid: &mut Solid, points: &mut Points, at: [f64; 3]) -> Result<u32, Error> {
+    pub fn add(&mut self, mesh: &mut Mesh, points: &mut Points, at: [f64; 3]) -> Result<u32, Error> {
         let p = match self.spare.pop() {
             Some(p) => {
                 points.move_to(p, at)?;
@@ -27,7 +27,7 @@ impl Inside {
             }
             None => points.push(at)?,
         };
-        solid.add_vertex(p)?;
+        mesh.add_vertex(p)?;
         self.list.try_reserve(1)?;
         self.list.push(p);
         Ok(p)
@@ -44,7 +44,7 @@ impl Inside {
     }
 
     /// Forgets points that are no longer vertices.
-    pub fn sweep(&mut self, solid: &Solid) {
-        self.list.retain(|&p| solid.vertex_tet[p as usize] != NONE);
+    pub fn sweep(&mut self, mesh: &Mesh) {
+        self.list.retain(|&p| mesh.vertex_tet[p as usize] != NONE);
     }
 }

@@ -5,9 +5,9 @@
 //! A segment is a segment of the outer boundary if a boundary face has one of its pieces: its ends are the only vertices of other facets on
 //! it, so all pieces are alike.
 use crate::error::Error;
-use crate::kernel::{edge_key, face_key};
+use crate::kernel::edge_key;
+use crate::kernel::Mesh;
 use crate::options::Preserve;
-use crate::preserve::solid::Solid;
 use crate::segments::recovery::Segments;
 use rustc_hash::FxHashSet;
 
@@ -23,22 +23,19 @@ pub struct Internal {
 
 impl Internal {
     /// Finds what may get triangles and points other than the surface's, by `preserve`.
-    pub fn find(preserve: Preserve, solid: &Solid, segments: &Segments) -> Result<Internal, Error> {
+    pub fn find(preserve: Preserve, mesh: &Mesh, segments: &Segments) -> Result<Internal, Error> {
         let mut internal = Internal { first: segments.first_steiner, ..Internal::default() };
         if preserve == Preserve::All {
             return Ok(internal);
         }
-        internal.patches.extend(solid.patch_of.values().copied());
+        internal.patches.extend(mesh.subfaces().map(|code| mesh.subface(code)));
         let mut outer: FxHashSet<[u32; 2]> = FxHashSet::default();
-        for t in (0..solid.mesh.slot_count() as u32).filter(|&t| solid.mesh.is_live(t)) {
-            if !solid.mesh.is_ghost(t) {
+        for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t)) {
+            if !mesh.is_ghost(t) {
                 continue;
             }
-            let face = solid.mesh.face(4 * t + 3);
-            if let Some(patch) = solid.patch_of.get(&face_key(face)) {
-                internal.patches.remove(patch);
-            }
-            let [a, b, c] = face;
+            internal.patches.remove(&mesh.subface(4 * t + 3));
+            let [a, b, c] = mesh.face(4 * t + 3);
             outer.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
         }
         internal.points.try_reserve(segments.steiner_t.len())?;

@@ -2,7 +2,7 @@
 //!
 //! First, edges and faces missing from the Delaunay tetrahedralization are recovered by reconnecting tetrahedra ([`recover`], [`regions`]),
 //! with points on the edges that resist; if that is given up, the constrained Delaunay tetrahedralization is used instead. Then points on
-//! the surface are removed ([`from_constrained`]): the domain is carved out ([`solid`]), the points on segments are removed ([`unsplit`]),
+//! the surface are removed ([`from_constrained`]): the domain is carved out ([`mesh`]), the points on segments are removed ([`unsplit`]),
 //! patches get the surface's triangles again ([`retarget`]), unneeded points inside are removed ([`thin`]), and the others move to better
 //! positions ([`smooth`]). Finally bad tetrahedra are reconnected ([`mod@improve`]). Where doubles leave a point no room, small surfaces are
 //! filled as a [`whole`], without points.
@@ -10,7 +10,6 @@
 //! If only the outer boundary is kept, points on segments inside ([`internal`]) may stay, and patches inside keep their triangles where the
 //! surface's would need points. Such points get positions in doubles ([`mod@settle`]) at the very end: until then they are exactly on their
 //! segments, and every step tests them there.
-pub mod cavity;
 #[cfg(test)]
 mod check;
 pub mod improve;
@@ -20,13 +19,14 @@ pub mod memory;
 pub mod recover;
 pub mod release;
 pub mod settle;
-pub mod solid;
 pub mod star;
 pub mod whole;
 
 use crate::error::Error;
+use crate::facets::subface::Subfaces;
 use crate::fallible;
 use crate::kernel::face_key;
+use crate::kernel::Mesh;
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
 use crate::preserve::release::facets::{name_facets, Gone};
@@ -36,8 +36,8 @@ use crate::preserve::release::patches::{Retarget, Target};
 use crate::segments::recovery::Segments;
 use inside::Inside;
 use internal::Internal;
+use rustc_hash::FxHashMap;
 use settle::Settled;
-use solid::Solid;
 
 /// Default number of steps per search.
 const BUDGET: u32 = 200;
@@ -45,6 +45,22 @@ const BUDGET: u32 = 200;
 /// How far the surroundings of a point grow before points inside are used, and how far those of a flip.
 const SOME: Growth = Growth { budget: 50, branches: 3, tries: 24 };
 const MORE: Growth = Growth { budget: 50, branches: 3, tries: 60 };
+
+/// Carves the domain out of a constrained mesh with regions, and names its subfaces by their patches.
+///
+/// # Errors
+/// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+pub fn carve(mesh: &mut Mesh, vertex_count: usize, subfaces: &Subfaces) -> Result<(), Error> {
+    mesh.carve(vertex_count)?;
+    let mut patch_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+    patch_of.try_reserve(subfaces.verts.len())?;
+    for (&corners, &patch) in subfaces.verts.iter().zip(&subfaces.patch) {
+        patch_of.insert(face_key(corners), patch);
+    }
+    mesh.name_subfaces(|mesh, code| patch_of.get(&face_key(mesh.face(code))).copied())?;
+    mesh.track();
+    Ok(())
+}
 
 /// What [`from_constrained`] has left.
 #[derive(Clone, Debug, Default)]
@@ -87,7 +103,7 @@ impl<E: Into<Error>> From<E> for Failure {
 /// [`Failure::Crowded`] if a point inside has no valid position in doubles;
 /// [`Status::Cancelled`](crate::Status::Cancelled), [`Status::OutOfMemory`](crate::Status::OutOfMemory).
 pub fn from_constrained(
-    solid: &mut Solid,
+    mesh: &mut Mesh,
     points: &mut Points,
     segments: &Segments,
     target: &Target,
@@ -95,8 +111,8 @@ pub fn from_constrained(
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<Freed, Failure> {
-    inside.sweep(solid);
-    let mut internal = Internal::find(target.preserve, solid, segments)?;
+    inside.sweep(mesh);
+    let mut internal = Internal::find(target.preserve, mesh, segments)?;
     let mut done = 0.0;
     let mut tick = |f: f64| {
         done = f.max(done);
@@ -105,10 +121,11 @@ pub fn from_constrained(
     loop {
         let start = internal
             .any_may_stay()
-            .then(|| (solid.clone(), points.clone(), inside.clone(), statistics.clone()));
+            .then(|| Ok::<_, Error>((mesh.copied()?, points.clone(), inside.clone(), statistics.clone())))
+            .transpose()?;
         let terms = Terms { segments, target, internal: &internal };
-        let (mut freed, staying) = free(solid, points, terms, inside, statistics, &mut tick)?;
-        let (settled, crowded) = settle::settle(solid, points, segments, &staying)?;
+        let (mut freed, staying) = free(mesh, points, terms, inside, statistics, &mut tick)?;
+        let (settled, crowded) = settle::settle(mesh, points, segments, &staying)?;
         let Some(start) = start.filter(|_| !crowded.is_empty()) else {
             statistics.on_internal_facets = settled.len() as u64;
             freed.settled = settled;
@@ -116,7 +133,7 @@ pub fn from_constrained(
         };
         // These have no valid position in doubles, so they must be removed as well.
         internal.forbid(&crowded);
-        (*solid, *points, inside, *statistics) = start;
+        (*mesh, *points, inside, *statistics) = start;
     }
 }
 
@@ -132,14 +149,14 @@ struct Terms<'a> {
 /// Removes the points that must go; also returns those that stay, still exactly on their segments, so that every tetrahedron is positive
 /// there and stays so while others get doubles.
 fn free(
-    solid: &mut Solid,
+    mesh: &mut Mesh,
     points: &mut Points,
     terms: Terms,
     mut inside: Inside,
     statistics: &mut PreserveStatistics,
     tick: &mut dyn FnMut(f64) -> Result<(), Error>,
 ) -> Result<(Freed, Vec<u32>), Failure> {
-    let removal = release::schedule::remove_all(solid, points, terms, &mut inside, &mut |f| tick(0.6 * f))?;
+    let removal = release::schedule::remove_all(mesh, points, terms, &mut inside, &mut |f| tick(0.6 * f))?;
     let Terms { segments, target, internal } = terms;
     statistics.deleted += removal.deleted;
     statistics.relocated += removal.relocated;
@@ -152,7 +169,7 @@ fn free(
     }
     let isolated = removal.isolated;
     let growth = Growth { budget: BUDGET, ..MORE };
-    let flips = Retarget::new(solid, points, &mut inside, &isolated, &internal.patches, growth).run(
+    let flips = Retarget::new(mesh, points, &mut inside, &isolated, &internal.patches, growth).run(
         target,
         segments.first_steiner,
         &mut |f| tick(0.6 + 0.2 * f),
@@ -170,19 +187,19 @@ fn free(
         let rounds = [Growth { budget: BUDGET, tries: 0, ..SOME }, SOME, MORE];
         for (i, growth) in rounds.into_iter().enumerate() {
             let done = 0.8 + 0.2 * i as f64 / rounds.len() as f64;
-            thin.run(solid, points, &mut inside, &isolated, growth, &mut || tick(done))?;
+            thin.run(mesh, points, &mut inside, &isolated, growth, &mut || tick(done))?;
         }
-        improve::smooth::smooth(solid, points, &inside)?;
+        improve::smooth::smooth(mesh, points, &inside)?;
     }
-    improve::improve(solid, points, &isolated, &mut || tick(0.99))?;
+    improve::improve(mesh, points, &isolated, &mut || tick(0.99))?;
     statistics.interior = inside.list.len() as u64;
-    let subfaces = subfaces(solid, points, target, internal)?;
+    let subfaces = subfaces(mesh, points, target, internal)?;
     Ok((Freed { inside, settled: Vec::new(), subfaces }, removal.staying))
 }
 
 /// The surface's faces: its triangles, except those that polygons and internal patches have replaced.
 fn subfaces(
-    solid: &Solid,
+    mesh: &Mesh,
     points: &Points,
     target: &Target,
     internal: &Internal,
@@ -196,10 +213,13 @@ fn subfaces(
         out.extend(all().map(|((&corners, _), &facet)| (corners, facet)));
         return Ok(out);
     }
-    let mut left = solid.patch_of.clone();
+    let mut left: FxHashMap<[u32; 3], u32> = FxHashMap::default();
     let mut in_mesh: Vec<u32> = Vec::new();
-    in_mesh.try_reserve(left.len())?;
-    in_mesh.extend(left.values().copied());
+    for code in mesh.subfaces() {
+        left.try_reserve(1)?;
+        left.insert(face_key(mesh.face(code)), mesh.subface(code));
+        fallible::push(&mut in_mesh, mesh.subface(code))?;
+    }
     in_mesh.sort_unstable();
     in_mesh.dedup();
     let mut gone: Vec<Gone> = Vec::new();

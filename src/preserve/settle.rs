@@ -4,11 +4,11 @@
 //! they were moved before, or still exactly on their segments. So every tetrahedron is positive after every step, and positive in doubles
 //! when all are settled.
 use crate::error::Error;
-use crate::kernel::star::StarSearch;
+use crate::kernel::around::StarSearch;
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::ops::place::{sees_all, step};
 use crate::predicates::{in_range, Points};
-use crate::preserve::solid::Solid;
 use crate::segments::recovery::Segments;
 
 /// Farthest neighbour tried, in units in the last place.
@@ -27,7 +27,7 @@ pub struct Settled {
 
 /// Settles the points, or none of them: returns them, and those without a valid position.
 pub fn settle(
-    solid: &mut Solid,
+    mesh: &mut Mesh,
     points: &mut Points,
     segments: &Segments,
     list: &[u32],
@@ -37,10 +37,10 @@ pub fn settle(
     let (mut settled, mut crowded) = (Vec::new(), Vec::new());
     settled.try_reserve(list.len())?;
     for &v in list {
-        if solid.vertex_tet[v as usize] == NONE {
+        if mesh.vertex_tet[v as usize] == NONE {
             continue;
         }
-        solid.link(&mut search, v, &mut link)?;
+        search.link(mesh, v, &mut link)?;
         let exact = points.is_explicit(v);
         let steps = if exact { Some(0) } else { find_doubles(points, v, &link)? };
         let Some(steps) = steps else {

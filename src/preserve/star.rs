@@ -4,10 +4,11 @@
 //! polygon that is star-shaped from the point on one of its edges. A *sector* is what lies between walls: tetrahedra of the domain, or
 //! ghosts. Without the point, each wall is retriangulated and each sector filled on its own.
 use crate::error::Error;
+use crate::kernel::around::StarSearch;
 use crate::kernel::face_key;
-use crate::kernel::star::StarSearch;
+use crate::kernel::reversed;
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
-use crate::preserve::solid::{reversed, Solid};
 use rustc_hash::FxHashMap;
 
 /// A fan of subfaces from the point.
@@ -51,15 +52,14 @@ pub struct Star {
 
 impl Star {
     /// Takes the star of `v` apart; `ends` are its neighbours on its segment.
-    pub fn read(&mut self, solid: &mut Solid, v: u32, ends: [u32; 2]) -> Result<(), Error> {
-        let start = solid.vertex_tet[v as usize];
-        self.search.vertex_star(&mut solid.mesh, v, start);
-        self.find_sectors(solid, v)?;
-        self.find_walls(solid, v, ends)
+    pub fn read(&mut self, mesh: &mut Mesh, v: u32, ends: [u32; 2]) -> Result<(), Error> {
+        let start = mesh.vertex_tet[v as usize];
+        self.search.vertex_star(mesh, v, start)?;
+        self.find_sectors(mesh, v)?;
+        self.find_walls(mesh, v, ends)
     }
 
-    fn find_sectors(&mut self, solid: &Solid, v: u32) -> Result<(), Error> {
-        let mesh = &solid.mesh;
+    fn find_sectors(&mut self, mesh: &Mesh, v: u32) -> Result<(), Error> {
         self.sectors.clear();
         self.sector_of.clear();
         self.at.clear();
@@ -70,11 +70,8 @@ impl Star {
                 continue;
             }
             let number = self.sectors.len();
-            let mut sector = Between {
-                void: mesh.is_ghost(seed),
-                region: solid.region[seed as usize],
-                ..Between::default()
-            };
+            let mut sector =
+                Between { void: mesh.is_ghost(seed), region: mesh.region(seed), ..Between::default() };
             self.sector_of.insert(seed, number);
             stack.push(seed);
             while let Some(t) = stack.pop() {
@@ -87,7 +84,7 @@ impl Star {
                         if !sector.void {
                             sector.link.push(mesh.face(code));
                         }
-                    } else if solid.is_wall(code) {
+                    } else if mesh.is_wall(code) {
                         if code < mesh.across(code) {
                             for w in mesh.face(code).into_iter().filter(|&w| w != v) {
                                 self.at.entry(w).or_default().push(code);
@@ -105,10 +102,9 @@ impl Star {
         Ok(())
     }
 
-    fn find_walls(&mut self, solid: &Solid, v: u32, [a, b]: [u32; 2]) -> Result<(), Error> {
+    fn find_walls(&mut self, mesh: &Mesh, v: u32, [a, b]: [u32; 2]) -> Result<(), Error> {
         self.walls.clear();
         let broken = || Error::internal("the subfaces at a point inside a segment are no fans");
-        let mesh = &solid.mesh;
         let Some(starts) = self.at.get(&a) else { return Ok(()) };
         for &start in starts {
             let mut wall = Wall { patch: NONE, ..Wall::default() };
@@ -132,9 +128,7 @@ impl Star {
                 };
                 (code, from) = (next, to);
             }
-            if let Some(&patch) = solid.patch_of.get(&wall.faces[0]) {
-                wall.patch = patch;
-            }
+            wall.patch = mesh.subface(start);
             // (v, a, u) turns as the polygon does.
             let face = mesh.face(start);
             let forward = (0..3).any(|k| face[k] == v && face[(k + 1) % 3] == a);

@@ -1,23 +1,30 @@
 //! Invariants after every step, on small models.
 use super::*;
-use crate::delaunay::Delaunay;
+use crate::delaunay::insert::Inserter;
+use crate::delaunay::Construction;
 use crate::domain::{components, label, Seeds};
 use crate::error::Status;
 use crate::facets::recovery::FacetRecovery;
 use crate::facets::subface::{Subfaces, Triangles};
-use crate::kernel::star::StarSearch;
+use crate::kernel::around::StarSearch;
+use crate::kernel::replace::{Replace, Sector};
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::kernel::{edge_key, face_key};
 use crate::ops::center::{center, Plane};
 use crate::ops::polygon::Polygons;
 use crate::predicates::Sign;
-use crate::preserve::check::check_solid;
+use crate::preserve::check::check_domain;
 use crate::preserve::release::hollow::Start;
 use crate::preserve::release::patches::Target;
 use crate::preserve::release::widen::{Rays, Widen};
-use crate::preserve::solid::{Sector, Solid};
 use crate::segments::recovery::Recovery;
 use rustc_hash::FxHashSet;
+
+/// The patch of each subface.
+fn patches(mesh: &Mesh) -> FxHashMap<[u32; 3], u32> {
+    mesh.subfaces().map(|code| (face_key(mesh.face(code)), mesh.subface(code))).collect()
+}
 
 /// A triangulated surface whose triangles are patches of their own, but for those that share a number in `patch`.
 struct Model {
@@ -46,14 +53,13 @@ impl Model {
     }
 
     /// The constrained mesh of the domain, with its points and segments.
-    fn carve(&self) -> (Solid, Points, Segments) {
+    fn carve(&self) -> (Mesh, Points, Segments) {
         let mut points = Points::new(self.points.clone());
-        let mut delaunay = Delaunay::new();
-        let mut order: Vec<u32> = (0..points.len() as u32).collect();
-        delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
-        delaunay.index_vertices(points.len()).unwrap();
+        let (mut mesh, mut inserter) = (Construction::of(&points), Inserter::default());
         let mut segments = Segments::new(&points, self.segments()).unwrap();
-        Recovery::new(&mut delaunay, &mut points, &mut segments, None).run(&mut |_, _| Ok(())).unwrap();
+        Recovery::new((&mut mesh, &mut inserter), &mut points, &mut segments, None)
+            .run(&mut |_, _| Ok(()))
+            .unwrap();
         let facet = vec![0; self.triangles.len()];
         let triangles = Triangles {
             corners: &self.triangles,
@@ -62,22 +68,21 @@ impl Model {
             patch_count: self.patch.len(),
         };
         let subfaces = Subfaces::build(&points, &triangles, &segments).unwrap();
-        FacetRecovery::new(&mut delaunay, &points, &subfaces).unwrap().run(&mut |_, _| Ok(())).unwrap();
-        for flags in &mut delaunay.mesh.flags {
-            *flags &= crate::kernel::flag::FACES | crate::kernel::flag::DEAD;
-        }
-        let parts = components(&delaunay.mesh).unwrap();
+        FacetRecovery::new(&mut mesh, &points, &subfaces).unwrap().run(&mut |_, _| Ok(())).unwrap();
+        mesh.clear_subsegments();
+        let parts = components(&mesh).unwrap();
         let seeds = Seeds { holes: &[], regions: &[], exponent: 0 };
-        let regions = label(&delaunay.mesh, &mut points, &parts, &seeds, self.keep_hull).unwrap();
-        let solid = Solid::carve(delaunay.mesh, points.len(), &parts, &regions, &subfaces).unwrap();
-        check_solid(&solid, &points).unwrap();
-        (solid, points, segments)
+        let regions = label(&mesh, &mut points, &parts, &seeds, self.keep_hull).unwrap();
+        mesh.set_regions(|t| regions.of_component[parts.of[t as usize] as usize]).unwrap();
+        carve(&mut mesh, points.len(), &subfaces).unwrap();
+        check_domain(&mesh, &points).unwrap();
+        (mesh, points, segments)
     }
 
     /// Removes all points from the surface and checks the result; returns the statistics.
     fn free(&self) -> PreserveStatistics {
-        let (mut solid, mut points, segments) = self.carve();
-        let before = volume(&solid, &points);
+        let (mut mesh, mut points, segments) = self.carve();
+        let before = volume(&mesh, &points);
         let facet = vec![0; self.triangles.len()];
         let preserve = crate::options::Preserve::All;
         let target = Target {
@@ -90,7 +95,7 @@ impl Model {
         };
         let mut statistics = PreserveStatistics::default();
         let Freed { inside, .. } = from_constrained(
-            &mut solid,
+            &mut mesh,
             &mut points,
             &segments,
             &target,
@@ -99,26 +104,26 @@ impl Model {
             &mut |_| Ok(()),
         )
         .unwrap();
-        check_solid(&solid, &points).unwrap();
+        check_domain(&mesh, &points).unwrap();
+        let there = patches(&mesh);
         for &triangle in &self.triangles {
-            assert!(solid.patch_of.contains_key(&face_key(triangle)), "{triangle:?} is no face");
+            assert!(there.contains_key(&face_key(triangle)), "{triangle:?} is no face");
         }
-        assert_eq!(solid.patch_of.len(), self.triangles.len());
-        for (v, &t) in solid.vertex_tet.iter().enumerate().skip(self.points.len()) {
+        assert_eq!(there.len(), self.triangles.len());
+        for (v, &t) in mesh.vertex_tet.iter().enumerate().skip(self.points.len()) {
             assert_eq!(t != crate::kernel::NONE, inside.list.contains(&(v as u32)), "point {v}");
         }
-        assert!((volume(&solid, &points) - before).abs() <= 1e-9 * before);
+        assert!((volume(&mesh, &points) - before).abs() <= 1e-9 * before);
         assert_eq!(statistics.interior, inside.list.len() as u64);
         assert_eq!(statistics.deleted + statistics.relocated, segments.steiner_t.len() as u64);
         statistics
     }
 }
 
-fn volume(solid: &Solid, points: &Points) -> f64 {
+fn volume(mesh: &Mesh, points: &Points) -> f64 {
     let mut sum = 0.0;
-    for t in (0..solid.mesh.slot_count() as u32).filter(|&t| solid.mesh.is_live(t) && !solid.mesh.is_ghost(t))
-    {
-        let [a, b, c, d] = solid.mesh.verts[t as usize].map(|v| *points.xyz(v));
+    for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t)) {
+        let [a, b, c, d] = mesh.verts(t).map(|v| *points.xyz(v));
         let u = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
         sum += u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1])
             - u[0][1] * (u[1][0] * u[2][2] - u[1][2] * u[2][0])
@@ -270,18 +275,18 @@ fn crystal(n: i32) -> Model {
     Model { patch: (0..12).map(|t| t / 2).collect(), ..Model::new(&points, &triangles) }
 }
 
-fn worst(solid: &Solid, points: &Points) -> crate::ops::shape::Shape {
+fn worst(mesh: &Mesh, points: &Points) -> crate::ops::shape::Shape {
     use crate::ops::shape::Shape;
-    (0..solid.mesh.slot_count() as u32)
-        .filter(|&t| solid.mesh.is_live(t) && !solid.mesh.is_ghost(t))
-        .map(|t| improve::reshape::shape(solid, points, t))
+    (0..mesh.slot_count() as u32)
+        .filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t))
+        .map(|t| improve::reshape::shape(mesh, points, t))
         .fold(Shape::BEST, Shape::worse)
 }
 
-fn edges(solid: &Solid) -> rustc_hash::FxHashSet<[u32; 2]> {
+fn edges(mesh: &Mesh) -> rustc_hash::FxHashSet<[u32; 2]> {
     let mut edges = rustc_hash::FxHashSet::default();
-    for t in (0..solid.mesh.slot_count()).filter(|&t| solid.mesh.is_live(t as u32)) {
-        let v = solid.mesh.verts[t];
+    for t in (0..mesh.slot_count()).filter(|&t| mesh.is_live(t as u32)) {
+        let v = mesh.verts(t as u32);
         edges.extend(crate::kernel::tables::EDGE.map(|[i, j]| edge_key(v[i as usize], v[j as usize])));
     }
     edges
@@ -290,23 +295,23 @@ fn edges(solid: &Solid) -> rustc_hash::FxHashSet<[u32; 2]> {
 #[test]
 fn slivers_are_reconnected_away() {
     for n in 3..6 {
-        let (mut solid, points, segments) = crystal(n).carve();
+        let (mut mesh, points, segments) = crystal(n).carve();
         assert!(segments.steiner_t.is_empty());
-        let (first, volume_before, patches) =
-            (worst(&solid, &points), volume(&solid, &points), solid.patch_of.clone());
+        let (first, volume_before, before_patches) =
+            (worst(&mesh, &points), volume(&mesh, &points), patches(&mesh));
         let mut ticks = 0;
-        improve::improve(&mut solid, &points, &Default::default(), &mut || {
+        improve::improve(&mut mesh, &points, &Default::default(), &mut || {
             ticks += 1;
             Ok(())
         })
         .unwrap();
-        check_solid(&solid, &points).unwrap();
-        let last = worst(&solid, &points);
+        check_domain(&mesh, &points).unwrap();
+        let last = worst(&mesh, &points);
         println!("{n}: {first:?} {last:?} after {ticks}");
         assert!(first.angle < 1e-6 && last.angle > 0.01, "{n}: {first:?} {last:?}");
         assert!(last.ratio >= first.ratio.min(0.1));
-        assert_eq!(solid.patch_of, patches);
-        assert!((volume(&solid, &points) - volume_before).abs() <= 1e-12 * volume_before);
+        assert_eq!(patches(&mesh), before_patches);
+        assert!((volume(&mesh, &points) - volume_before).abs() <= 1e-12 * volume_before);
     }
 }
 
@@ -328,70 +333,69 @@ fn walls_get_better_apexes() {
     };
     model.points.extend((0..200).map(|_| [next(), next(), next()]));
     for measure in [Measure::Angle, Measure::Ratio] {
-        let (mut solid, points, _) = model.carve();
-        let (before, patches) = (volume(&solid, &points), solid.patch_of.clone());
+        let (mut mesh, points, _) = model.carve();
+        let (before, before_patches) = (volume(&mesh, &points), patches(&mesh));
         let any = Shape { angle: 0.0, ratio: 0.0 };
         let aim = Aim { measure, enough: any, least: any };
         let (mut reshape, mut lifted, none) = (Reshape::default(), 0, FxHashSet::default());
-        for t in 0..solid.mesh.slot_count() as u32 {
-            if !solid.mesh.is_live(t) || solid.mesh.is_ghost(t) {
+        for t in 0..mesh.slot_count() as u32 {
+            if !mesh.is_live(t) || mesh.is_ghost(t) {
                 continue;
             }
-            let walled = (4 * t..4 * t + 4).any(|code| solid.is_wall(code));
-            let old: Vec<[u32; 4]> = solid.mesh.verts.clone();
-            let live: Vec<bool> = (0..old.len() as u32).map(|t| solid.mesh.is_live(t)).collect();
-            let mut try_with = |thorough: bool, solid: &mut Solid| {
+            let walled = (4 * t..4 * t + 4).any(|code| mesh.is_wall(code));
+            let old: Vec<[u32; 4]> = mesh.all().map(|t| mesh.verts(t)).collect();
+            let live: Vec<bool> = (0..old.len() as u32).map(|t| mesh.is_live(t)).collect();
+            let mut try_with = |thorough: bool, mesh: &mut Mesh| {
                 let effort = Effort { cavities: &[], thorough };
-                reshape.improve(solid, &points, &none, t, &aim, effort).unwrap()
+                reshape.improve(mesh, &points, &none, t, &aim, effort).unwrap()
             };
-            if try_with(false, &mut solid) || !try_with(true, &mut solid) {
+            if try_with(false, &mut mesh) || !try_with(true, &mut mesh) {
                 continue;
             }
             assert!(walled);
             lifted += 1;
             // The removed tetrahedra: those of the previous mesh that no longer exist.
-            let now: FxHashSet<[u32; 4]> = (0..solid.mesh.slot_count())
-                .filter(|&t| solid.mesh.is_live(t as u32))
-                .map(|t| sorted(solid.mesh.verts[t]))
-                .collect();
+            let now: FxHashSet<[u32; 4]> =
+                mesh.all().filter(|&t| mesh.is_live(t)).map(|t| sorted(mesh.verts(t))).collect();
             let worst_of_cavity = (0..old.len())
                 .filter(|&t| {
                     live[t] && !old[t].contains(&crate::kernel::GHOST) && !now.contains(&sorted(old[t]))
                 })
                 .map(|t| Shape::of(&points, old[t]).by(measure))
                 .fold(f64::INFINITY, f64::min);
-            let came = solid.fresh.iter().map(|&t| improve::reshape::shape(&solid, &points, t).by(measure));
+            let came =
+                reshape.replace.fresh.iter().map(|&t| improve::reshape::shape(&mesh, &points, t).by(measure));
             assert!(came.fold(f64::INFINITY, f64::min) > worst_of_cavity);
-            check_solid(&solid, &points).unwrap();
+            check_domain(&mesh, &points).unwrap();
         }
         assert!(lifted > 0);
-        assert_eq!(solid.patch_of, patches);
-        assert!((volume(&solid, &points) - before).abs() <= 1e-12 * before);
+        assert_eq!(patches(&mesh), before_patches);
+        assert!((volume(&mesh, &points) - before).abs() <= 1e-12 * before);
     }
 }
 
 #[test]
 fn edges_on_no_facet_stay_when_a_mesh_is_improved() {
-    let (mut solid, points, _) = crystal(4).carve();
+    let (mut mesh, points, _) = crystal(4).carve();
     let improved = {
-        let mut solid = solid.clone();
-        improve::improve(&mut solid, &points, &Default::default(), &mut || Ok(())).unwrap();
-        edges(&solid)
+        let mut mesh = mesh.copied().unwrap();
+        improve::improve(&mut mesh, &points, &Default::default(), &mut || Ok(())).unwrap();
+        edges(&mesh)
     };
-    let gone: rustc_hash::FxHashSet<[u32; 2]> = edges(&solid).difference(&improved).copied().collect();
+    let gone: rustc_hash::FxHashSet<[u32; 2]> = edges(&mesh).difference(&improved).copied().collect();
     assert!(gone.len() > 5);
-    improve::improve(&mut solid, &points, &gone, &mut || Ok(())).unwrap();
-    check_solid(&solid, &points).unwrap();
-    assert!(gone.is_subset(&edges(&solid)));
+    improve::improve(&mut mesh, &points, &gone, &mut || Ok(())).unwrap();
+    check_domain(&mesh, &points).unwrap();
+    assert!(gone.is_subset(&edges(&mesh)));
 }
 
 #[test]
 fn improvement_can_be_cancelled() {
-    let (mut solid, points, _) = crystal(3).carve();
+    let (mut mesh, points, _) = crystal(3).carve();
     let stop = || Err(Error::new(Status::Cancelled, "cancelled"));
-    let result = improve::improve(&mut solid, &points, &Default::default(), &mut || stop());
+    let result = improve::improve(&mut mesh, &points, &Default::default(), &mut || stop());
     assert_eq!(result.unwrap_err().status, Status::Cancelled);
-    check_solid(&solid, &points).unwrap();
+    check_domain(&mesh, &points).unwrap();
 }
 
 /// A cavity grown for a position is star-shaped from it, swallows only allowed points, and fits into the mesh.
@@ -405,36 +409,37 @@ fn cavities_grow_round_a_position() {
     };
     model.points.extend((0..60).map(|_| [next(), next(), next()]));
     for may_swallow in [true, false] {
-        let (mut solid, mut points, _) = model.carve();
+        let (mut mesh, mut points, _) = model.carve();
         let inner: Vec<u32> = (first as u32..model.points.len() as u32).collect();
         let mut inside = Inside::of(inner.clone());
         let (mut widen, mut search, mut link) = (Widen::default(), StarSearch::default(), Vec::new());
         let (mut moves, mut swallowed) = (0, 0);
         for &v in &inner {
-            if solid.vertex_tet[v as usize] == NONE {
+            if mesh.vertex_tet[v as usize] == NONE {
                 continue;
             }
-            solid.link(&mut search, v, &mut link).unwrap();
-            let (from, region) = (*points.xyz(v), solid.region[search.tets[0] as usize]);
-            let p = inside.add(&mut solid, &mut points, from).unwrap();
+            search.link(&mesh, v, &mut link).unwrap();
+            let (from, region) = (*points.xyz(v), mesh.region(search.tets[0]));
+            let p = inside.add(&mut mesh, &mut points, from).unwrap();
             let (tets, gone, walls, taken) = (&search.tets, &[], &[], &[]);
             let start = Start { tets, gone, walls, without: v, edge: None, avoid: [v; 2], taken };
             let known: &[u32] = if may_swallow { &inside.list } else { &[] };
             let rays = Rays { point: p, from, toward: &[[0.6, 0.8, 0.0], [0.0, -0.6, 0.8]] };
             let none = FxHashSet::default();
-            let new = widen.place(&solid, &mut points, &start, &none, known, &rays).unwrap();
+            let new = widen.place(&mesh, &mut points, &start, &none, known, &rays).unwrap();
             let Some(new) = new else { continue };
             assert!(new.iter().all(|&[p, x, y, z]| points.orient3d(p, x, y, z) == Sign::Positive));
             moves += usize::from(widen.tets.len() > search.tets.len());
             swallowed += widen.swallowed.len();
-            solid.replace(&[Sector { old: std::mem::take(&mut widen.tets), new, region }]).unwrap();
+            let sector = Sector { old: std::mem::take(&mut widen.tets), new, region };
+            Replace::default().sectors(&mut mesh, &[sector], &[]).unwrap();
             for &w in widen.swallowed.iter().chain([&v]) {
                 assert!(inside.list.contains(&w));
-                solid.vertex_tet[w as usize] = NONE;
+                mesh.vertex_tet[w as usize] = NONE;
             }
-            check_solid(&solid, &points).unwrap();
+            check_domain(&mesh, &points).unwrap();
         }
-        assert!((volume(&solid, &points) - 8.0).abs() < 1e-12);
+        assert!((volume(&mesh, &points) - 8.0).abs() < 1e-12);
         assert!(moves > 20 && (swallowed > 0) == may_swallow, "{moves} {swallowed}");
     }
 }

@@ -10,17 +10,17 @@
 //!
 //! Points of no facet and no segment are left out of the search and added afterwards: one inside splits the tetrahedra that it is in or
 //! on, one outside is joined to the faces of the hull that it sees.
-use crate::delaunay::Delaunay;
+use crate::delaunay::Construction;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::kernel::face_key;
+use crate::kernel::ghosts::outer_faces;
 use crate::kernel::tables::FACE;
-use crate::kernel::{Tetrahedra, GHOST};
+use crate::kernel::Mesh;
 use crate::ops::place::step;
 use crate::ops::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
 use crate::predicates::{in_range, Points, Sign};
 use crate::preserve::release::segments::axis_of;
-use rustc_hash::FxHashMap;
 
 /// Steps of the search without points, of one with points, and of all: less than half a second.
 const FIRST: u32 = 20_000;
@@ -49,7 +49,7 @@ pub struct Wanted<'a> {
 /// # Errors
 /// `Cancelled`, `OutOfMemory`, `Internal`, `TooLarge`.
 pub fn fill_hull(
-    delaunay: &mut Delaunay,
+    mesh: &mut Mesh,
     points: &mut Points,
     wanted: Wanted,
     tick: &mut dyn FnMut() -> Result<(), Error>,
@@ -82,8 +82,7 @@ pub fn fill_hull(
         let budget = if set == 0 { FIRST } else { BUDGET };
         if reconnect.fill(points, &polyhedron, budget, &mut tets)? {
             walls.loose.iter().try_for_each(|&v| add(points, &mut tets, v))?;
-            delaunay.mesh = connected(&tets)?;
-            delaunay.index_vertices(points.len())?;
+            *mesh = Mesh::of_tetrahedra(&tets, points.len())?;
             return Ok(Some(walls.inner.split_off(walls.ends)));
         }
         left = left.saturating_sub(reconnect.steps() + SET);
@@ -127,14 +126,14 @@ impl Walls {
         if walls.loose.len() > MOST_LOOSE {
             return Ok(None);
         }
-        let mut hull = Delaunay::new();
+        let mut hull = Construction::default();
         match hull.build(points, &mut fallible::copied(&walls.vertices)?, &mut |_| Ok(())) {
             Err(e) if e.status == Status::DegenerateInput => return Ok(None),
             built => built?,
         }
         let mesh = &hull.mesh;
         let ghosts = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && mesh.is_ghost(t));
-        let outside = ghosts.map(|t| mesh.face(mesh.adj[t as usize][3]));
+        let outside = ghosts.map(|t| mesh.face(mesh.across(4 * t + 3)));
         walls.faces = fallible::collect(outside)?;
         for &edge in wanted.edges {
             insert_in_hull(points, &mut walls.faces, edge)?;
@@ -243,41 +242,4 @@ fn add(points: &Points, tets: &mut Vec<[u32; 4]>, v: u32) -> Result<(), Error> {
     tets.try_reserve(new.len())?;
     tets.extend_from_slice(&new);
     Ok(())
-}
-
-/// The faces of one tetrahedron only, turned inwards, in the order of the list.
-fn outer_faces(tets: &[[u32; 4]]) -> Result<Vec<[u32; 3]>, Error> {
-    let faces = || tets.iter().flat_map(|tet| FACE.map(|face| face.map(|k| tet[k as usize])));
-    let mut keys = fallible::collect(faces().map(face_key))?;
-    keys.sort_unstable();
-    let once = |face: &[u32; 3]| {
-        let key = face_key(*face);
-        let at = keys.partition_point(|x| *x < key);
-        keys.get(at + 1) != Some(&key)
-    };
-    Ok(fallible::collect(faces().filter(once))?)
-}
-
-/// The mesh of these tetrahedra, with ghosts around.
-fn connected(tets: &[[u32; 4]]) -> Result<Tetrahedra, Error> {
-    let hull = outer_faces(tets)?;
-    let mut mesh = Tetrahedra::default();
-    mesh.reserve(tets.len() + hull.len())?;
-    let ghosts = hull.iter().map(|&[x, y, z]| [x, y, z, GHOST]);
-    let mut open: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-    open.try_reserve(2 * (tets.len() + hull.len()))?;
-    for corners in tets.iter().copied().chain(ghosts) {
-        let t = mesh.allocate(corners);
-        for code in 4 * t..4 * t + 4 {
-            let key = face_key(mesh.face(code));
-            match open.remove(&key) {
-                Some(other) => mesh.link(code, other),
-                None => drop(open.insert(key, code)),
-            }
-        }
-    }
-    if !open.is_empty() {
-        return Err(Error::internal("the filling of the convex hull does not close"));
-    }
-    Ok(mesh)
 }

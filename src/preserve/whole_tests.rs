@@ -1,8 +1,7 @@
 //! Fillings of whole convex hulls: every wanted face is there, every point is a vertex, and the volume is that of the hull.
-use crate::delaunay::Delaunay;
+use crate::delaunay::Construction;
 use crate::error::{Error, Status};
-use crate::kernel::flag;
-use crate::kernel::{edge_key, face_key};
+use crate::kernel::{edge_key, face_key, Mesh};
 use crate::predicates::{Points, Sign};
 use crate::preserve::whole::{fill_hull, Random, Wanted};
 use std::collections::BTreeSet;
@@ -18,20 +17,19 @@ fn edges(triangles: &[[u32; 3]], segments: &[[u32; 2]]) -> Vec<[u32; 2]> {
 /// Fills and checks; six times the volume, or `None` if there is no filling.
 fn filled(coordinates: &[[f64; 3]], triangles: &[[u32; 3]], segments: &[[u32; 2]]) -> Option<f64> {
     let mut points = Points::new(coordinates.to_vec());
-    let mut delaunay = Delaunay::new();
+    let mut mesh = Mesh::default();
     let edges = edges(triangles, segments);
     let wanted = Wanted { triangles, edges: &edges };
-    let inside = fill_hull(&mut delaunay, &mut points, wanted, &mut || Ok(())).unwrap();
+    let inside = fill_hull(&mut mesh, &mut points, wanted, &mut || Ok(())).unwrap();
     let Some(inside) = inside else {
         assert_eq!(points.len(), coordinates.len());
         return None;
     };
     assert_eq!(points.len(), coordinates.len() + inside.len());
-    let mesh = &delaunay.mesh;
     let (mut faces, mut pairs, mut vertices) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
     let mut volume = 0.0;
     for t in 0..mesh.slot_count() as u32 {
-        assert_eq!(mesh.flags[t as usize] & flag::DEAD, 0);
+        assert!(mesh.is_live(t));
         for code in 4 * t..4 * t + 4 {
             let other = mesh.across(code);
             assert_eq!((mesh.across(other), face_key(mesh.face(other))), (code, face_key(mesh.face(code))));
@@ -42,7 +40,7 @@ fn filled(coordinates: &[[f64; 3]], triangles: &[[u32; 3]], segments: &[[u32; 2]
         if mesh.is_ghost(t) {
             continue;
         }
-        let v = mesh.verts[t as usize];
+        let v = mesh.verts(t);
         assert_eq!(points.orient3d(v[0], v[1], v[2], v[3]), Sign::Positive);
         faces.extend((0..4).map(|k| face_key(mesh.face(4 * t + k))));
         pairs.extend((0..4).flat_map(|i| (0..i).map(move |j| edge_key(v[i], v[j]))));
@@ -113,14 +111,11 @@ fn loose_points_become_vertices_wherever_they_are() {
             }
         }
         let volume = filled(&points, &triangles, &[]).unwrap_or_else(|| panic!("{seed}"));
-        let mut delaunay = Delaunay::new();
         let all = Points::new(points.clone());
-        let mut order: Vec<u32> = (0..points.len() as u32).collect();
-        delaunay.build(&all, &mut order, &mut |_| Ok(())).unwrap();
-        let mesh = &delaunay.mesh;
+        let mesh = Construction::of(&all);
         let mut hull = 0.0;
         for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t)) {
-            let [a, b, c, d] = mesh.verts[t as usize].map(|v| all.xyz(v));
+            let [a, b, c, d] = mesh.verts(t).map(|v| all.xyz(v));
             let [u, v, w] = [b, c, d].map(|p| crate::vector::sub(p, a));
             hull += crate::vector::dot(&u, &crate::vector::cross(&v, &w)).abs();
         }
@@ -154,6 +149,6 @@ fn the_search_can_be_cancelled() {
     let edges = edges(&triangles, &[]);
     let wanted = Wanted { triangles: &triangles, edges: &edges };
     let stop = &mut || Err(Error::new(Status::Cancelled, "cancelled"));
-    let error = fill_hull(&mut Delaunay::new(), &mut points, wanted, stop).unwrap_err();
+    let error = fill_hull(&mut Mesh::default(), &mut points, wanted, stop).unwrap_err();
     assert_eq!(error.status, Status::Cancelled);
 }

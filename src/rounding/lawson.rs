@@ -6,13 +6,13 @@
 //!
 //! Invariants: subfaces and subsegments stay; every tetrahedron is positive in doubles.
 use crate::error::Error;
+use crate::kernel::around::EdgeRing;
 use crate::kernel::edge_key;
-use crate::kernel::star::EdgeRing;
-use crate::kernel::Tetrahedra;
+use crate::kernel::Mesh;
 use crate::ops::sheet::Sheets;
 use crate::predicates::{Points, Sign};
 use crate::rounding::positive;
-use crate::rounding::untangle::{is_closed, Site};
+use crate::rounding::untangle::{is_closed, Place};
 
 /// Limit of flips per initial tetrahedron.
 const MOST_FLIPS: usize = 8;
@@ -30,17 +30,17 @@ pub struct Lawson {
 
 impl Lawson {
     /// Flips faces of the given tetrahedra, and of those that come, until all are locally Delaunay or none can be flipped.
-    pub fn run(&mut self, site: &mut Site, points: &Points, mut stack: Vec<u32>) -> Result<(), Error> {
+    pub fn run(&mut self, place: &mut Place, points: &Points, mut stack: Vec<u32>) -> Result<(), Error> {
         let mut left = MOST_FLIPS * stack.len();
         while let Some(t) = stack.pop() {
-            if !site.delaunay.mesh.is_live(t) {
+            if !place.mesh.is_live(t) {
                 continue;
             }
             for code in 4 * t..4 * t + 4 {
-                if left > 0 && self.find(site, points, code)? && site.put(&self.old, &self.new)? {
+                if left > 0 && self.find(place, points, code)? && place.put(&self.old, &self.new)? {
                     left -= 1;
                     stack.try_reserve(self.new.len())?;
-                    stack.extend_from_slice(&site.refill.fresh);
+                    stack.extend_from_slice(&place.replace.fresh);
                     break;
                 }
             }
@@ -49,11 +49,11 @@ impl Lawson {
     }
 
     /// Finds the flip for a face that is not locally Delaunay.
-    fn find(&mut self, site: &Site, points: &Points, code: u32) -> Result<bool, Error> {
-        let mesh = &site.delaunay.mesh;
+    fn find(&mut self, place: &Place, points: &Points, code: u32) -> Result<bool, Error> {
+        let mesh = &place.mesh;
         let across = mesh.across(code);
-        let [a, b, c, d] = mesh.verts[(code >> 2) as usize];
-        let (v, e) = (mesh.verts[(code >> 2) as usize][(code & 3) as usize], mesh.apex(across));
+        let [a, b, c, d] = mesh.verts(code >> 2);
+        let (v, e) = (mesh.apex(code), mesh.apex(across));
         if is_closed(mesh, code) || points.insphere(a, b, c, d, e) != Sign::Positive {
             return Ok(false);
         }
@@ -72,7 +72,7 @@ impl Lawson {
             }
             Some(i) => {
                 let (edge, third) = [([x, y], z), ([y, z], x), ([z, x], y)][i];
-                if site.edges.contains(&edge_key(edge[0], edge[1]))
+                if place.edges.contains(&edge_key(edge[0], edge[1]))
                     || !self.ring(mesh, code >> 2, edge, third)?
                 {
                     return Ok(false);
@@ -87,7 +87,7 @@ impl Lawson {
     }
 
     /// Collects the tetrahedra round an edge and its link, with `ear` last.
-    fn ring(&mut self, mesh: &Tetrahedra, t: u32, [p, q]: [u32; 2], ear: u32) -> Result<bool, Error> {
+    fn ring(&mut self, mesh: &Mesh, t: u32, [p, q]: [u32; 2], ear: u32) -> Result<bool, Error> {
         self.old.clear();
         self.link.clear();
         self.old.try_reserve(MOST_RING)?;
@@ -97,7 +97,7 @@ impl Lawson {
                 return Ok(false);
             }
             self.old.push(t);
-            self.link.push(mesh.verts[t as usize][k as usize]);
+            self.link.push(mesh.vertex(t, k));
         }
         let Some(at) = self.link.iter().position(|&w| w == ear) else { return Ok(false) };
         self.link.rotate_left(at + 1);

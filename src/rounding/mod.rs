@@ -16,15 +16,11 @@ mod untangle;
 mod wedge;
 mod work;
 
-use crate::delaunay::Delaunay;
-use crate::domain::{Components, Regions};
 use crate::error::Error;
-use crate::fallible;
-use crate::kernel::star::StarSearch;
-use crate::kernel::Tetrahedra;
+use crate::kernel::around::StarSearch;
+use crate::kernel::{Mesh, NONE};
 use crate::predicates::{orient3d, scale, to_range, Points, Sign};
 use crate::segments::recovery::Segments;
-use crate::INVALID;
 use precise::Reach;
 use rustc_hash::FxHashSet;
 use work::Work;
@@ -36,7 +32,7 @@ enum Stage {
     Place(Reach),
     /// Points may move far.
     Stray,
-    /// Tetrahedra are replaced.
+    /// Mesh are replaced.
     Reconnect,
 }
 
@@ -71,30 +67,18 @@ impl Rounded {
     }
 }
 
-/// Which tetrahedra are handed out.
-pub struct Kept<'a> {
-    /// The components of the mesh; tetrahedra that come take those of the ones that they replace.
-    pub components: &'a mut Components,
-    /// Their regions.
-    pub regions: &'a Regions,
-}
-
-impl Kept<'_> {
-    fn has(&self, mesh: &Tetrahedra, t: u32) -> bool {
-        mesh.is_live(t)
-            && !mesh.is_ghost(t)
-            && self.regions.of_component[self.components.of[t as usize] as usize] != INVALID
-    }
+/// Whether a tetrahedron is handed out.
+fn is_kept(mesh: &Mesh, t: u32) -> bool {
+    mesh.is_live(t) && mesh.region(t) != NONE
 }
 
 /// Finds positions in doubles for all vertices. `scale_exponent`: coordinates are the caller's times two to this power.
 /// `reconnect`: tetrahedra may be replaced where moving points is not enough. If that fails too, the exact mesh is left unchanged, except
 /// for parameters on segments.
 pub fn round(
-    delaunay: &mut Delaunay,
+    mesh: &mut Mesh,
     points: &mut Points,
     segments: &mut Segments,
-    kept: &mut Kept,
     scale_exponent: i32,
     reconnect: bool,
 ) -> Result<Rounded, Error> {
@@ -102,16 +86,15 @@ pub fn round(
     for p in &mut rounded.xyz[segments.first_steiner as usize..] {
         *p = p.map(|x| surviving(x, scale_exponent));
     }
-    let mut bad: Vec<u32> = (0..delaunay.mesh.slot_count() as u32)
-        .filter(|&t| kept.has(&delaunay.mesh, t) && !is_positive(&delaunay.mesh, points, &rounded.xyz, t))
+    let mut bad: Vec<u32> = (0..mesh.slot_count() as u32)
+        .filter(|&t| is_kept(mesh, t) && !is_positive(&mesh, points, &rounded.xyz, t))
         .collect();
-    let work = Work::for_mesh(delaunay.mesh.slot_count());
+    let work = Work::for_mesh(mesh.slot_count());
     let mut repair = Repair {
         work,
-        delaunay,
+        mesh,
         points,
         segments,
-        kept,
         scale_exponent,
         xyz: &mut rounded.xyz,
         search: StarSearch::default(),
@@ -155,19 +138,16 @@ fn surviving(x: f64, scale_exponent: i32) -> f64 {
 
 /// The implicit vertices of tetrahedra that are not positive.
 fn crowded(repair: &Repair, bad: &[u32]) -> Vec<u32> {
-    let mut vertices: Vec<u32> = bad
-        .iter()
-        .flat_map(|&t| repair.delaunay.mesh.verts[t as usize])
-        .filter(|&v| !repair.points.is_explicit(v))
-        .collect();
+    let mut vertices: Vec<u32> =
+        bad.iter().flat_map(|&t| repair.mesh.verts(t)).filter(|&v| !repair.points.is_explicit(v)).collect();
     vertices.sort_unstable();
     vertices.dedup();
     vertices
 }
 
 /// The tetrahedron is positive in doubles; those of explicit points are by construction.
-fn is_positive(mesh: &Tetrahedra, points: &Points, xyz: &[[f64; 3]], t: u32) -> bool {
-    let v = mesh.verts[t as usize];
+fn is_positive(mesh: &Mesh, points: &Points, xyz: &[[f64; 3]], t: u32) -> bool {
+    let v = mesh.verts(t);
     if v.iter().all(|&w| points.is_explicit(w)) {
         return true;
     }
@@ -179,36 +159,28 @@ fn positive(xyz: &[[f64; 3]], verts: [u32; 4]) -> bool {
     orient3d(a, b, c, d) == Sign::Positive
 }
 
-struct Repair<'a, 'b> {
+struct Repair<'a> {
     /// What may still be spent.
     work: Work,
-    delaunay: &'a mut Delaunay,
+    mesh: &'a mut Mesh,
     points: &'a mut Points,
     segments: &'a mut Segments,
-    kept: &'a mut Kept<'b>,
     scale_exponent: i32,
     xyz: &'a mut Vec<[f64; 3]>,
     search: StarSearch,
-    /// Tetrahedra of the stars of moved vertices.
+    /// Mesh of the stars of moved vertices.
     touched: Vec<u32>,
     /// Vertices that were moved; never iterated.
     moved: FxHashSet<u32>,
     moves: u64,
-    /// Tetrahedra that took the place of others.
+    /// Mesh that took the place of others.
     replaced: FxHashSet<u32>,
     /// The exact mesh, once tetrahedra may have been replaced. No parameter changes from then on, since it could no longer be verified that
     /// the exact mesh stays valid.
-    exact: Option<ExactMesh>,
+    exact: Option<Mesh>,
 }
 
-/// The exact mesh as it was before tetrahedra were replaced.
-struct ExactMesh {
-    mesh: Tetrahedra,
-    vertex_tet: Vec<u32>,
-    component: Vec<u32>,
-}
-
-impl Repair<'_, '_> {
+impl Repair<'_> {
     /// Moves vertices of tetrahedra that are not positive until that no longer helps; leaves in the list those that remain so.
     fn mend_all(&mut self, bad: &mut Vec<u32>, far: bool) -> Result<(), Error> {
         loop {
@@ -232,23 +204,13 @@ impl Repair<'_, '_> {
     fn keep_bad(&self, bad: &mut Vec<u32>) {
         bad.sort_unstable();
         bad.dedup();
-        bad.retain(|&t| {
-            self.kept.has(&self.delaunay.mesh, t)
-                && !is_positive(&self.delaunay.mesh, self.points, self.xyz, t)
-        });
+        bad.retain(|&t| is_kept(self.mesh, t) && !is_positive(&self.mesh, self.points, self.xyz, t));
     }
 
     /// Keeps the exact mesh, for the case that replacing tetrahedra does not help either.
     fn keep_exact(&mut self) -> Result<(), Error> {
         if self.exact.is_none() {
-            let Tetrahedra { verts, adj, flags, free } = &self.delaunay.mesh;
-            let (verts, adj) = (fallible::copied(verts)?, fallible::copied(adj)?);
-            let (flags, free) = (fallible::copied(flags)?, fallible::copied(free)?);
-            self.exact = Some(ExactMesh {
-                mesh: Tetrahedra { verts, adj, flags, free },
-                vertex_tet: fallible::copied(&self.delaunay.vertex_tet)?,
-                component: fallible::copied(&self.kept.components.of)?,
-            });
+            self.exact = Some(self.mesh.copied()?);
         }
         Ok(())
     }
@@ -256,9 +218,7 @@ impl Repair<'_, '_> {
     /// Puts the exact mesh back.
     fn restore(&mut self) {
         if let Some(exact) = self.exact.take() {
-            self.delaunay.mesh = exact.mesh;
-            self.delaunay.vertex_tet = exact.vertex_tet;
-            self.kept.components.of = exact.component;
+            *self.mesh = exact;
         }
     }
 

@@ -1,26 +1,25 @@
 //! Moves of single points that lower the number of tetrahedra that are not positive in their stars.
 use crate::error::Error;
-use crate::kernel::flag;
 use crate::predicates::{orient3d, Expansion, Sign};
 use crate::rounding::candidates::{lattice, Candidate};
 use crate::rounding::wedge::{escape, Plane, MOST};
-use crate::rounding::{is_positive, surviving, work, Repair};
+use crate::rounding::{is_kept, is_positive, surviving, work, Repair};
 
-impl Repair<'_, '_> {
+impl Repair<'_> {
     /// Tries to make a tetrahedron positive by moving one of its implicit vertices; with `far`, also by more than a few units in the
     /// last place.
     pub(super) fn mend(&mut self, t: u32, far: bool) -> Result<(), Error> {
-        if is_positive(&self.delaunay.mesh, self.points, self.xyz, t) {
+        if is_positive(&self.mesh, self.points, self.xyz, t) {
             return Ok(());
         }
-        let verts = self.delaunay.mesh.verts[t as usize];
+        let verts = self.mesh.verts(t);
         for stage in 0..3 + i32::from(far) {
             for v in verts {
                 if self.points.is_explicit(v) {
                     continue;
                 }
-                let start = self.delaunay.vertex_tet[v as usize];
-                self.search.vertex_star(&mut self.delaunay.mesh, v, start);
+                let start = self.mesh.vertex_tet[v as usize];
+                self.search.vertex_star(self.mesh, v, start)?;
                 let moved = match stage {
                     0 => self.try_exact(v)?,
                     1 => self.try_lattice(v),
@@ -34,7 +33,7 @@ impl Repair<'_, '_> {
                     self.touched.try_reserve(self.search.tets.len())?;
                     self.touched.extend_from_slice(&self.search.tets);
                 }
-                if moved && is_positive(&self.delaunay.mesh, self.points, self.xyz, t) {
+                if moved && is_positive(&self.mesh, self.points, self.xyz, t) {
                     return Ok(());
                 }
             }
@@ -44,17 +43,17 @@ impl Repair<'_, '_> {
 
     /// How many kept tetrahedra of the star are not positive with `v` at `at`, counting no further than `limit`.
     fn bad_in_star(&self, v: u32, at: [f64; 3], limit: usize) -> usize {
-        let mesh = &self.delaunay.mesh;
+        let mesh = &self.mesh;
         let mut count = 0;
         let mut tests = 1;
         for &t in &self.search.tets {
             if count >= limit {
                 break;
             }
-            if !self.kept.has(mesh, t) {
+            if !is_kept(self.mesh, t) {
                 continue;
             }
-            let [a, b, c, d] = mesh.verts[t as usize].map(|w| if w == v { at } else { self.xyz[w as usize] });
+            let [a, b, c, d] = mesh.verts(t).map(|w| if w == v { at } else { self.xyz[w as usize] });
             count += (orient3d(&a, &b, &c, &d) != Sign::Positive) as usize;
             tests += 1;
         }
@@ -106,10 +105,10 @@ impl Repair<'_, '_> {
 
     /// Planes of the link's faces nearer to `v` than `reach`, nearest first.
     pub(super) fn planes(&self, v: u32, reach: f64) -> Vec<Plane> {
-        let mesh = &self.delaunay.mesh;
+        let mesh = &self.mesh;
         let p = self.xyz[v as usize];
         let mut planes = Vec::new();
-        for &t in self.search.tets.iter().filter(|&&t| self.kept.has(mesh, t)) {
+        for &t in self.search.tets.iter().filter(|&&t| is_kept(self.mesh, t)) {
             let Some(slot) = mesh.slot_of(t, v) else { continue };
             let [a, b, c] = mesh.face(4 * t + slot).map(|w| {
                 let q = self.xyz[w as usize];
@@ -193,19 +192,19 @@ impl Repair<'_, '_> {
 
     /// The star of `v` is positive and constrained Delaunay in exact positions.
     pub(super) fn star_is_valid(&self) -> bool {
-        let mesh = &self.delaunay.mesh;
+        let mesh = &self.mesh;
         self.search.tets.iter().all(|&t| {
             if mesh.is_ghost(t) {
                 return true;
             }
             self.work.spend(work::EXACT_TET);
-            let [a, b, c, d] = mesh.verts[t as usize];
+            let [a, b, c, d] = mesh.verts(t);
             if self.points.orient3d(a, b, c, d) != Sign::Positive {
                 return false;
             }
             (0..4u32).all(|f| {
                 let other = mesh.across(4 * t + f);
-                mesh.flags[t as usize] & (flag::FACE << f) != 0
+                mesh.is_subface(4 * t + f)
                     || mesh.is_ghost(other >> 2)
                     || self.points.insphere(a, b, c, d, mesh.apex(other)) != Sign::Positive
             })

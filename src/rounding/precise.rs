@@ -9,7 +9,7 @@
 use crate::error::Error;
 use crate::predicates::Expansion;
 use crate::rounding::candidates::Candidate;
-use crate::rounding::{is_positive, surviving, work, Repair};
+use crate::rounding::{is_kept, is_positive, surviving, work, Repair};
 use crate::vector::dot;
 use rustc_hash::FxHashSet;
 
@@ -25,7 +25,7 @@ pub struct Reach {
 /// Most exact tests of a star for other parameters.
 const MOST_TESTS: usize = 8;
 
-impl Repair<'_, '_> {
+impl Repair<'_> {
     /// Puts the implicit vertices of tetrahedra that are not positive, and of those that this spoils, nearest to the planes that they
     /// are close to; each once.
     pub(super) fn place_all(&mut self, bad: &mut Vec<u32>, reach: Reach) -> Result<(), Error> {
@@ -34,17 +34,16 @@ impl Repair<'_, '_> {
         while next < bad.len() {
             let t = bad[next];
             next += 1;
-            for v in self.delaunay.mesh.verts[t as usize] {
-                let spoilt = self.kept.has(&self.delaunay.mesh, t)
-                    && !is_positive(&self.delaunay.mesh, self.points, self.xyz, t);
+            for v in self.mesh.verts(t) {
+                let spoilt = is_kept(self.mesh, t) && !is_positive(&self.mesh, self.points, self.xyz, t);
                 if self.work.is_done() {
                     break;
                 }
                 if !spoilt || self.points.is_explicit(v) || !placed.insert(v) {
                     continue;
                 }
-                let start = self.delaunay.vertex_tet[v as usize];
-                self.search.vertex_star(&mut self.delaunay.mesh, v, start);
+                let start = self.mesh.vertex_tet[v as usize];
+                self.search.vertex_star(self.mesh, v, start)?;
                 self.place(v, reach)?;
                 bad.try_reserve(self.search.tets.len())?;
                 bad.extend_from_slice(&self.search.tets);

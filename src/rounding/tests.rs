@@ -1,15 +1,15 @@
 //! Prisms whose caps are nearly flat fans of slivers: tetrahedra on them are thinner than a unit in the last place.
 use crate::check::check_mesh;
-use crate::delaunay::Delaunay;
+use crate::delaunay::Construction;
 use crate::error::Status;
-use crate::kernel::refill::Refill;
+use crate::kernel::replace::Replace;
 use crate::options::Options;
 use crate::output::TetMesh;
 use crate::plan::tetrahedralize;
 use crate::plc::{Plc, Segment};
 use crate::predicates::Points;
 use crate::progress::Silent;
-use crate::rounding::untangle::Site;
+use crate::rounding::untangle::Place;
 use rustc_hash::FxHashSet;
 
 /// Numbers that look random (Knuth's multiplier).
@@ -140,20 +140,14 @@ fn cavities_end_at_the_convex_hull() {
 #[test]
 fn tetrahedra_are_put_only_where_their_boundary_fits() {
     let points = Points::new(vec![[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0.3, 0.3, 2.], [0.3, 0.3, -2.]]);
-    let mut delaunay = Delaunay::new();
-    delaunay.build(&points, &mut [0, 1, 2, 3, 4], &mut |_| Ok(())).unwrap();
-    delaunay.index_vertices(5).unwrap();
-    let slots = delaunay.mesh.slot_count();
-    let old: Vec<u32> =
-        (0..slots as u32).filter(|&t| delaunay.mesh.is_live(t) && !delaunay.mesh.is_ghost(t)).collect();
+    let mut mesh = Construction::of(&points);
+    let old: Vec<u32> = mesh.all().filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t)).collect();
     assert_eq!(old.len(), 2);
-    let mut component = vec![0; slots];
     let mut replaced = FxHashSet::default();
-    let mut site = Site {
-        delaunay: &mut delaunay,
-        component: &mut component,
+    let mut place = Place {
+        mesh: &mut mesh,
         edges: FxHashSet::default(),
-        refill: Refill::default(),
+        replace: Replace::default(),
         sides: Vec::new(),
         replaced: &mut replaced,
     };
@@ -166,10 +160,10 @@ fn tetrahedra_are_put_only_where_their_boundary_fits() {
     let misfits: [&[[u32; 4]]; 4] =
         [&good[..2], &[good[0], good[1], good[2], good[2]], &inverted, &[good[0], good[1], inverted[2]]];
     for new in misfits {
-        assert!(!site.put(&old, new).unwrap() && old.iter().all(|&t| site.delaunay.mesh.is_live(t)));
+        assert!(!place.put(&old, new).unwrap() && old.iter().all(|&t| place.mesh.is_live(t)));
     }
-    assert!(site.put(&old, &good).unwrap());
-    let mesh = &site.delaunay.mesh;
+    assert!(place.put(&old, &good).unwrap());
+    let mesh = &place.mesh;
     let live = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t)).count();
     assert_eq!((live, replaced.len()), (3, 3));
 }

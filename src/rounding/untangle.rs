@@ -5,14 +5,14 @@
 //! removed together with some around it (those around one of its edges, at one of its vertices, or up to a few faces away), and the
 //! polyhedron is filled by small polyhedron reconnection ([`crate::ops::reconnect`]), using exact signs of the output doubles.
 //!
-//! Invariants: subfaces and subsegments stay; new tetrahedra are positive in doubles; components keep their space, because no cavity
+//! Invariants: subfaces and subsegments stay; new tetrahedra are positive in doubles; regions keep their space, because no cavity
 //! extends across a subface, and none contains ghosts. The new tetrahedra need not be Delaunay, nor positive at the exact positions, so
 //! they are listed.
-use crate::delaunay::Delaunay;
 use crate::error::Error;
-use crate::kernel::refill::Refill;
+use crate::kernel::cavity::Edges;
+use crate::kernel::replace::Replace;
 use crate::kernel::tables::{EDGE, FACE};
-use crate::kernel::{edge_key, face_key, flag, Tetrahedra, NONE};
+use crate::kernel::{edge_key, face_key, Mesh};
 use crate::ops::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
 use crate::predicates::Points;
 use crate::rounding::lawson::Lawson;
@@ -29,23 +29,21 @@ const MOST_TETS: usize = 160;
 const MOST_LAYERS: usize = 4;
 
 /// What is repaired.
-pub struct Site<'a> {
+pub struct Place<'a> {
     /// The mesh.
-    pub delaunay: &'a mut Delaunay,
-    /// The component of each slot.
-    pub component: &'a mut Vec<u32>,
+    pub mesh: &'a mut Mesh,
     /// Subsegments, by [`edge_key`].
-    pub edges: FxHashSet<[u32; 2]>,
+    pub edges: Edges,
     /// Puts tetrahedra in place.
-    pub refill: Refill,
+    pub replace: Replace,
     /// Scratch space: faces, and which side a tetrahedron is on.
     pub sides: Vec<([u32; 3], bool)>,
     /// Slots of tetrahedra that took the place of others.
     pub replaced: &'a mut FxHashSet<u32>,
 }
 
-impl Site<'_> {
-    /// Replaces tetrahedra of one component by others with the same boundary; false (and nothing is changed) if these do not fit.
+impl Place<'_> {
+    /// Replaces tetrahedra of one region by others with the same boundary; false (and nothing is changed) if these do not fit.
     ///
     /// As long as some tetrahedra are not positive, the boundary of a cavity may cross itself. Positive tetrahedra that fill it then cover
     /// some points twice, and may have a face four times, or one that already exists next to the cavity.
@@ -53,26 +51,18 @@ impl Site<'_> {
         if !self.fits(old, new)? {
             return Ok(false);
         }
-        let label = self.component[old[0] as usize];
-        let Delaunay { mesh, vertex_tet, .. } = &mut *self.delaunay;
-        self.refill.replace(mesh, vertex_tet, old, new, std::iter::empty())?;
-        let slots = mesh.slot_count().max(self.component.len());
-        self.component.try_reserve(slots - self.component.len())?;
-        self.component.resize(slots, NONE);
+        self.replace.cavity(self.mesh, old, new, &[])?;
         for t in old {
             self.replaced.remove(t);
         }
         self.replaced.try_reserve(new.len())?;
-        for &fresh in &self.refill.fresh {
-            self.component[fresh as usize] = label;
-            self.replaced.insert(fresh);
-        }
+        self.replaced.extend(&self.replace.fresh);
         Ok(true)
     }
 
     /// Whether every face occurs twice, once from each side.
     fn fits(&mut self, old: &[u32], new: &[[u32; 4]]) -> Result<bool, Error> {
-        let mesh = &self.delaunay.mesh;
+        let mesh = &self.mesh;
         let sides = &mut self.sides;
         sides.clear();
         sides.try_reserve(4 * (old.len() + new.len()))?;
@@ -94,7 +84,7 @@ fn side([a, b, c]: [u32; 3]) -> ([u32; 3], bool) {
     (face_key([a, b, c]), (a > b) ^ (b > c) ^ (a > c))
 }
 
-impl Repair<'_, '_> {
+impl Repair<'_> {
     /// Replaces the tetrahedra in the list; those without a filling stay in it.
     pub(super) fn reconnect(&mut self, bad: &mut Vec<u32>) -> Result<(), Error> {
         self.keep_exact()?;
@@ -105,22 +95,21 @@ impl Repair<'_, '_> {
         xyz.try_reserve(self.xyz.len())?;
         xyz.extend_from_slice(self.xyz);
         let points = Points::new(xyz);
-        let component = &mut self.kept.components.of;
         let replaced = &mut self.replaced;
-        let (refill, sides) = (Refill::default(), Vec::new());
-        let mut site = Site { delaunay: self.delaunay, component, edges, refill, sides, replaced };
+        let (replace, sides) = (Replace::default(), Vec::new());
+        let mut place = Place { mesh: self.mesh, edges, replace, sides, replaced };
         let (mut untangle, mut lawson) = (Untangle::default(), Lawson::default());
         for &t in bad.iter() {
-            let mesh = &site.delaunay.mesh;
+            let mesh = &place.mesh;
             // An earlier replacement may have taken it, and its slot.
             if !self.work.is_done()
                 && mesh.is_live(t)
-                && !positive(self.xyz, mesh.verts[t as usize])
-                && untangle.replace(&mut site, &points, t, &self.work)?
+                && !positive(self.xyz, mesh.verts(t))
+                && untangle.replace(&mut place, &points, t, &self.work)?
             {
                 self.moves += 1;
-                let fresh = site.refill.fresh.clone();
-                lawson.run(&mut site, &points, fresh)?;
+                let fresh = place.replace.fresh.clone();
+                lawson.run(&mut place, &points, fresh)?;
             }
         }
         self.keep_bad(bad);
@@ -139,17 +128,17 @@ struct Untangle {
 }
 
 impl Untangle {
-    /// Replaces the tetrahedron `t` and some around it by positive ones, if a filling is found; they are in `site.refill.fresh`.
-    fn replace(&mut self, site: &mut Site, points: &Points, t: u32, work: &Work) -> Result<bool, Error> {
-        for cavity in cavities(&site.delaunay.mesh, t)? {
+    /// Replaces the tetrahedron `t` and some around it by positive ones, if a filling is found; they are in `place.replace.fresh`.
+    fn replace(&mut self, place: &mut Place, points: &Points, t: u32, work: &Work) -> Result<bool, Error> {
+        for cavity in cavities(&place.mesh, t)? {
             if work.is_done() {
                 break;
             }
-            let filled = self.fill(site, points, &cavity)?;
+            let filled = self.fill(place, points, &cavity)?;
             work.spend(
                 work::STEP * u64::from(self.reconnect.steps()) + work::EXACT_TET * cavity.len() as u64,
             );
-            if filled && site.put(&cavity, &self.new)? {
+            if filled && place.put(&cavity, &self.new)? {
                 return Ok(true);
             }
         }
@@ -157,8 +146,8 @@ impl Untangle {
     }
 
     /// Fills a cavity with positive tetrahedra into `self.new`.
-    fn fill(&mut self, site: &Site, points: &Points, cavity: &[u32]) -> Result<bool, Error> {
-        let mesh = &site.delaunay.mesh;
+    fn fill(&mut self, place: &Place, points: &Points, cavity: &[u32]) -> Result<bool, Error> {
+        let mesh = &place.mesh;
         self.faces.clear();
         self.faces.try_reserve(4 * cavity.len())?;
         for code in cavity.iter().flat_map(|&t| 4 * t..4 * t + 4) {
@@ -175,7 +164,7 @@ impl Untangle {
         corners.sort_unstable();
         corners.dedup();
         for &t in cavity {
-            let verts = mesh.verts[t as usize];
+            let verts = mesh.verts(t);
             for v in verts {
                 if corners.binary_search(&v).is_err() && !self.inner.contains(&v) {
                     self.inner.try_reserve(1)?;
@@ -184,7 +173,7 @@ impl Untangle {
             }
             for [i, j] in EDGE {
                 let key = edge_key(verts[i as usize], verts[j as usize]);
-                if site.edges.contains(&key) && !self.kept_edges.contains(&key) {
+                if place.edges.contains(&key) && !self.kept_edges.contains(&key) {
                     self.kept_edges.try_reserve(1)?;
                     self.kept_edges.push(key);
                 }
@@ -200,16 +189,15 @@ impl Untangle {
 }
 
 /// The face bounds every cavity: it is a subface, or a face of the convex hull.
-pub fn is_closed(mesh: &Tetrahedra, code: u32) -> bool {
-    mesh.flags[(code >> 2) as usize] & (flag::FACE << (code & 3)) != 0
-        || mesh.is_ghost(mesh.across(code) >> 2)
+pub fn is_closed(mesh: &Mesh, code: u32) -> bool {
+    mesh.is_subface(code) || mesh.is_ghost(mesh.across(code) >> 2)
 }
 
 /// The cavities to try, in this order: with each neighbour, round each edge, at each vertex, and all within more and more faces; each
 /// sorted by slots.
-fn cavities(mesh: &Tetrahedra, t: u32) -> Result<Vec<Vec<u32>>, Error> {
+fn cavities(mesh: &Mesh, t: u32) -> Result<Vec<Vec<u32>>, Error> {
     let mut list: Vec<Vec<u32>> = Vec::new();
-    let verts = mesh.verts[t as usize];
+    let verts = mesh.verts(t);
     list.try_reserve(4 + EDGE.len() + 4 + MOST_LAYERS)?;
     for f in 0..4 {
         if !is_closed(mesh, 4 * t + f) {
@@ -242,7 +230,7 @@ fn cavities(mesh: &Tetrahedra, t: u32) -> Result<Vec<Vec<u32>>, Error> {
 }
 
 /// The tetrahedra that have all of `common`, from `t` across faces that are open.
-fn around(mesh: &Tetrahedra, t: u32, common: &[u32]) -> Result<Vec<u32>, Error> {
+fn around(mesh: &Mesh, t: u32, common: &[u32]) -> Result<Vec<u32>, Error> {
     let mut list = vec![t];
     let mut next = 0;
     while next < list.len() && list.len() <= MOST_TETS {
@@ -253,7 +241,7 @@ fn around(mesh: &Tetrahedra, t: u32, common: &[u32]) -> Result<Vec<u32>, Error> 
 }
 
 /// Adds the neighbours of `t` across faces that are open and have all of `common`.
-fn add_neighbors(mesh: &Tetrahedra, t: u32, common: &[u32], list: &mut Vec<u32>) -> Result<(), Error> {
+fn add_neighbors(mesh: &Mesh, t: u32, common: &[u32], list: &mut Vec<u32>) -> Result<(), Error> {
     list.try_reserve(4)?;
     for code in 4 * t..4 * t + 4 {
         let n = mesh.across(code) >> 2;

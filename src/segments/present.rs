@@ -3,13 +3,12 @@
 //! At the start this takes one pass over all tetrahedra, which looks up each edge among the pieces at its smaller end: vertices are
 //! numbered along a curve, so lookups stay local. Later, when flips of the surface have changed a few segments, the star of a vertex is
 //! searched.
-use crate::delaunay::Delaunay;
 use crate::error::Error;
+use crate::kernel::around::EdgeRing;
 use crate::kernel::edge_key;
 use crate::kernel::lookup::Lookup;
-use crate::kernel::star::EdgeRing;
 use crate::kernel::tables::{EDGE, EDGE_OF};
-use crate::kernel::{flag, GHOST};
+use crate::kernel::GHOST;
 use crate::segments::recovery::Recovery;
 
 impl Recovery<'_> {
@@ -26,36 +25,36 @@ impl Recovery<'_> {
         let mut present = Vec::new();
         present.try_reserve(self.segments.pieces.len())?;
         present.resize(self.segments.pieces.len(), false);
-        let mesh = &mut self.delaunay.mesh;
-        for (v, flags) in mesh.verts.iter().zip(&mut mesh.flags) {
-            if *flags & flag::DEAD != 0 {
-                continue;
-            }
+        self.mesh.mark_subsegments(|v| {
+            let mut bits = 0;
             for (e, [i, j]) in EDGE.into_iter().enumerate() {
                 let [low, high] = edge_key(v[i as usize], v[j as usize]);
                 if high == GHOST {
                     continue;
                 }
                 if let Some(piece) = piece_of.get(low, [high]) {
-                    *flags |= flag::EDGE << e;
+                    bits |= 1 << e;
                     present[piece as usize] = true;
                 }
             }
-        }
+            bits
+        });
         Ok(present)
     }
 
     /// Flags an edge in the mesh, if it exists; returns whether it does.
     pub(super) fn mark_edge(&mut self, [a, b]: [u32; 2]) -> Result<bool, Error> {
-        let Delaunay { mesh, vertex_tet, .. } = &mut *self.delaunay;
-        let Some(t) = self.search.find_edge(mesh, a, b, vertex_tet[a as usize]) else { return Ok(false) };
+        let mesh = &mut *self.mesh;
+        let Some(t) = self.search.find_edge(mesh, a, b, mesh.vertex_tet[a as usize])? else {
+            return Ok(false);
+        };
         self.ring.clear();
         for (t, i, j, _, _) in EdgeRing::new(mesh, t, a, b) {
             self.ring.try_reserve(1)?;
             self.ring.push((t, EDGE_OF[i as usize][j as usize]));
         }
         for &(t, e) in &self.ring {
-            mesh.flags[t as usize] |= flag::EDGE << e;
+            mesh.set_subsegment(t, e);
         }
         Ok(true)
     }

@@ -7,12 +7,13 @@
 //! takes 10 to 40 % fewer points than first come, first served; shortest first takes the most.
 //!
 //! Invariant: every live subsegment is flagged around its edge in the mesh, or is in the queue.
-use crate::delaunay::Delaunay;
+use crate::delaunay::insert::Inserter;
+use crate::delaunay::locate::locate;
 use crate::error::{Element, Error, Status};
+use crate::kernel::around::StarSearch;
 use crate::kernel::edge_key;
-use crate::kernel::star::StarSearch;
 use crate::kernel::tables::{EDGE_OF, FACE};
-use crate::kernel::{flag, GHOST, NONE};
+use crate::kernel::{Mesh, GHOST, NONE};
 use crate::predicates::{Expansion, Points, Sign};
 use crate::segments::close::{relative_distance, Beside};
 use crate::segments::crossing;
@@ -274,8 +275,10 @@ fn acute_vertices(points: &Points, ends: &[[u32; 2]]) -> Result<Vec<bool>, Error
 
 /// The state of a recovery.
 pub struct Recovery<'a> {
-    /// The triangulation.
-    pub delaunay: &'a mut Delaunay,
+    /// The mesh.
+    pub mesh: &'a mut Mesh,
+    /// Inserts the points.
+    pub inserter: &'a mut Inserter,
     /// The vertices.
     pub points: &'a mut Points,
     /// The segments.
@@ -292,15 +295,16 @@ pub struct Recovery<'a> {
 }
 
 impl<'a> Recovery<'a> {
-    /// Prepares a recovery; `delaunay.vertex_tet` must be up to date.
+    /// Prepares a recovery; `mesh.vertex_tet` must be up to date.
     pub fn new(
-        delaunay: &'a mut Delaunay,
+        (mesh, inserter): (&'a mut Mesh, &'a mut Inserter),
         points: &'a mut Points,
         segments: &'a mut Segments,
         limit: Option<u64>,
     ) -> Self {
         Recovery {
-            delaunay,
+            mesh,
+            inserter,
             points,
             segments,
             limit,
@@ -376,19 +380,19 @@ impl<'a> Recovery<'a> {
         if place.components().len() > 1 {
             self.segments.fine.insert(p - self.segments.first_steiner, place);
         }
-        self.delaunay.cavity.prepare(p as usize + 1)?;
-        self.delaunay.vertex_tet.try_reserve(1)?;
-        self.delaunay.vertex_tet.push(NONE);
+        self.inserter.prepare(p as usize + 1)?;
+        self.mesh.vertex_tet.try_reserve(1)?;
+        self.mesh.vertex_tet.push(NONE);
         self.segments.steiner_segment.try_reserve(1)?;
         self.segments.steiner_t.try_reserve(1)?;
         self.segments.steiner_segment.push(sub.segment);
         self.segments.steiner_t.push(t);
-        let at = self.delaunay.locate(self.points, p, near)?;
-        let touched = self.delaunay.mesh.verts[at as usize];
+        let at = locate(self.mesh, self.points, p, near)?;
+        let touched = self.mesh.verts(at);
         if touched.iter().any(|&v| v != GHOST && self.points.same_position(v, p)) {
             return Err(crossing("a vertex lies on a segment", Element::Segment(sub.segment), None));
         }
-        self.delaunay.hint = self.delaunay.insert_at::<true>(self.points, p, at)?;
+        self.inserter.insert::<true>(self.mesh, self.points, p, at)?;
         self.register(piece, sub, p, t)
     }
 
@@ -487,8 +491,8 @@ impl<'a> Recovery<'a> {
                 self.enqueue(id)?;
             }
         }
-        for i in 0..self.delaunay.cavity.lost_edges.len() {
-            let edge = self.delaunay.cavity.lost_edges[i];
+        for i in 0..self.inserter.lost_edges.len() {
+            let edge = self.inserter.lost_edges[i];
             if let Some(&id) = self.segments.piece_of.get(&edge) {
                 self.enqueue(id)?;
             }
@@ -498,11 +502,11 @@ impl<'a> Recovery<'a> {
 
     /// Flags the edge from the vertex just inserted (slot 0 of all new tetrahedra) to `end`; returns whether there is one.
     fn mark_in_fresh(&mut self, end: u32) -> bool {
-        let mesh = &mut self.delaunay.mesh;
+        let mesh = &mut self.mesh;
         let mut present = false;
-        for &t in &self.delaunay.cavity.fresh {
+        for &t in &self.inserter.fresh {
             if let Some(slot) = mesh.slot_of(t, end) {
-                mesh.flags[t as usize] |= flag::EDGE << EDGE_OF[0][slot as usize];
+                mesh.set_subsegment(t, EDGE_OF[0][slot as usize]);
                 present = true;
             }
         }
@@ -532,16 +536,16 @@ impl<'a> Recovery<'a> {
     /// The vertex that sees the piece under the largest angle among those met on a walk from its first end to its second, and the
     /// tetrahedron nearest to it. The walk may be approximate, since it only chooses a point.
     fn find_reference(&self, sub: &Subsegment) -> (Option<u32>, u32) {
-        let mesh = &self.delaunay.mesh;
+        let mesh = &self.mesh;
         let (a, b) = (self.points.xyz(sub.ends[0]), self.points.xyz(sub.ends[1]));
-        let mut t = self.delaunay.vertex_tet[sub.ends[0] as usize];
+        let mut t = self.mesh.vertex_tet[sub.ends[0] as usize];
         if mesh.is_ghost(t) {
-            t = mesh.adj[t as usize][3] >> 2;
+            t = mesh.beyond(t, 3);
         }
         let mut best = (0.0f64, None, t);
         let mut entered = 4;
         for step in 0..1000u32 {
-            let v = mesh.verts[t as usize];
+            let v = mesh.verts(t);
             for (slot, &w) in v.iter().enumerate() {
                 // The others have already been met.
                 let new = entered == 4 || slot == entered as usize;
@@ -563,7 +567,7 @@ impl<'a> Recovery<'a> {
                 }
                 let [x, y, z] = FACE[f as usize].map(|k| self.points.xyz(v[k as usize]));
                 if approximate_orient3d(b, x, y, z) < 0.0 {
-                    next = Some(mesh.adj[t as usize][f as usize]);
+                    next = Some(mesh.across(4 * t + f));
                     break;
                 }
             }

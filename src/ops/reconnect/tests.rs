@@ -1,7 +1,6 @@
 //! Fillings of known and random polyhedra.
-use crate::delaunay::Delaunay;
-use crate::kernel::flag;
-use crate::kernel::star::StarSearch;
+use crate::delaunay::Construction;
+use crate::kernel::around::StarSearch;
 use crate::ops::quality::quality;
 use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::ops::shape::{Goal, Measure, Shape};
@@ -129,17 +128,12 @@ fn random_stars() -> (Points, Vec<Link>) {
         (state >> 11) as f64 / (1u64 << 53) as f64
     };
     let points = Points::new((0..400).map(|_| [random(), random(), random()]).collect());
-    let mut delaunay = Delaunay::new();
-    let mut order: Vec<u32> = (0..400).collect();
-    delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
-    delaunay.index_vertices(400).unwrap();
+    let mesh = Construction::of(&points);
     let mut stars = Vec::new();
     for v in 0..400 {
-        let start = delaunay.vertex_tet[v as usize];
+        let start = mesh.vertex_tet[v as usize];
         let mut star = StarSearch::default();
-        star.vertex_star(&mut delaunay.mesh, v, start);
-        let mesh = &delaunay.mesh;
-        assert!(mesh.flags.iter().all(|f| f & flag::MARK == 0));
+        star.vertex_star(&mesh, v, start).unwrap();
         if star.tets.iter().any(|&t| mesh.is_ghost(t)) {
             continue;
         }
@@ -324,7 +318,7 @@ fn a_sheet_leaves_most_of_a_way_clear() {
             .flat_map(|[a, b]| [[0, b, a], [1, a, b]])
             .collect();
         check(&points, &Polyhedron { faces: &faces, ..Default::default() }, &clear);
-        // Tetrahedra that contain one of many positions on the segment.
+        // Mesh that contain one of many positions on the segment.
         let met = |tets: &[[u32; 4]]| {
             let place = |i: u32| {
                 let part = f64::from(i) / 2000.0;

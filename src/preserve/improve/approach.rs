@@ -5,11 +5,12 @@
 //! inserting a vertex (Watson 1981), but for an existing vertex. All this is floating-point arithmetic: it only chooses what to try.
 use crate::error::Error;
 use crate::kernel::tables::FACE;
-use crate::kernel::{flag, NONE};
+use crate::kernel::visited::Visited;
+use crate::kernel::Mesh;
+use crate::kernel::NONE;
 use crate::ops::shape::{Goal, Shape};
 use crate::predicates::Points;
 use crate::preserve::improve::reshape::may_join;
-use crate::preserve::solid::Solid;
 use crate::vector::{cross, dot, sub};
 use rustc_hash::FxHashSet;
 
@@ -31,6 +32,7 @@ pub struct Approach {
     /// The walls: `(p, x, y, z)` is positive for `p` on the side of the tetrahedron.
     pub walls: Vec<[u32; 3]>,
     near: Vec<u32>,
+    visited: Visited,
     /// Candidates, and how good their tetrahedra are.
     ranked: Vec<(f64, u32)>,
     /// Those left, after the size of what they overlap.
@@ -41,7 +43,7 @@ impl Approach {
     /// Finds apexes for the walls of a tetrahedron, so that the goal is reached there; none if it has no wall.
     pub fn find(
         &mut self,
-        solid: &mut Solid,
+        mesh: &Mesh,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
         t: u32,
@@ -50,18 +52,18 @@ impl Approach {
         self.apexes.clear();
         self.walls.clear();
         self.walls.try_reserve(4)?;
-        self.walls.extend((4 * t..4 * t + 4).filter(|&c| solid.is_wall(c)).map(|c| solid.mesh.face(c)));
+        self.walls.extend((4 * t..4 * t + 4).filter(|&c| mesh.is_wall(c)).map(|c| mesh.face(c)));
         if self.walls.is_empty() {
             return Ok(());
         }
-        self.look_round(solid, t)?;
-        self.rank(solid, points, t, goal)?;
+        self.look_round(mesh, t)?;
+        self.rank(mesh, points, t, goal)?;
         let mut tets = std::mem::take(&mut self.near);
         self.sized.clear();
         self.sized.try_reserve(CANDIDATES)?;
         for i in 0..self.ranked.len().min(CANDIDATES) {
             let apex = self.ranked[i].1;
-            if self.collect(solid, points, isolated, t, apex, &mut tets)? {
+            if self.collect(mesh, points, isolated, t, apex, &mut tets)? {
                 self.sized.push((tets.len(), apex));
             }
         }
@@ -73,34 +75,31 @@ impl Approach {
     }
 
     /// Collects tetrahedra round one, layer by layer, not beyond walls.
-    fn look_round(&mut self, solid: &mut Solid, t: u32) -> Result<(), Error> {
+    fn look_round(&mut self, mesh: &Mesh, t: u32) -> Result<(), Error> {
         self.near.clear();
         self.near.try_reserve(NEAR + 4)?;
         self.near.push(t);
-        solid.mesh.flags[t as usize] |= flag::MARK;
+        self.visited.begin();
+        self.visited.insert(t)?;
         let mut i = 0;
         while i < self.near.len() && self.near.len() < NEAR {
             for code in 4 * self.near[i]..4 * self.near[i] + 4 {
-                let n = solid.mesh.across(code) >> 2;
-                if !solid.is_wall(code) && solid.mesh.flags[n as usize] & flag::MARK == 0 {
-                    solid.mesh.flags[n as usize] |= flag::MARK;
+                let n = mesh.across(code) >> 2;
+                if !mesh.is_wall(code) && self.visited.insert(n)? {
                     self.near.push(n);
                 }
             }
             i += 1;
         }
-        for &n in &self.near {
-            solid.mesh.flags[n as usize] &= !flag::MARK;
-        }
         Ok(())
     }
 
     /// Ranks the vertices of these tetrahedra by the worse of their tetrahedra at the walls.
-    fn rank(&mut self, solid: &Solid, points: &Points, t: u32, goal: &Goal) -> Result<(), Error> {
+    fn rank(&mut self, mesh: &Mesh, points: &Points, t: u32, goal: &Goal) -> Result<(), Error> {
         self.ranked.clear();
-        let first = solid.mesh.verts[t as usize];
+        let first = mesh.verts(t);
         for &n in &self.near {
-            for p in solid.mesh.verts[n as usize] {
+            for p in mesh.verts(n) {
                 if first.contains(&p) || self.ranked.iter().any(|r| r.1 == p) {
                     continue;
                 }
@@ -117,7 +116,7 @@ impl Approach {
     /// Collects what the tetrahedra of an apex and the walls overlap; false if that is too much or must not be changed.
     pub fn collect(
         &mut self,
-        solid: &mut Solid,
+        mesh: &Mesh,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
         t: u32,
@@ -127,26 +126,24 @@ impl Approach {
         tets.clear();
         tets.try_reserve(MOST + 4)?;
         tets.push(t);
-        solid.mesh.flags[t as usize] |= flag::MARK;
+        self.visited.begin();
+        self.visited.insert(t)?;
         let mut i = 0;
         let mut whole = true;
         while i < tets.len() && tets.len() < MOST && whole {
             for code in 4 * tets[i]..4 * tets[i] + 4 {
-                let n = solid.mesh.across(code) >> 2;
-                if solid.mesh.flags[n as usize] & flag::MARK != 0 || solid.region[n as usize] == NONE {
+                let n = mesh.across(code) >> 2;
+                if self.visited.contains(n) || mesh.region(n) == NONE {
                     continue;
                 }
-                let verts = solid.mesh.verts[n as usize];
+                let verts = mesh.verts(n);
                 if self.walls.iter().any(|&[x, y, z]| overlap(points, [apex, x, y, z], verts)) {
-                    whole &= !solid.is_wall(code) && may_join(solid, isolated, n);
-                    solid.mesh.flags[n as usize] |= flag::MARK;
+                    whole &= !mesh.is_wall(code) && may_join(mesh, isolated, &self.visited, n);
+                    self.visited.insert(n)?;
                     tets.push(n);
                 }
             }
             i += 1;
-        }
-        for &n in tets.iter() {
-            solid.mesh.flags[n as usize] &= !flag::MARK;
         }
         Ok(whole && tets.len() < MOST)
     }

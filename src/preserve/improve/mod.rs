@@ -10,11 +10,11 @@ pub mod reshape;
 pub mod smooth;
 
 use crate::error::Error;
-use crate::kernel::NONE;
+use crate::kernel::Mesh;
+use crate::kernel::{face_key, NONE};
 use crate::ops::shape::{needle, Measure, Shape};
 use crate::predicates::Points;
 use crate::preserve::improve::reshape::{shape, Aim, Effort, Reshape};
-use crate::preserve::solid::Solid;
 use rustc_hash::FxHashSet;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -69,26 +69,28 @@ struct Improve {
 /// # Errors
 /// [`OutOfMemory`](crate::error::Status::OutOfMemory), and what `tick` returns.
 pub fn improve(
-    solid: &mut Solid,
+    mesh: &mut Mesh,
     points: &Points,
     isolated: &FxHashSet<[u32; 2]>,
     tick: &mut dyn FnMut() -> Result<(), Error>,
 ) -> Result<(), Error> {
     let mut improve = Improve { worst: Shape::BEST, ..Improve::default() };
-    for t in 0..solid.mesh.slot_count() as u32 {
-        if solid.region[t as usize] != NONE && solid.mesh.is_live(t) {
-            let shape = shape(solid, points, t);
+    for t in 0..mesh.slot_count() as u32 {
+        if mesh.region(t) != NONE && mesh.is_live(t) {
+            let shape = shape(mesh, points, t);
             improve.worst = improve.worst.worse(shape);
-            improve.push_shape(solid, t, shape)?;
+            improve.push_shape(mesh, t, shape)?;
         }
     }
     // A needle on the surface forces the ratio of its tetrahedra.
-    let forced =
-        solid.patch_of.keys().map(|face| needle(face.map(|v| points.xyz(v)))).fold(ENOUGH.ratio, f64::min);
+    let forced = mesh
+        .subfaces()
+        .map(|code| needle(face_key(mesh.face(code)).map(|v| points.xyz(v))))
+        .fold(ENOUGH.ratio, f64::min);
     let enough = Shape { ratio: forced, ..ENOUGH };
     for stage in STAGES {
-        let least = improve.worst(solid)?;
-        improve.run(solid, points, isolated, &stage, Aim { measure: stage.measure, enough, least }, tick)?;
+        let least = improve.worst(mesh)?;
+        improve.run(mesh, points, isolated, &stage, Aim { measure: stage.measure, enough, least }, tick)?;
     }
     Ok(())
 }
@@ -102,30 +104,30 @@ impl Improve {
     }
 
     /// Takes note of a tetrahedron if it is bad.
-    fn push(&mut self, solid: &Solid, points: &Points, t: u32) -> Result<(), Error> {
-        self.push_shape(solid, t, shape(solid, points, t))
+    fn push(&mut self, mesh: &Mesh, points: &Points, t: u32) -> Result<(), Error> {
+        self.push_shape(mesh, t, shape(mesh, points, t))
     }
 
     /// As [`Improve::push`], for a tetrahedron whose shape is known.
-    fn push_shape(&mut self, solid: &Solid, t: u32, shape: Shape) -> Result<(), Error> {
+    fn push_shape(&mut self, mesh: &Mesh, t: u32, shape: Shape) -> Result<(), Error> {
         for measure in [Measure::Angle, Measure::Ratio] {
             if shape.by(measure) < BAD.by(measure) {
                 let queue = &mut self.bad(measure).queue;
                 queue.try_reserve(1)?;
-                queue.push(Reverse((shape.by(measure).to_bits(), t, changed(solid, t))));
+                queue.push(Reverse((shape.by(measure).to_bits(), t, mesh.changed(t))));
             }
         }
         Ok(())
     }
 
     /// The worst of the mesh by either measure. What could not be improved is to be tried again.
-    fn worst(&mut self, solid: &Solid) -> Result<Shape, Error> {
+    fn worst(&mut self, mesh: &Mesh) -> Result<Shape, Error> {
         let first = self.worst;
         let mut of = |measure: Measure| {
             let Bad { queue, stuck } = self.bad(measure);
             queue.try_reserve(stuck.len())?;
             queue.extend(stuck.drain(..).map(Reverse));
-            while queue.peek().is_some_and(|top| !is_there(solid, &top.0)) {
+            while queue.peek().is_some_and(|top| !is_there(mesh, &top.0)) {
                 queue.pop();
             }
             let good = first.by(measure).max(BAD.by(measure));
@@ -137,23 +139,23 @@ impl Improve {
     /// One stage.
     fn run(
         &mut self,
-        solid: &mut Solid,
+        mesh: &mut Mesh,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
         stage: &Stage,
         aim: Aim,
         tick: &mut dyn FnMut() -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let mut left = stage.failures[0] + solid.mesh.live_count() / stage.failures[1];
+        let mut left = stage.failures[0] + mesh.live_count() / stage.failures[1];
         let mut last = None;
         while left > 0 {
             let Some(Reverse(entry)) = self.bad(stage.measure).queue.pop() else { break };
-            if last == Some(entry) || !is_there(solid, &entry) {
+            if last == Some(entry) || !is_there(mesh, &entry) {
                 continue;
             }
             last = Some(entry);
             tick()?;
-            if !self.reshape.improve(solid, points, isolated, entry.1, &aim, stage.effort)? {
+            if !self.reshape.improve(mesh, points, isolated, entry.1, &aim, stage.effort)? {
                 left -= 1;
                 let stuck = &mut self.bad(stage.measure).stuck;
                 stuck.try_reserve(1)?;
@@ -161,13 +163,13 @@ impl Improve {
                 continue;
             }
             // Neighbours that failed before may succeed now.
-            for i in 0..solid.fresh.len() {
-                let t = solid.fresh[i];
-                self.push(solid, points, t)?;
+            for i in 0..self.reshape.replace.fresh.len() {
+                let t = self.reshape.replace.fresh[i];
+                self.push(mesh, points, t)?;
                 for code in 4 * t..4 * t + 4 {
-                    let n = solid.mesh.across(code) >> 2;
-                    if solid.region[n as usize] != NONE && changed(solid, n) != solid.changes {
-                        self.push(solid, points, n)?;
+                    let n = mesh.across(code) >> 2;
+                    if mesh.region(n) != NONE && mesh.changed(n) != mesh.changes() {
+                        self.push(mesh, points, n)?;
                     }
                 }
             }
@@ -176,12 +178,7 @@ impl Improve {
     }
 }
 
-/// After which change a tetrahedron is what it is.
-fn changed(solid: &Solid, t: u32) -> u64 {
-    solid.changed.get(t as usize).copied().unwrap_or(0)
-}
-
 /// Whether a tetrahedron is still there.
-fn is_there(solid: &Solid, &(_, t, since): &Entry) -> bool {
-    changed(solid, t) == since && solid.mesh.is_live(t)
+fn is_there(mesh: &Mesh, &(_, t, since): &Entry) -> bool {
+    mesh.changed(t) == since && mesh.is_live(t)
 }

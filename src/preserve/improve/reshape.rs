@@ -6,16 +6,19 @@
 //!
 //! Invariants: subfaces, edges on no facet, regions and vertices stay.
 use crate::error::Error;
-use crate::kernel::star::EdgeRing;
+use crate::kernel::around::EdgeRing;
+use crate::kernel::replace::Replace;
+use crate::kernel::reversed;
 use crate::kernel::tables::EDGE;
+use crate::kernel::visited::Visited;
+use crate::kernel::Mesh;
+use crate::kernel::NONE;
 use crate::kernel::{edge_key, face_key};
-use crate::kernel::{flag, NONE};
 use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::ops::shape::{Goal, Measure, Shape};
 use crate::ops::sheet::Sheets;
 use crate::predicates::{Points, Sign};
 use crate::preserve::improve::approach::Approach;
-use crate::preserve::solid::{reversed, Sector, Solid};
 use crate::vector::{dot, sub};
 use rustc_hash::FxHashSet;
 
@@ -49,8 +52,8 @@ pub struct Aim {
 impl Aim {
     /// The goal for the replacement of tetrahedra. Half of their value in the other measure may be lost; otherwise most slivers would stay
     /// because of a hundredth of it.
-    fn goal(&self, solid: &Solid, points: &Points, old: &[u32]) -> Goal {
-        let worst = old.iter().map(|&t| shape(solid, points, t)).fold(Shape::BEST, Shape::worse);
+    fn goal(&self, mesh: &Mesh, points: &Points, old: &[u32]) -> Goal {
+        let worst = old.iter().map(|&t| shape(mesh, points, t)).fold(Shape::BEST, Shape::worse);
         let other = if self.measure == Measure::Angle { Measure::Ratio } else { Measure::Angle };
         let least = (0.5 * worst.by(other)).min(self.enough.by(other)).max(self.least.by(other));
         Goal { measure: self.measure, above: worst.by(self.measure), least }
@@ -58,8 +61,8 @@ impl Aim {
 }
 
 /// The shape of a tetrahedron of the mesh.
-pub fn shape(solid: &Solid, points: &Points, t: u32) -> Shape {
-    Shape::of(points, solid.mesh.verts[t as usize])
+pub fn shape(mesh: &Mesh, points: &Points, t: u32) -> Shape {
+    Shape::of(points, mesh.verts(t))
 }
 
 /// Takes steps; keeps its scratch space.
@@ -68,6 +71,9 @@ pub struct Reshape {
     sheets: Sheets,
     approach: Approach,
     reconnect: Reconnect,
+    /// Puts tetrahedra in place.
+    pub replace: Replace,
+    visited: Visited,
     ring: Vec<u32>,
     link: Vec<u32>,
     cavity: Vec<u32>,
@@ -82,10 +88,10 @@ pub struct Reshape {
 }
 
 impl Reshape {
-    /// Tries all ways to improve a tetrahedron; the new ones are `solid.fresh`.
+    /// Tries all ways to improve a tetrahedron; the new ones are in `replace.fresh`.
     pub fn improve(
         &mut self,
-        solid: &mut Solid,
+        mesh: &mut Mesh,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
         t: u32,
@@ -93,33 +99,33 @@ impl Reshape {
         effort: Effort,
     ) -> Result<bool, Error> {
         for [i, j] in EDGE {
-            let verts = solid.mesh.verts[t as usize];
+            let verts = mesh.verts(t);
             let edge = [verts[i as usize], verts[j as usize]];
-            if self.remove_edge(solid, points, isolated, t, edge, aim)? {
+            if self.remove_edge(mesh, points, isolated, t, edge, aim)? {
                 return Ok(true);
             }
         }
-        if effort.thorough && self.lift(solid, points, isolated, t, aim)? {
+        if effort.thorough && self.lift(mesh, points, isolated, t, aim)? {
             return Ok(true);
         }
         self.given.clear();
         for &(most, budget) in effort.cavities {
             self.ring.clear();
             self.ring.push(t);
-            self.grow(solid, points, isolated, t, most)?;
-            if self.refill(solid, points, aim, budget)? {
+            self.grow(mesh, points, isolated, t, most)?;
+            if self.refill(mesh, points, aim, budget)? {
                 return Ok(true);
             }
             if !effort.thorough || !self.approach.walls.is_empty() {
                 continue;
             }
             for [i, j] in EDGE {
-                let verts = solid.mesh.verts[t as usize];
-                if !self.collect_ring(solid, isolated, t, [verts[i as usize], verts[j as usize]])? {
+                let verts = mesh.verts(t);
+                if !self.collect_ring(mesh, isolated, t, [verts[i as usize], verts[j as usize]])? {
                     continue;
                 }
-                self.grow(solid, points, isolated, t, most)?;
-                if self.refill(solid, points, aim, budget)? {
+                self.grow(mesh, points, isolated, t, most)?;
+                if self.refill(mesh, points, aim, budget)? {
                     return Ok(true);
                 }
             }
@@ -130,22 +136,22 @@ impl Reshape {
     /// Gives the walls of a tetrahedron another apex, if it has walls.
     fn lift(
         &mut self,
-        solid: &mut Solid,
+        mesh: &mut Mesh,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
         t: u32,
         aim: &Aim,
     ) -> Result<bool, Error> {
-        let goal = aim.goal(solid, points, &[t]);
-        self.approach.find(solid, points, isolated, t, &goal)?;
+        let goal = aim.goal(mesh, points, &[t]);
+        self.approach.find(mesh, points, isolated, t, &goal)?;
         for i in 0..self.approach.apexes.len() {
             let apex = self.approach.apexes[i];
-            self.approach.collect(solid, points, isolated, t, apex, &mut self.ring)?;
-            self.grow(solid, points, isolated, t, 0)?;
+            self.approach.collect(mesh, points, isolated, t, apex, &mut self.ring)?;
+            self.grow(mesh, points, isolated, t, 0)?;
             self.given.clear();
             self.given.extend(self.approach.walls.iter().map(|&[x, y, z]| [apex, x, y, z]));
             let small = self.corners.len() <= MOST_AT_WALL;
-            if self.refill(solid, points, aim, if small { BUDGET_AT_WALL } else { 0 })? {
+            if self.refill(mesh, points, aim, if small { BUDGET_AT_WALL } else { 0 })? {
                 return Ok(true);
             }
         }
@@ -155,17 +161,17 @@ impl Reshape {
     /// Finds the tetrahedra round an edge and its link; false if it must stay.
     fn collect_ring(
         &mut self,
-        solid: &Solid,
+        mesh: &Mesh,
         isolated: &FxHashSet<[u32; 2]>,
         t: u32,
         [p, q]: [u32; 2],
     ) -> Result<bool, Error> {
         self.ring.clear();
         self.link.clear();
-        for (t, .., k, l) in EdgeRing::new(&solid.mesh, t, p, q) {
-            let walls = flag::FACE << k | flag::FACE << l;
-            if solid.mesh.flags[t as usize] & walls != 0
-                || solid.region[t as usize] == NONE
+        for (t, .., k, l) in EdgeRing::new(mesh, t, p, q) {
+            if mesh.is_subface(4 * t + k)
+                || mesh.is_subface(4 * t + l)
+                || mesh.region(t) == NONE
                 || self.ring.len() == MOST_IN_RING
             {
                 return Ok(false);
@@ -173,7 +179,7 @@ impl Reshape {
             self.ring.try_reserve(1)?;
             self.ring.push(t);
             self.link.try_reserve(1)?;
-            self.link.push(solid.mesh.verts[t as usize][k as usize]);
+            self.link.push(mesh.vertex(t, k));
         }
         Ok(self.ring.len() >= 3 && !isolated.contains(&edge_key(p, q)))
     }
@@ -181,43 +187,40 @@ impl Reshape {
     /// Removes an edge of a tetrahedron with the best sheet.
     fn remove_edge(
         &mut self,
-        solid: &mut Solid,
+        mesh: &mut Mesh,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
         t: u32,
         [p, q]: [u32; 2],
         aim: &Aim,
     ) -> Result<bool, Error> {
-        if !self.collect_ring(solid, isolated, t, [p, q])? {
+        if !self.collect_ring(mesh, isolated, t, [p, q])? {
             return Ok(false);
         }
-        let goal = aim.goal(solid, points, &self.ring);
+        let goal = aim.goal(mesh, points, &self.ring);
         self.new.clear();
         if !self.sheets.improve(points, [p, q], &self.link, &goal, &mut self.new)? {
             return Ok(false);
         }
-        let region = solid.region[t as usize];
-        let sector =
-            Sector { old: std::mem::take(&mut self.ring), new: std::mem::take(&mut self.new), region };
-        solid.replace(std::slice::from_ref(&sector))?;
-        (self.ring, self.new) = (sector.old, sector.new);
+        self.replace.cavity(mesh, &self.ring, &self.new, &[])?;
         Ok(true)
     }
 
     /// Collects tetrahedra around one, up to a number of vertices: always the one with the nearest new vertex, or without any.
     fn grow(
         &mut self,
-        solid: &mut Solid,
+        mesh: &mut Mesh,
         points: &Points,
         isolated: &FxHashSet<[u32; 2]>,
         seed: u32,
         most: usize,
     ) -> Result<(), Error> {
         self.cavity.clear();
+        self.visited.begin();
         self.corners.clear();
         self.doors.clear();
         self.corners.try_reserve(most + 4)?;
-        let start = solid.mesh.verts[seed as usize];
+        let start = mesh.verts(seed);
         let mut center = [0.0; 3];
         for p in start.map(|v| points.xyz(v)) {
             center = [0, 1, 2].map(|k| center[k] + 0.25 * p[k]);
@@ -227,15 +230,14 @@ impl Reshape {
         while let Some(t) = next {
             self.cavity.try_reserve(1)?;
             self.cavity.push(t);
-            solid.mesh.flags[t as usize] |= flag::MARK;
-            for v in solid.mesh.verts[t as usize] {
+            self.visited.insert(t)?;
+            for v in mesh.verts(t) {
                 if !self.corners.contains(&v) {
                     self.corners.push(v);
                 }
             }
             self.doors.try_reserve(4)?;
-            self.doors
-                .extend((4 * t..4 * t + 4).filter(|&c| !solid.is_wall(c)).map(|c| solid.mesh.across(c)));
+            self.doors.extend((4 * t..4 * t + 4).filter(|&c| !mesh.is_wall(c)).map(|c| mesh.across(c)));
             if let Some(seed) = seeds.pop() {
                 next = Some(seed);
                 continue;
@@ -245,12 +247,12 @@ impl Reshape {
             while i < self.doors.len() {
                 let code = self.doors[i];
                 let t = code >> 2;
-                if solid.mesh.flags[t as usize] & flag::MARK != 0 || !may_join(solid, isolated, t) {
+                if self.visited.contains(t) || !may_join(mesh, isolated, &self.visited, t) {
                     self.doors.swap_remove(i);
                     continue;
                 }
                 i += 1;
-                let apex = solid.mesh.apex(code);
+                let apex = mesh.apex(code);
                 let known = self.corners.contains(&apex);
                 if !known && self.corners.len() >= most {
                     continue;
@@ -292,23 +294,19 @@ impl Reshape {
         Ok(!self.faces.is_empty())
     }
 
-    /// Fills the cavity as well as the search can, or in some better way with the given tetrahedra; its own are unmarked.
-    fn refill(&mut self, solid: &mut Solid, points: &Points, aim: &Aim, budget: u32) -> Result<bool, Error> {
+    /// Fills the cavity as well as the search can, or in some better way with the given tetrahedra.
+    fn refill(&mut self, mesh: &mut Mesh, points: &Points, aim: &Aim, budget: u32) -> Result<bool, Error> {
         self.faces.clear();
         self.inner.clear();
         for &t in &self.cavity {
             for code in 4 * t..4 * t + 4 {
-                let n = solid.mesh.across(code) >> 2;
-                if solid.mesh.flags[n as usize] & flag::MARK == 0 {
+                if !self.visited.contains(mesh.across(code) >> 2) {
                     self.faces.try_reserve(1)?;
-                    self.faces.push(solid.mesh.face(code));
+                    self.faces.push(mesh.face(code));
                 }
             }
         }
-        for &t in &self.cavity {
-            solid.mesh.flags[t as usize] &= !flag::MARK;
-        }
-        let goal = aim.goal(solid, points, &self.cavity);
+        let goal = aim.goal(mesh, points, &self.cavity);
         if budget == 0 || !self.cut_given(points, &goal)? {
             return Ok(false);
         }
@@ -328,11 +326,7 @@ impl Reshape {
         }
         self.new.try_reserve(self.given.len())?;
         self.new.extend_from_slice(&self.given);
-        let region = solid.region[self.cavity[0] as usize];
-        let sector =
-            Sector { old: std::mem::take(&mut self.cavity), new: std::mem::take(&mut self.new), region };
-        solid.replace(std::slice::from_ref(&sector))?;
-        (self.cavity, self.new) = (sector.old, sector.new);
+        self.replace.cavity(mesh, &self.cavity, &self.new, &[])?;
         Ok(true)
     }
 }
@@ -342,14 +336,11 @@ fn same_way([a, b, c]: [u32; 3], face: [u32; 3]) -> bool {
     face == [a, b, c] || face == [b, c, a] || face == [c, a, b]
 }
 
-/// Whether a tetrahedron may be added to the marked ones: no subface and no edge on no facet may come to lie inside.
-pub(super) fn may_join(solid: &Solid, isolated: &FxHashSet<[u32; 2]>, t: u32) -> bool {
-    let walled = (4 * t..4 * t + 4).any(|code| {
-        let n = solid.mesh.across(code) >> 2;
-        solid.mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0
-            && solid.mesh.flags[n as usize] & flag::MARK != 0
-    });
-    let verts = solid.mesh.verts[t as usize];
+/// Whether a tetrahedron may be added to those visited: no subface and no edge on no facet may come to lie inside.
+pub(super) fn may_join(mesh: &Mesh, isolated: &FxHashSet<[u32; 2]>, visited: &Visited, t: u32) -> bool {
+    let walled =
+        (4 * t..4 * t + 4).any(|code| mesh.is_subface(code) && visited.contains(mesh.across(code) >> 2));
+    let verts = mesh.verts(t);
     let free = isolated.is_empty()
         || EDGE.iter().all(|&[i, j]| !isolated.contains(&edge_key(verts[i as usize], verts[j as usize])));
     !walled && free

@@ -3,12 +3,12 @@
 //! A compass search (Hooke & Jeeves 1961) from where the point is and from the point farthest from the planes of its star. Quality is
 //! floating-point and only compared; a position counts only if it sees all faces of the star exactly.
 use crate::error::Error;
-use crate::kernel::star::StarSearch;
+use crate::kernel::around::StarSearch;
+use crate::kernel::Mesh;
 use crate::ops::place::{place_at_center, sees_all};
 use crate::ops::quality::quality;
 use crate::predicates::{in_range, Points};
 use crate::preserve::inside::Inside;
-use crate::preserve::solid::Solid;
 use crate::vector::{dot, sub};
 
 /// Sweeps over all points, and halvings of the step.
@@ -16,12 +16,12 @@ const SWEEPS: usize = 3;
 const HALVINGS: usize = 12;
 
 /// Moves the points inside.
-pub fn smooth(solid: &mut Solid, points: &mut Points, inside: &Inside) -> Result<(), Error> {
+pub fn smooth(mesh: &mut Mesh, points: &mut Points, inside: &Inside) -> Result<(), Error> {
     let mut search = StarSearch::default();
     let mut faces = Vec::new();
     for _ in 0..SWEEPS {
         for &p in &inside.list {
-            solid.link(&mut search, p, &mut faces)?;
+            search.link(mesh, p, &mut faces)?;
             improve(points, p, &faces)?;
         }
     }

@@ -3,11 +3,11 @@
 //! A walk from one end to the other, from feature to feature: through the inside of a face, or across an edge (then the whole ring
 //! round that edge belongs to the corridor). Exact signs only, so coplanar points, as on the flat sides of parts, are no special
 //! case. A vertex on the segment ends the walk: a valid PLC has none there.
-use crate::delaunay::Delaunay;
 use crate::error::Error;
-use crate::kernel::star::{EdgeRing, StarSearch};
+use crate::kernel::around::{EdgeRing, StarSearch};
+use crate::kernel::cavity::Cavity;
+use crate::kernel::Mesh;
 use crate::predicates::{Points, Sign};
-use crate::preserve::cavity::Cavity;
 
 /// What the segment crosses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +29,7 @@ enum Step {
 /// The result of the walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// The corridor is in the cavity (marked).
+    /// The corridor is in the cavity.
     Found,
     /// The edge is in the mesh.
     Present,
@@ -49,10 +49,10 @@ pub struct Corridor {
 }
 
 impl Corridor {
-    /// Collects the corridor of `a b` in `cavity`; its tetrahedra stay marked if the outcome is `Found`.
+    /// Collects the corridor of `a b` in `cavity`.
     pub fn collect(
         &mut self,
-        delaunay: &mut Delaunay,
+        mesh: &Mesh,
         points: &Points,
         [a, b]: [u32; 2],
         cavity: &mut Cavity,
@@ -60,52 +60,46 @@ impl Corridor {
         cavity.clear();
         self.obstacles.clear();
         self.features.clear();
-        let mut step = match self.leave(delaunay, points, [a, b])? {
+        let mut step = match self.leave(mesh, points, [a, b])? {
             Ok(step) => step,
             Err(outcome) => return Ok(outcome),
         };
         if let Step::Face(code) = step {
-            let first = delaunay.mesh.across(code) >> 2;
-            cavity.add(delaunay, first)?;
+            let first = mesh.across(code) >> 2;
+            cavity.add(first)?;
         }
-        for _ in 0..delaunay.mesh.slot_count() {
+        for _ in 0..mesh.slot_count() {
             self.features.try_reserve(1)?;
             self.features.push(match step {
-                Step::Face(code) => Feature::Face(delaunay.mesh.face(code)),
+                Step::Face(code) => Feature::Face(mesh.face(code)),
                 Step::Edge(_, p, q) => Feature::Edge([p, q]),
             });
             let next = match step {
-                Step::Face(code) => self.through_face(delaunay, points, [a, b], code, cavity)?,
-                Step::Edge(t, p, q) => self.across_edge(delaunay, points, [a, b], t, [p, q], cavity)?,
+                Step::Face(code) => self.through_face(mesh, points, [a, b], code, cavity)?,
+                Step::Edge(t, p, q) => self.across_edge(mesh, points, [a, b], t, [p, q], cavity)?,
             };
             match next {
                 Ok(next) => step = next,
-                Err(Outcome::Found) => return Ok(Outcome::Found),
-                Err(outcome) => {
-                    cavity.unmark(delaunay);
-                    return Ok(outcome);
-                }
+                Err(outcome) => return Ok(outcome),
             }
         }
-        cavity.unmark(delaunay);
         Ok(Outcome::Blocked)
     }
 
     /// The first feature met when leaving `a` towards `b`.
     fn leave(
         &mut self,
-        delaunay: &mut Delaunay,
+        mesh: &Mesh,
         points: &Points,
         [a, b]: [u32; 2],
     ) -> Result<Result<Step, Outcome>, Error> {
-        let start = delaunay.vertex_tet[a as usize];
-        self.search.vertex_star(&mut delaunay.mesh, a, start);
-        let mesh = &delaunay.mesh;
+        let start = mesh.vertex_tet[a as usize];
+        self.search.vertex_star(mesh, a, start)?;
         for &t in &self.search.tets {
             if mesh.is_ghost(t) {
                 continue;
             }
-            if mesh.verts[t as usize].contains(&b) {
+            if mesh.verts(t).contains(&b) {
                 return Ok(Err(Outcome::Present));
             }
             let Some(i) = mesh.slot_of(t, a) else { continue };
@@ -140,18 +134,17 @@ impl Corridor {
     /// Goes through the tetrahedron behind a face that the segment pierces.
     fn through_face(
         &mut self,
-        delaunay: &mut Delaunay,
+        mesh: &Mesh,
         points: &Points,
         [a, b]: [u32; 2],
         code: u32,
         cavity: &mut Cavity,
     ) -> Result<Result<Step, Outcome>, Error> {
         let t = code >> 2;
-        if delaunay.mesh.is_ghost(t) {
+        if mesh.is_ghost(t) {
             return Ok(Err(Outcome::Blocked));
         }
-        cavity.add(delaunay, t)?;
-        let mesh = &delaunay.mesh;
+        cavity.add(t)?;
         let w = mesh.apex(code);
         if w == b {
             return Ok(Err(Outcome::Found));
@@ -181,7 +174,7 @@ impl Corridor {
     /// Goes on beyond an edge that the segment crosses.
     fn across_edge(
         &mut self,
-        delaunay: &mut Delaunay,
+        mesh: &Mesh,
         points: &Points,
         [a, b]: [u32; 2],
         t: u32,
@@ -191,23 +184,19 @@ impl Corridor {
         self.obstacles.try_reserve(1)?;
         self.obstacles.push([p, q]);
         self.ring.clear();
-        {
-            let mesh = &delaunay.mesh;
-            for (t, _, _, k, l) in EdgeRing::new(mesh, t, p, q) {
-                if mesh.is_ghost(t) {
-                    return Ok(Err(Outcome::Blocked));
-                }
-                self.ring.try_reserve(1)?;
-                self.ring.push((t, mesh.verts[t as usize][k as usize], mesh.verts[t as usize][l as usize]));
+        for (t, _, _, k, l) in EdgeRing::new(mesh, t, p, q) {
+            if mesh.is_ghost(t) {
+                return Ok(Err(Outcome::Blocked));
             }
+            self.ring.try_reserve(1)?;
+            self.ring.push((t, mesh.vertex(t, k), mesh.vertex(t, l)));
         }
         for &(t, ..) in &self.ring {
-            cavity.add(delaunay, t)?;
+            cavity.add(t)?;
         }
         if self.ring.iter().any(|&(_, r, s)| r == b || s == b) {
             return Ok(Err(Outcome::Found));
         }
-        let mesh = &delaunay.mesh;
         for &(t, r, s) in &self.ring {
             // (p, q, r, s) is positive.
             let (beyond_r, before_s) = (points.orient3d(p, q, r, b), points.orient3d(p, q, b, s));

@@ -7,15 +7,16 @@
 //! to the end gets points ([`breakpoint`](crate::preserve::recover::breakpoint)), each of which makes the corridors shorter, so that this ends.
 //!
 //! Invariants: `edges` holds the surface's edges that the mesh has, flags the faces; neither is ever lost.
-use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::facets::cavity::RegionCavity;
+use crate::kernel::around::StarSearch;
+use crate::kernel::cavity::{Cavity, Edges};
 use crate::kernel::edge_key;
-use crate::kernel::star::StarSearch;
+use crate::kernel::replace::Replace;
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::predicates::{Expansion, Points, Sign};
-use crate::preserve::cavity::{Cavity, Edges};
 use crate::preserve::recover::breakpoint::breakpoint;
 use crate::preserve::recover::corridor::{Corridor, Feature, Outcome};
 use crate::preserve::recover::flips::{Flips, Limits, Site};
@@ -56,12 +57,13 @@ const MOST_PIECES: u32 = 4096;
 
 /// The state of a recovery.
 pub struct Recovery<'a> {
-    pub(super) delaunay: &'a mut Delaunay,
+    pub(super) mesh: &'a mut Mesh,
     /// The vertices.
     pub points: &'a mut Points,
     pub(super) rounds: &'static [Round],
     pub(super) edges: Edges,
     pub(super) cavity: Cavity,
+    pub(super) replace: Replace,
     corridor: Corridor,
     places: Vec<f64>,
     obstacles: Vec<[u32; 2]>,
@@ -85,14 +87,15 @@ pub struct Recovery<'a> {
 }
 
 impl<'a> Recovery<'a> {
-    /// Prepares a recovery; `delaunay.vertex_tet` must be up to date.
-    pub fn new(delaunay: &'a mut Delaunay, points: &'a mut Points, rounds: &'static [Round]) -> Self {
+    /// Prepares a recovery; `mesh.vertex_tet` must be up to date.
+    pub fn new(mesh: &'a mut Mesh, points: &'a mut Points, rounds: &'static [Round]) -> Self {
         Recovery {
-            delaunay,
+            mesh,
             points,
             rounds,
             edges: Edges::default(),
             cavity: Cavity::default(),
+            replace: Replace::default(),
             corridor: Corridor::default(),
             places: Vec::new(),
             obstacles: Vec::new(),
@@ -119,7 +122,7 @@ impl<'a> Recovery<'a> {
         let mut missing: Vec<u32> = Vec::new();
         self.edges.try_reserve(edges.len())?;
         for (i, &[a, b]) in edges.iter().enumerate() {
-            if self.has_edge(a, b) {
+            if self.has_edge(a, b)? {
                 self.edges.insert(edge_key(a, b));
             } else {
                 missing.try_reserve(1)?;
@@ -183,10 +186,9 @@ impl<'a> Recovery<'a> {
     /// Puts a point on a missing piece.
     fn split(&mut self, segments: &mut Segments, piece: u32) -> Result<bool, Error> {
         let sub = segments.pieces[piece as usize];
-        if self.corridor.collect(self.delaunay, self.points, sub.ends, &mut self.cavity)? != Outcome::Found {
+        if self.corridor.collect(self.mesh, self.points, sub.ends, &mut self.cavity)? != Outcome::Found {
             return Ok(false);
         }
-        self.cavity.unmark(self.delaunay);
         let [a, b] = segments.ends[sub.segment as usize];
         let part = breakpoint(self.points, sub.ends, &self.corridor.features, &mut self.places);
         let t = sub.t[0] + part * (sub.t[1] - sub.t[0]);
@@ -194,18 +196,17 @@ impl<'a> Recovery<'a> {
             return Ok(false);
         }
         let v = self.points.push_on_segment(a, b, &Expansion::from(t))?;
-        self.delaunay.vertex_tet.try_reserve(1)?;
-        self.delaunay.vertex_tet.push(NONE);
+        self.mesh.vertex_tet.try_reserve(1)?;
+        self.mesh.vertex_tet.push(NONE);
         // The tetrahedra whose closure has the point: it sees their boundary.
-        let (mesh, points) = (&self.delaunay.mesh, &*self.points);
+        let (mesh, points) = (&self.mesh, &*self.points);
         self.cavity.tets.retain(|&t| {
             (0..4).all(|f| {
                 let [x, y, z] = mesh.face(4 * t + f);
                 points.orient3d(v, x, y, z) != Sign::Negative
             })
         });
-        self.cavity.mark(self.delaunay);
-        self.cavity.bound(self.delaunay, &self.edges)?;
+        self.cavity.bound(self.mesh, &self.edges)?;
         self.tets.clear();
         self.tets.try_reserve(self.cavity.faces.len())?;
         self.tets.extend(self.cavity.faces.iter().map(|&[x, y, z]| [v, x, y, z]));
@@ -213,7 +214,7 @@ impl<'a> Recovery<'a> {
         if !fits || !self.cavity.edges.is_empty() || !self.cavity.inner.is_empty() {
             return Ok(false);
         }
-        self.cavity.replace(self.delaunay, &self.tets, &[])?;
+        self.replace.cavity(self.mesh, &self.cavity.tets, &self.tets, &[])?;
         segments.add_steiner(piece, v, t)?;
         Ok(true)
     }
@@ -227,22 +228,22 @@ impl<'a> Recovery<'a> {
         pieces.sort_by(|&x, &y| length(x).total_cmp(&length(y)).then(x.cmp(&y)));
     }
 
-    pub(super) fn has_edge(&mut self, a: u32, b: u32) -> bool {
-        let start = self.delaunay.vertex_tet[a as usize];
-        start != NONE && self.search.find_edge(&mut self.delaunay.mesh, a, b, start).is_some()
+    pub(super) fn has_edge(&mut self, a: u32, b: u32) -> Result<bool, Error> {
+        let start = self.mesh.vertex_tet[a as usize];
+        Ok(start != NONE && self.search.find_edge(self.mesh, a, b, start)?.is_some())
     }
 
     /// Makes `a b` an edge of the mesh, if possible: obstructing edges are flipped away as long as that shortens its corridor, then the
     /// corridor is filled. Returns whether the edge exists.
     pub(super) fn recover_edge(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
         loop {
-            match self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? {
+            match self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity)? {
                 Outcome::Present => {
                     self.edges.insert(edge_key(edge[0], edge[1]));
                     return Ok(true);
                 }
                 Outcome::Blocked => return Ok(false),
-                Outcome::Found => self.cavity.unmark(self.delaunay),
+                Outcome::Found => {}
             }
             if let [Feature::Edge(crossed)] = self.corridor.features[..] {
                 let (flips, mut site) = self.site();
@@ -258,10 +259,10 @@ impl<'a> Recovery<'a> {
 
     /// Fills the corridor of an edge with the edge in it.
     fn fill_corridor(&mut self, edge: [u32; 2], budget: u32) -> Result<bool, Error> {
-        if self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)? != Outcome::Found {
+        if self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity)? != Outcome::Found {
             return Ok(false);
         }
-        self.cavity.bound(self.delaunay, &self.edges)?;
+        self.cavity.bound(self.mesh, &self.edges)?;
         self.cavity.edges.try_reserve(1)?;
         self.cavity.edges.push(edge);
         self.refill(budget)
@@ -269,8 +270,8 @@ impl<'a> Recovery<'a> {
 
     /// What flips work on.
     pub(super) fn site(&mut self) -> (&mut Flips, Site<'_>) {
-        let Recovery { delaunay, points, edges, cavity, flips, .. } = self;
-        (flips, Site { delaunay, points, edges, cavity })
+        let Recovery { mesh, points, edges, replace, flips, .. } = self;
+        (flips, Site { mesh, points, edges, replace })
     }
 
     /// Fills the bounded cavity and puts the filling in its place.
@@ -282,7 +283,7 @@ impl<'a> Recovery<'a> {
         if !self.reconnect.fill(self.points, &polyhedron, budget, &mut self.tets)? {
             return Ok(false);
         }
-        self.cavity.replace(self.delaunay, &self.tets, &[])?;
+        self.replace.cavity(self.mesh, &self.cavity.tets, &self.tets, &[])?;
         Ok(true)
     }
 
@@ -296,11 +297,8 @@ impl<'a> Recovery<'a> {
             if !flips.remove(&mut site, obstacle, Some(edge), round.limits)? {
                 continue;
             }
-            let outcome = self.corridor.collect(self.delaunay, self.points, edge, &mut self.cavity)?;
+            let outcome = self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity)?;
             let after = if outcome == Outcome::Present { 0 } else { self.cavity.tets.len() };
-            if outcome == Outcome::Found {
-                self.cavity.unmark(self.delaunay);
-            }
             if outcome != Outcome::Blocked && after < before {
                 return Ok(true);
             }
@@ -331,13 +329,13 @@ impl<'a> Recovery<'a> {
     }
 
     /// Flags the triangle in the mesh if it is a face there.
-    pub(super) fn mark_if_present(&mut self, corners: [u32; 3]) -> bool {
-        let start = self.delaunay.vertex_tet[corners[0] as usize];
-        let mesh = &mut self.delaunay.mesh;
-        let found = self.search.find_face(mesh, corners, start);
+    pub(super) fn mark_if_present(&mut self, corners: [u32; 3]) -> Result<bool, Error> {
+        let start = self.mesh.vertex_tet[corners[0] as usize];
+        let mesh = &mut self.mesh;
+        let found = self.search.find_face(mesh, corners, start)?;
         if let Some(code) = found {
-            mesh.flag_face(code);
+            mesh.set_subface(code);
         }
-        found.is_some()
+        Ok(found.is_some())
     }
 }

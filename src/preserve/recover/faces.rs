@@ -32,7 +32,9 @@ impl Recovery<'_> {
         let count = subfaces.verts.len();
         let mut present = Vec::new();
         present.try_reserve(count)?;
-        present.extend(subfaces.verts.iter().map(|&triangle| self.mark_if_present(triangle)));
+        for &triangle in &subfaces.verts {
+            present.push(self.mark_if_present(triangle)?);
+        }
         self.missing_faces = present.iter().filter(|&&p| !p).count() as u64;
         let mut in_region = Vec::new();
         in_region.try_reserve(count)?;
@@ -43,7 +45,7 @@ impl Recovery<'_> {
                 if s % 1024 == 0 {
                     tick((round as f64 + s as f64 / count as f64) / BUDGETS.len() as f64)?;
                 }
-                if present[s] || self.mark_if_present(subfaces.verts[s]) {
+                if present[s] || self.mark_if_present(subfaces.verts[s])? {
                     present[s] = true;
                     continue;
                 }
@@ -51,7 +53,7 @@ impl Recovery<'_> {
                 if region.len() > 1 && self.conform_region(subfaces, &region)? {
                     for &r in &region {
                         in_region[r as usize] = false;
-                        present[r as usize] = self.mark_if_present(subfaces.verts[r as usize]);
+                        present[r as usize] = self.mark_if_present(subfaces.verts[r as usize])?;
                     }
                     if present[s] {
                         continue;
@@ -76,7 +78,7 @@ impl Recovery<'_> {
         for code in 0..3 * subfaces.verts.len() {
             let (v, i) = (subfaces.verts[code / 3], code % 3);
             let (b, c) = (v[(i + 1) % 3], v[(i + 2) % 3]);
-            if subfaces.adj[code / 3][i] != NONE && b < c && !self.has_edge(b, c) {
+            if subfaces.adj[code / 3][i] != NONE && b < c && !self.has_edge(b, c)? {
                 missing.try_reserve(1)?;
                 missing.push([b, c]);
             }
@@ -106,11 +108,11 @@ impl Recovery<'_> {
                     continue;
                 }
                 let (b, c) = (subfaces.verts[t][(i + 1) % 3], subfaces.verts[t][(i + 2) % 3]);
-                if self.has_edge(b, c) {
+                if self.has_edge(b, c)? {
                     continue;
                 }
                 let Some([a, d]) = subfaces.other_diagonal(self.points, code) else { continue };
-                if self.has_edge(a, d) {
+                if self.has_edge(a, d)? {
                     subfaces.turn(code);
                     changed = true;
                 }
@@ -130,7 +132,7 @@ impl Recovery<'_> {
         let mut any = false;
         for (i, &p) in vertices.iter().enumerate() {
             for &q in &vertices[i + 1..] {
-                if !self.has_edge(p, q) {
+                if !self.has_edge(p, q)? {
                     continue;
                 }
                 for _ in 0..region.len() * region.len() {
@@ -171,7 +173,7 @@ impl Recovery<'_> {
         loop {
             let mut all = true;
             for &triangle in region {
-                all &= self.mark_if_present(triangle);
+                all &= self.mark_if_present(triangle)?;
             }
             if all {
                 return Ok(true);
@@ -179,7 +181,7 @@ impl Recovery<'_> {
             if self.collect_crossing(region)? != Opening::Found {
                 return Ok(false);
             }
-            self.cavity.bound(self.delaunay, &self.edges)?;
+            self.cavity.bound(self.mesh, &self.edges)?;
             if self.fill_halves(region, budget, false)? {
                 continue;
             }
@@ -192,9 +194,9 @@ impl Recovery<'_> {
         }
     }
 
-    /// Collects the tetrahedra that cross the region in the cavity, marked, if they can be opened.
+    /// Collects the tetrahedra that cross the region in the cavity, if they can be opened.
     fn collect_crossing(&mut self, region: &[[u32; 3]]) -> Result<Opening, Error> {
-        let outcome = self.crossed.collect(self.delaunay, self.points, region)?;
+        let outcome = self.crossed.collect(self.mesh, self.points, region)?;
         std::mem::swap(&mut self.cavity.tets, &mut self.crossed.tets);
         Ok(outcome)
     }
@@ -204,13 +206,13 @@ impl Recovery<'_> {
         if self.collect_crossing(region)? != Opening::Found {
             return Ok(false);
         }
-        self.cavity.bound(self.delaunay, &self.edges)?;
+        self.cavity.bound(self.mesh, &self.edges)?;
         if !self.fill_halves(region, budget, true)? {
             return Ok(false);
         }
         self.by_points += region.len() as u64;
         for &triangle in region {
-            if !self.mark_if_present(triangle) {
+            if !self.mark_if_present(triangle)? {
                 return Err(Error::internal("a filled region has a missing subface"));
             }
         }
@@ -231,8 +233,8 @@ impl Recovery<'_> {
             self.points.truncate(p as usize);
             return Ok(false);
         }
-        self.delaunay.vertex_tet.try_reserve(1)?;
-        self.delaunay.vertex_tet.push(NONE);
+        self.mesh.vertex_tet.try_reserve(1)?;
+        self.mesh.vertex_tet.push(NONE);
         self.inside.try_reserve(1)?;
         self.inside.push(p);
         self.tets.try_reserve(faces.len())?;
@@ -277,7 +279,7 @@ impl Recovery<'_> {
                 return self.forget_points(known);
             }
         }
-        self.cavity.replace(self.delaunay, &self.tets, region)?;
+        self.replace.cavity(self.mesh, &self.cavity.tets, &self.tets, region)?;
         Ok(true)
     }
 
@@ -285,7 +287,7 @@ impl Recovery<'_> {
     fn forget_points(&mut self, known: usize) -> Result<bool, Error> {
         for _ in known..self.inside.len() {
             self.inside.pop();
-            self.delaunay.vertex_tet.pop();
+            self.mesh.vertex_tet.pop();
             self.points.truncate(self.points.len() - 1);
         }
         Ok(false)
@@ -296,7 +298,7 @@ impl Recovery<'_> {
         let before = self.cavity.tets.len();
         let mut piercing: Vec<[u32; 2]> = Vec::new();
         for &t in &self.cavity.tets {
-            let v = self.delaunay.mesh.verts[t as usize];
+            let v = self.mesh.verts(t);
             let sides = v.map(|w| self.crossed.side(self.points, w));
             for i in 0..4 {
                 for j in 0..i {
@@ -315,9 +317,6 @@ impl Recovery<'_> {
                 continue;
             }
             let outcome = self.collect_crossing(region)?;
-            if outcome == Opening::Found {
-                self.cavity.unmark(self.delaunay);
-            }
             let fewer = self.cavity.tets.len() < before;
             if outcome == Opening::Nothing || (outcome == Opening::Found && fewer) {
                 return Ok(true);

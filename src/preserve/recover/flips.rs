@@ -8,15 +8,16 @@
 //! If an edge is removed to make way for another, the replacing sheet is the one that obstructs the other edge least.
 //!
 //! Invariants: constrained edges and subfaces stay; the mesh is valid after every step.
-use crate::delaunay::Delaunay;
 use crate::error::Error;
+use crate::kernel::around::{EdgeRing, StarSearch};
+use crate::kernel::cavity::Edges;
 use crate::kernel::edge_key;
 use crate::kernel::journal::Journal;
-use crate::kernel::star::{EdgeRing, StarSearch};
-use crate::kernel::{flag, NONE};
+use crate::kernel::replace::Replace;
+use crate::kernel::Mesh;
+use crate::kernel::NONE;
 use crate::ops::sheet::{Sheets, MOST_IN_RING};
 use crate::predicates::{Points, Sign};
-use crate::preserve::cavity::{Cavity, Edges};
 
 /// The most tetrahedra around an edge that is removed to make way for another.
 const USUAL_RING: usize = 16;
@@ -64,13 +65,13 @@ enum Next {
 /// What flips work on.
 pub struct Site<'a> {
     /// The mesh.
-    pub delaunay: &'a mut Delaunay,
+    pub mesh: &'a mut Mesh,
     /// The vertices.
     pub points: &'a Points,
     /// Edges that must stay.
     pub edges: &'a Edges,
-    /// Scratch space.
-    pub cavity: &'a mut Cavity,
+    /// Puts tetrahedra in place.
+    pub replace: &'a mut Replace,
 }
 
 /// Flips; keeps its scratch space and the log of the last removal.
@@ -220,12 +221,14 @@ impl Flips {
         if site.edges.contains(&edge_key(p, q)) {
             return Ok(false);
         }
-        let Delaunay { mesh, vertex_tet, .. } = &mut *site.delaunay;
-        let first = match mesh.verts.get(hint as usize) {
-            Some(v) if v.contains(&p) && v.contains(&q) && mesh.flags[hint as usize] & flag::DEAD == 0 => {
-                hint
-            }
-            _ => match self.search.find_edge(mesh, p, q, vertex_tet[p as usize]) {
+        let mesh = &*site.mesh;
+        let known = (hint as usize) < mesh.slot_count() && mesh.is_live(hint) && {
+            let v = mesh.verts(hint);
+            v.contains(&p) && v.contains(&q)
+        };
+        let first = match known {
+            true => hint,
+            false => match self.search.find_edge(mesh, p, q, mesh.vertex_tet[p as usize])? {
                 Some(first) => first,
                 None => return Ok(false),
             },
@@ -235,13 +238,12 @@ impl Flips {
         self.ring.try_reserve(MOST_IN_RING)?;
         self.link.try_reserve(MOST_IN_RING)?;
         for (t, .., k, l) in EdgeRing::new(mesh, first, p, q) {
-            let flags = mesh.flags[t as usize];
-            let constrained = flags & (flag::FACE << k | flag::FACE << l) != 0;
+            let constrained = mesh.is_subface(4 * t + k) || mesh.is_subface(4 * t + l);
             if constrained || mesh.is_ghost(t) || self.ring.len() == most {
                 return Ok(false);
             }
             self.ring.push(t);
-            self.link.push(mesh.verts[t as usize][k as usize]);
+            self.link.push(mesh.vertex(t, k));
         }
         if let Some(v) = ear {
             let Some(at) = self.link.iter().position(|&w| w == v) else { return Ok(false) };
@@ -273,12 +275,7 @@ impl Flips {
 
     /// Replaces the ring by the current filling.
     fn put(&mut self, site: &mut Site) -> Result<(), Error> {
-        self.log.begin(&site.delaunay.mesh, &self.ring)?;
-        site.cavity.tets.clear();
-        site.cavity.tets.try_reserve(self.ring.len())?;
-        site.cavity.tets.extend_from_slice(&self.ring);
-        site.cavity.replace(site.delaunay, &self.tets, &[])?;
-        self.log.end(&site.cavity.refill.fresh)
+        site.replace.recorded(site.mesh, &self.ring, &self.tets, &mut self.log)
     }
 
     /// The edges whose removal would make the ring smaller: if the ear at a vertex of the link is visible from only one end, the edge to
@@ -302,9 +299,8 @@ impl Flips {
 
     /// Undoes fillings until the log has this length.
     fn undo(&mut self, site: &mut Site, length: usize) -> Result<(), Error> {
-        let Delaunay { mesh, vertex_tet, .. } = &mut *site.delaunay;
         while self.log.len() > length {
-            self.log.take_back(mesh, vertex_tet)?;
+            self.log.take_back(site.mesh)?;
         }
         Ok(())
     }

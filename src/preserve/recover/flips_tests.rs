@@ -1,9 +1,11 @@
 //! Flips on random meshes: removed edges are absent, undone flips restore the mesh, and the mesh is always valid.
-use crate::delaunay::Delaunay;
+use crate::delaunay::Construction;
+use crate::kernel::cavity::Edges;
 use crate::kernel::check::check_topology;
 use crate::kernel::edge_key;
+use crate::kernel::replace::Replace;
+use crate::kernel::Mesh;
 use crate::predicates::{Points, Sign};
-use crate::preserve::cavity::{Cavity, Edges};
 use crate::preserve::recover::breakpoint::breakpoint;
 use crate::preserve::recover::corridor::Feature;
 use crate::preserve::recover::edges::{Recovery, ROUNDS};
@@ -11,7 +13,7 @@ use crate::preserve::recover::flips::{Flips, Limits, Site};
 use crate::segments::recovery::Segments;
 
 /// Points on a small grid, in a fixed random order: many are coplanar.
-fn mesh(seed: u64, count: usize, side: u64) -> (Delaunay, Points) {
+fn grid(seed: u64, count: usize, side: u64) -> (Mesh, Points) {
     let mut state = seed;
     let mut next = || {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -21,20 +23,15 @@ fn mesh(seed: u64, count: usize, side: u64) -> (Delaunay, Points) {
     xyz.sort_by(|a, b| a.partial_cmp(b).unwrap());
     xyz.dedup();
     let points = Points::new(xyz);
-    let mut delaunay = Delaunay::new();
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
-    delaunay.index_vertices(points.len()).unwrap();
-    (delaunay, points)
+    (Construction::of(&points), points)
 }
 
 /// The tetrahedra, as sorted corners in order.
-fn tets(delaunay: &Delaunay) -> Vec<[u32; 4]> {
-    let mesh = &delaunay.mesh;
+fn tets(mesh: &Mesh) -> Vec<[u32; 4]> {
     let live = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t));
     let mut all: Vec<[u32; 4]> = live
         .map(|t| {
-            let mut v = mesh.verts[t as usize];
+            let mut v = mesh.verts(t);
             v.sort_unstable();
             v
         })
@@ -43,12 +40,11 @@ fn tets(delaunay: &Delaunay) -> Vec<[u32; 4]> {
     all
 }
 
-fn edges(delaunay: &Delaunay) -> Vec<[u32; 2]> {
-    let mesh = &delaunay.mesh;
+fn edges(mesh: &Mesh) -> Vec<[u32; 2]> {
     let mut all: Vec<[u32; 2]> = (0..mesh.slot_count() as u32)
         .filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t))
         .flat_map(|t| {
-            let [a, b, c, d] = mesh.verts[t as usize];
+            let [a, b, c, d] = mesh.verts(t);
             [[a, b], [a, c], [a, d], [b, c], [b, d], [c, d]].map(|e| edge_key(e[0], e[1]))
         })
         .collect();
@@ -57,11 +53,10 @@ fn edges(delaunay: &Delaunay) -> Vec<[u32; 2]> {
     all
 }
 
-fn check(delaunay: &Delaunay, points: &Points) {
-    check_topology(&delaunay.mesh).unwrap();
-    let mesh = &delaunay.mesh;
+fn check(mesh: &Mesh, points: &Points) {
+    check_topology(mesh).unwrap();
     for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t)) {
-        let [a, b, c, d] = mesh.verts[t as usize];
+        let [a, b, c, d] = mesh.verts(t);
         assert_eq!(points.orient3d(a, b, c, d), Sign::Positive);
     }
 }
@@ -71,33 +66,31 @@ fn edges_are_removed_or_nothing_changes() {
     let (mut shallow, mut deep) = (0, 0);
     for (seed, side) in [(1, 6), (2, 8), (3, 1000)] {
         for depth in [0, 4] {
-            let (mut delaunay, points) = mesh(seed, 120, side);
-            let (mut cavity, mut flips) = (Cavity::default(), Flips::default());
+            let (mut mesh, points) = grid(seed, 120, side);
+            let (mut replace, mut flips) = (Replace::default(), Flips::default());
             // Every fifth edge is constrained.
-            let all = edges(&delaunay);
+            let all = edges(&mesh);
             let kept: Edges = all.iter().copied().step_by(5).collect();
             for &edge in &all {
-                if !edges(&delaunay).contains(&edge) {
+                if !edges(&mesh).contains(&edge) {
                     continue;
                 }
-                let before = tets(&delaunay);
-                let mut site =
-                    Site { delaunay: &mut delaunay, points: &points, edges: &kept, cavity: &mut cavity };
+                let before = tets(&mesh);
+                let mut site = Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace };
                 let gone = flips.remove(&mut site, edge, None, Limits { depth, rings: 300 }).unwrap();
-                check(&delaunay, &points);
-                let now = edges(&delaunay);
+                check(&mesh, &points);
+                let now = edges(&mesh);
                 assert!(kept.iter().all(|e| now.binary_search(e).is_ok()));
                 assert_eq!(gone, now.binary_search(&edge).is_err());
                 if !gone {
-                    assert_eq!(tets(&delaunay), before);
+                    assert_eq!(tets(&mesh), before);
                     continue;
                 }
                 *if depth == 0 { &mut shallow } else { &mut deep } += 1;
-                let mut site =
-                    Site { delaunay: &mut delaunay, points: &points, edges: &kept, cavity: &mut cavity };
+                let mut site = Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace };
                 flips.take_back(&mut site).unwrap();
-                check(&delaunay, &points);
-                assert_eq!(tets(&delaunay), before);
+                check(&mesh, &points);
+                assert_eq!(tets(&mesh), before);
             }
         }
     }
@@ -114,17 +107,14 @@ fn an_edge_is_exchanged_for_one_that_crosses_it() {
         [r * angle.cos(), r * angle.sin(), 0.0]
     }));
     let points = Points::new(xyz);
-    let mut delaunay = Delaunay::new();
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
-    delaunay.index_vertices(points.len()).unwrap();
+    let mut mesh = Construction::of(&points);
     let (old, new) = ([0, 1], [2, 13]);
-    assert!(edges(&delaunay).contains(&old));
-    let (mut cavity, mut flips, kept) = (Cavity::default(), Flips::default(), Edges::default());
-    let mut site = Site { delaunay: &mut delaunay, points: &points, edges: &kept, cavity: &mut cavity };
+    assert!(edges(&mesh).contains(&old));
+    let (mut replace, mut flips, kept) = (Replace::default(), Flips::default(), Edges::default());
+    let mut site = Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace };
     assert!(flips.exchange(&mut site, old, new).unwrap());
-    check(&delaunay, &points);
-    let now = edges(&delaunay);
+    check(&mesh, &points);
+    let now = edges(&mesh);
     assert!(now.contains(&new) && !now.contains(&old));
 }
 
@@ -150,11 +140,11 @@ fn a_point_goes_into_the_longest_inner_stretch_or_beside_the_only_edge() {
 
 #[test]
 fn segments_become_unions_of_edges_with_all_rounds() {
-    let (unstretched, _) = mesh(7, 400, 50);
+    let (unstretched, _) = grid(7, 400, 50);
     let ends = edges(&unstretched);
     let mut counts = Vec::new();
     for rounds in ROUNDS {
-        let (_, mut points) = mesh(7, 400, 50);
+        let (_, mut points) = grid(7, 400, 50);
         // Stretched, the same points have another Delaunay mesh, and the same edges do not cross.
         let mut stretched: Vec<[f64; 3]> =
             points.coordinates().iter().map(|&[x, y, z]| [x + 8.0 * y, y, 3.0 * z]).collect();
@@ -164,21 +154,18 @@ fn segments_become_unions_of_edges_with_all_rounds() {
             (0..8).map(|i| [end(0, i, -700.0, 1100.0), end(1, i, -900.0, 800.0), end(2, i, -600.0, 1000.0)]),
         );
         points = Points::new(stretched);
-        let mut delaunay = Delaunay::new();
-        let mut order: Vec<u32> = (0..points.len() as u32).collect();
-        delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
-        delaunay.index_vertices(points.len()).unwrap();
+        let mut mesh = Construction::of(&points);
         // Every third edge, so that not all of the mesh is given.
         let wanted: Vec<[u32; 2]> = ends.iter().copied().step_by(3).collect();
         let (pieces, [missing, split]) = {
-            let mut recovery = Recovery::new(&mut delaunay, &mut points, rounds);
+            let mut recovery = Recovery::new(&mut mesh, &mut points, rounds);
             recovery.edges(&wanted, &mut |_| Ok(())).unwrap();
             let mut segments = Segments::new(recovery.points, wanted).unwrap();
             assert!(recovery.split_missing(&mut segments, &mut |_| Ok(())).unwrap());
             (segments.pieces, [recovery.missing_edges, recovery.split])
         };
-        check(&delaunay, &points);
-        let now = edges(&delaunay);
+        check(&mesh, &points);
+        let now = edges(&mesh);
         assert!(pieces.iter().all(|p| now.contains(&edge_key(p.ends[0], p.ends[1]))));
         counts.push((missing, split));
     }

@@ -3,12 +3,13 @@
 //! A hollow that cannot be filled often can be after opening one of its edges: all tetrahedra around it are added, so that the edge is no
 //! longer required. Reflex and flat edges are what obstructs a filling (the twisted diagonals of a prism, for example).
 use crate::error::Error;
+use crate::kernel::replace::Sector;
 use crate::kernel::tables::EDGE;
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::kernel::{edge_key, face_key};
 use crate::ops::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
 use crate::predicates::{Points, Sign};
-use crate::preserve::solid::{Sector, Solid};
 use rustc_hash::FxHashSet;
 
 /// How far to grow.
@@ -56,7 +57,7 @@ pub struct Start<'a> {
     pub without: u32,
     /// An edge that must come.
     pub edge: Option<[u32; 2]>,
-    /// Tetrahedra with both vertices are not added: they belong to another part of the same replacement.
+    /// Mesh with both vertices are not added: they belong to another part of the same replacement.
     pub avoid: [u32; 2],
     /// Nor are these.
     pub taken: &'a [Sector],
@@ -64,8 +65,7 @@ pub struct Start<'a> {
 
 impl Hollow {
     /// Finds the boundary for the tetrahedra in `self.tets`.
-    fn bound(&mut self, solid: &Solid, start: &Start, isolated: &FxHashSet<[u32; 2]>) -> Result<(), Error> {
-        let mesh = &solid.mesh;
+    fn bound(&mut self, mesh: &Mesh, start: &Start, isolated: &FxHashSet<[u32; 2]>) -> Result<(), Error> {
         self.inside.clear();
         self.inside.extend(self.tets.iter().copied());
         self.faces.clear();
@@ -73,7 +73,7 @@ impl Hollow {
         for &t in &self.tets {
             for code in 4 * t..4 * t + 4 {
                 let n = mesh.across(code) >> 2;
-                let wall = solid.is_wall(code);
+                let wall = mesh.is_wall(code);
                 if !wall && self.inside.contains(&n) {
                     continue;
                 }
@@ -97,7 +97,7 @@ impl Hollow {
         self.edges.clear();
         self.edges.extend(start.edge);
         for &t in &self.tets {
-            let verts = mesh.verts[t as usize];
+            let verts = mesh.verts(t);
             for v in verts {
                 if v != start.without && self.corners.insert(v) {
                     self.inner.try_reserve(1)?;
@@ -135,7 +135,7 @@ impl Hollow {
     /// Fills the hollow with more and more opened, breadth first. Returns the new tetrahedra, or nothing; the old ones are in `self.tets`.
     pub fn grow(
         &mut self,
-        solid: &Solid,
+        mesh: &Mesh,
         points: &Points,
         reconnect: &mut Reconnect,
         start: &Start,
@@ -160,7 +160,7 @@ impl Hollow {
             self.tets.extend_from_slice(&queue[next]);
             self.read.try_reserve(self.tets.len())?;
             self.read.extend_from_slice(&self.tets);
-            self.bound(solid, start, isolated)?;
+            self.bound(mesh, start, isolated)?;
             // The caller has already tried the start itself.
             if next > 0 && self.fill(reconnect, points, growth.budget, &mut new)? {
                 return Ok(Some(new));
@@ -169,7 +169,7 @@ impl Hollow {
             if queue.len() > growth.tries {
                 continue;
             }
-            for ring in self.rings(solid, points, start)?.into_iter().take(growth.branches) {
+            for ring in self.rings(mesh, points, start)?.into_iter().take(growth.branches) {
                 let mut larger = self.tets.clone();
                 larger.try_reserve(ring.len())?;
                 larger.extend(ring);
@@ -185,7 +185,7 @@ impl Hollow {
 
     /// The tetrahedra outside round each edge of the boundary that could be opened: reflex edges first, then flat ones, then those
     /// with few tetrahedra.
-    fn rings(&mut self, solid: &Solid, points: &Points, start: &Start) -> Result<Vec<Vec<u32>>, Error> {
+    fn rings(&mut self, mesh: &Mesh, points: &Points, start: &Start) -> Result<Vec<Vec<u32>>, Error> {
         self.at_edge.clear();
         for &(face, code) in &self.doors {
             let [x, y, z] = self.faces[face as usize];
@@ -199,7 +199,7 @@ impl Hollow {
         let Hollow { at_edge, faces, inside, read, .. } = self;
         for pair in at_edge.chunk_by(|a, b| a.0 == b.0) {
             let [(edge, face, code), (_, other, _)] = *pair else { continue };
-            let Some(ring) = ring(solid, edge, code, start, inside, read)? else { continue };
+            let Some(ring) = ring(mesh, edge, code, start, inside, read)? else { continue };
             let [x, y, z] = faces[face as usize];
             let apex = faces[other as usize].into_iter().find(|v| !edge.contains(v));
             let Some(apex) = apex else { continue };
@@ -219,14 +219,13 @@ impl Hollow {
 /// The tetrahedra outside round an edge, from the one behind a boundary face to the next boundary face; none if a wall or what
 /// must not be taken is among them. All that were looked at are added to `read`.
 fn ring(
-    solid: &Solid,
+    mesh: &Mesh,
     edge: [u32; 2],
     code: u32,
     start: &Start,
     inside: &FxHashSet<u32>,
     read: &mut Vec<u32>,
 ) -> Result<Option<Vec<u32>>, Error> {
-    let mesh = &solid.mesh;
     let mut ring = Vec::new();
     let mut entered = code;
     let mut left = mesh.face(code).into_iter().find(|v| !edge.contains(v)).unwrap_or(NONE);
@@ -237,7 +236,7 @@ fn ring(
         }
         read.try_reserve(1)?;
         read.push(t);
-        let verts = &mesh.verts[t as usize];
+        let verts = mesh.verts(t);
         let taken = start.taken.iter().any(|s| s.old.contains(&t));
         if taken || ring.len() >= MOST_RING || start.avoid.iter().all(|v| verts.contains(v)) {
             return Ok(None);
@@ -245,7 +244,7 @@ fn ring(
         ring.try_reserve(1)?;
         ring.push(t);
         let Some(slot) = mesh.slot_of(t, left) else { return Ok(None) };
-        if solid.is_wall(4 * t + slot) {
+        if mesh.is_wall(4 * t + slot) {
             return Ok(None);
         }
         left = mesh.apex(entered);

@@ -1,7 +1,9 @@
 //! Removal of points inside: the star of each is filled without it, if small polyhedron reconnection finds a filling (this includes
 //! contraction to a neighbour, which is a filling with a common apex).
 use crate::error::Error;
-use crate::kernel::star::StarSearch;
+use crate::kernel::around::StarSearch;
+use crate::kernel::replace::Replace;
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::ops::place::place_at_center;
 use crate::ops::reconnect::{Polyhedron, Reconnect};
@@ -9,7 +11,6 @@ use crate::predicates::Points;
 use crate::preserve::inside::Inside;
 use crate::preserve::memory::Memory;
 use crate::preserve::release::hollow::{Growth, Hollow, Start};
-use crate::preserve::solid::{Sector, Solid};
 use rustc_hash::FxHashSet;
 
 /// Deletes points inside.
@@ -17,6 +18,7 @@ use rustc_hash::FxHashSet;
 pub struct Thin {
     reconnect: Reconnect,
     search: StarSearch,
+    replace: Replace,
     faces: Vec<[u32; 3]>,
     hollow: Hollow,
     /// The tetrahedra that the current attempt has read.
@@ -27,7 +29,7 @@ impl Thin {
     /// Tries to remove each point with the given budget until none can be removed; returns the number removed.
     pub fn run(
         &mut self,
-        solid: &mut Solid,
+        mesh: &mut Mesh,
         points: &mut Points,
         inside: &mut Inside,
         isolated: &FxHashSet<[u32; 2]>,
@@ -41,29 +43,29 @@ impl Thin {
             for i in (0..inside.list.len()).rev() {
                 tick()?;
                 let p = inside.list[i];
-                if lasting.knows(solid, p) {
+                if lasting.knows(mesh, p) {
                     continue;
                 }
-                if self.delete(solid, points, p, isolated, growth)? {
+                if self.delete(mesh, points, p, isolated, growth)? {
                     gone += 1;
                 } else {
-                    lasting.note(solid, p, &self.read)?;
+                    lasting.note(mesh, p, &self.read)?;
                 }
             }
-            inside.sweep(solid);
+            inside.sweep(mesh);
             for i in (0..inside.list.len()).rev() {
                 tick()?;
                 let p = inside.list[i];
-                if unmerged.knows(solid, p) {
+                if unmerged.knows(mesh, p) {
                     continue;
                 }
-                if self.merge(solid, points, inside, p, growth.budget)? {
+                if self.merge(mesh, points, inside, p, growth.budget)? {
                     gone += 1;
                 } else {
-                    unmerged.note(solid, p, &self.read)?;
+                    unmerged.note(mesh, p, &self.read)?;
                 }
             }
-            inside.sweep(solid);
+            inside.sweep(mesh);
             if gone == before {
                 return Ok(gone);
             }
@@ -73,18 +75,18 @@ impl Thin {
     /// Fills the star of `p` without it, if it can.
     fn delete(
         &mut self,
-        solid: &mut Solid,
+        mesh: &mut Mesh,
         points: &Points,
         p: u32,
         isolated: &FxHashSet<[u32; 2]>,
         growth: Growth,
     ) -> Result<bool, Error> {
         self.read.clear();
-        let start = solid.vertex_tet[p as usize];
+        let start = mesh.vertex_tet[p as usize];
         if start == NONE {
             return Ok(false);
         }
-        solid.link(&mut self.search, p, &mut self.faces)?;
+        self.search.link(mesh, p, &mut self.faces)?;
         self.read.try_reserve(self.search.tets.len())?;
         self.read.extend_from_slice(&self.search.tets);
         let mut new = Vec::new();
@@ -104,7 +106,7 @@ impl Thin {
                 taken: &[],
             };
             let Some(found) =
-                self.hollow.grow(solid, points, &mut self.reconnect, &start, isolated, growth)?
+                self.hollow.grow(mesh, points, &mut self.reconnect, &start, isolated, growth)?
             else {
                 self.read.try_reserve(self.hollow.read.len())?;
                 self.read.extend_from_slice(&self.hollow.read);
@@ -113,9 +115,8 @@ impl Thin {
             new = found;
             old = std::mem::take(&mut self.hollow.tets);
         }
-        let region = solid.region[start as usize];
-        solid.replace(&[Sector { old, new, region }])?;
-        solid.vertex_tet[p as usize] = NONE;
+        self.replace.cavity(mesh, &old, &new, &[])?;
+        mesh.vertex_tet[p as usize] = NONE;
         Ok(true)
     }
 
@@ -123,28 +124,27 @@ impl Thin {
     /// position.
     fn merge(
         &mut self,
-        solid: &mut Solid,
+        mesh: &mut Mesh,
         points: &mut Points,
         inside: &Inside,
         p: u32,
         budget: u32,
     ) -> Result<bool, Error> {
         self.read.clear();
-        let start = solid.vertex_tet[p as usize];
+        let start = mesh.vertex_tet[p as usize];
         if start == NONE {
             return Ok(false);
         }
-        self.search.vertex_star(&mut solid.mesh, p, start);
+        self.search.vertex_star(mesh, p, start)?;
         self.read.try_reserve(self.search.tets.len())?;
         self.read.extend_from_slice(&self.search.tets);
-        let mut others: Vec<u32> =
-            self.search.tets.iter().flat_map(|&t| solid.mesh.verts[t as usize]).collect();
+        let mut others: Vec<u32> = self.search.tets.iter().flat_map(|&t| mesh.verts(t)).collect();
         others.sort_unstable();
         others.dedup();
         others.retain(|q| *q != p && inside.list.contains(q));
         let star = self.search.tets.clone();
         for q in others {
-            self.search.vertex_star(&mut solid.mesh, q, solid.vertex_tet[q as usize]);
+            self.search.vertex_star(mesh, q, mesh.vertex_tet[q as usize])?;
             self.read.try_reserve(self.search.tets.len())?;
             self.read.extend_from_slice(&self.search.tets);
             let mut old = star.clone();
@@ -153,25 +153,24 @@ impl Thin {
             old.dedup();
             self.faces.clear();
             for code in old.iter().flat_map(|&t| 4 * t..4 * t + 4) {
-                let face = solid.mesh.face(code);
+                let face = mesh.face(code);
                 if !face.contains(&p) && !face.contains(&q) {
                     self.faces.push(face);
                 }
             }
-            let region = solid.region[start as usize];
             let mut new = Vec::new();
             let polyhedron = Polyhedron { faces: &self.faces, ..Polyhedron::default() };
             if self.reconnect.fill(points, &polyhedron, budget, &mut new)? {
-                solid.replace(&[Sector { old, new, region }])?;
-                solid.vertex_tet[p as usize] = NONE;
-                solid.vertex_tet[q as usize] = NONE;
+                self.replace.cavity(mesh, &old, &new, &[])?;
+                mesh.vertex_tet[p as usize] = NONE;
+                mesh.vertex_tet[q as usize] = NONE;
                 return Ok(true);
             }
             let at = *points.xyz(p);
             if place_at_center(points, p, &self.faces)? {
                 new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
-                solid.replace(&[Sector { old, new, region }])?;
-                solid.vertex_tet[q as usize] = NONE;
+                self.replace.cavity(mesh, &old, &new, &[])?;
+                mesh.vertex_tet[q as usize] = NONE;
                 return Ok(true);
             }
             points.move_to(p, at)?;

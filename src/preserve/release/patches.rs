@@ -6,8 +6,12 @@
 //! crossing of `ab` and `cd`, which all the faces see. Diagonals of polygons are not inserted: any others are valid too.
 use crate::elementary::quotient;
 use crate::error::Error;
+use crate::fallible;
+use crate::kernel::ghosts::ghost_at;
+use crate::kernel::replace::{Replace, Sector};
+use crate::kernel::Mesh;
 use crate::kernel::{edge_key, face_key};
-use crate::kernel::{flag, GHOST, NONE};
+use crate::kernel::{GHOST, NONE};
 use crate::ops::place::place;
 use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::options::Preserve;
@@ -16,7 +20,6 @@ use crate::preserve::inside::Inside;
 use crate::preserve::release::hollow::{Growth, Hollow, Start};
 use crate::preserve::release::segments::{axis_of, unit};
 use crate::preserve::release::widen::{Rays, Widen};
-use crate::preserve::solid::{ghost_at, Sector, Solid};
 use crate::vector::{cross, dot, sub};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::VecDeque;
@@ -61,7 +64,7 @@ pub struct Flips {
 /// Retriangulates patches.
 pub struct Retarget<'a> {
     /// The mesh.
-    pub solid: &'a mut Solid,
+    pub mesh: &'a mut Mesh,
     /// The vertices.
     pub points: &'a mut Points,
     /// Points inside.
@@ -77,6 +80,7 @@ pub struct Retarget<'a> {
     /// Points inside that cavities of the current flip swallow.
     swallowed: Vec<u32>,
     reconnect: Reconnect,
+    replace: Replace,
     /// A corner code of each subface.
     code_of: FxHashMap<[u32; 3], u32>,
     /// Apexes of the triangles at each edge of the patch at hand: at most two.
@@ -97,7 +101,7 @@ struct Side {
 impl<'a> Retarget<'a> {
     /// Nothing is done yet.
     pub fn new(
-        solid: &'a mut Solid,
+        mesh: &'a mut Mesh,
         points: &'a mut Points,
         inside: &'a mut Inside,
         isolated: &'a FxHashSet<[u32; 2]>,
@@ -105,7 +109,7 @@ impl<'a> Retarget<'a> {
         growth: Growth,
     ) -> Self {
         Retarget {
-            solid,
+            mesh,
             points,
             inside,
             isolated,
@@ -115,6 +119,7 @@ impl<'a> Retarget<'a> {
             widen: Widen::default(),
             swallowed: Vec::new(),
             reconnect: Reconnect::default(),
+            replace: Replace::default(),
             code_of: FxHashMap::default(),
             apexes: FxHashMap::default(),
             neighbor: FxHashMap::default(),
@@ -132,16 +137,19 @@ impl<'a> Retarget<'a> {
     ) -> Result<Flips, Error> {
         // (patch, triangle) of the target where one is missing, and (patch, key) of what is there instead.
         let mut wrong: Vec<u32> = Vec::new();
+        let mut there = fallible::collect(self.mesh.subfaces().map(|code| face_key(self.mesh.face(code))))?;
+        there.sort_unstable();
         for (&triangle, &patch) in target.triangles.iter().zip(target.patch) {
-            if !self.solid.patch_of.contains_key(&face_key(triangle)) {
+            if there.binary_search(&face_key(triangle)).is_err() {
                 wrong.try_reserve(1)?;
                 wrong.push(patch);
             }
         }
+        drop(there);
         wrong.sort_unstable();
         wrong.dedup();
         let mut present: Vec<(u32, [u32; 3])> = Vec::new();
-        for t in 0..self.solid.mesh.slot_count() as u32 {
+        for t in self.mesh.all() {
             self.note_codes(t, &wrong, &mut present)?;
         }
         present.sort_unstable();
@@ -170,15 +178,13 @@ impl<'a> Retarget<'a> {
     }
 
     fn note_codes(&mut self, t: u32, wrong: &[u32], present: &mut Vec<(u32, [u32; 3])>) -> Result<(), Error> {
-        let flags = self.solid.mesh.flags[t as usize];
-        if flags & flag::DEAD != 0 {
+        if !self.mesh.is_live(t) {
             return Ok(());
         }
-        for f in (0..4).filter(|f| flags & (flag::FACE << f) != 0) {
-            let key = face_key(self.solid.mesh.face(4 * t + f));
-            let Some(&patch) = self.solid.patch_of.get(&key) else { continue };
+        for code in (4 * t..4 * t + 4).filter(|&code| self.mesh.is_subface(code)) {
+            let (key, patch) = (face_key(self.mesh.face(code)), self.mesh.subface(code));
             if wrong.binary_search(&patch).is_ok() {
-                self.code_of.insert(key, 4 * t + f);
+                self.code_of.insert(key, code);
                 present.try_reserve(1)?;
                 present.push((patch, key));
             }
@@ -224,7 +230,7 @@ impl<'a> Retarget<'a> {
             return Ok(());
         }
         let missing = then.iter().filter(|x| x.facet < first_polygon).map(|x| x.corners);
-        let missing = missing.filter(|t| !self.solid.patch_of.contains_key(&face_key(*t)));
+        let missing = missing.filter(|t| !self.code_of.contains_key(&face_key(*t)));
         self.count.missing.extend(missing);
         Ok(())
     }
@@ -311,14 +317,14 @@ impl<'a> Retarget<'a> {
     fn flip(&mut self, patch: u32, [a, b]: [u32; 2], [c, d]: [u32; 2]) -> Result<bool, Error> {
         let (first, second) = (face_key([a, b, c]), face_key([a, b, d]));
         let Some(&code) = self.code_of.get(&first) else { return Ok(false) };
-        let codes = [code, self.solid.mesh.across(code)];
+        let codes = [code, self.mesh.across(code)];
         let before = self.inside.list.len();
         self.swallowed.clear();
         let mut sectors = Vec::new();
         for code in codes {
             let mut side = self.collect_side(code, [a, b], [c, d])?;
             let t = code >> 2;
-            let ghost = self.solid.mesh.is_ghost(t);
+            let ghost = self.mesh.is_ghost(t);
             let new = if ghost {
                 side.faces.iter().map(|&f| ghost_at(f)).collect()
             } else {
@@ -330,23 +336,19 @@ impl<'a> Retarget<'a> {
                     }
                 }
             };
-            sectors.push(Sector { old: side.tets, new, region: self.solid.region[t as usize] });
+            sectors.push(Sector { old: side.tets, new, region: self.mesh.region(t) });
         }
         for key in [first, second] {
-            self.solid.patch_of.remove(&key);
             self.code_of.remove(&key);
         }
-        self.solid.patch_of.insert(face_key([a, c, d]), patch);
-        self.solid.patch_of.insert(face_key([b, c, d]), patch);
-        self.solid.replace(&sectors)?;
+        self.replace.sectors(self.mesh, &sectors, &[([a, c, d], patch), ([b, c, d], patch)])?;
         for &p in &self.swallowed {
-            self.solid.vertex_tet[p as usize] = NONE;
+            self.mesh.vertex_tet[p as usize] = NONE;
         }
-        for i in 0..self.solid.fresh.len() {
-            let t = self.solid.fresh[i];
+        for &t in &self.replace.fresh {
             for code in 4 * t..4 * t + 4 {
-                if self.solid.mesh.flags[t as usize] & (flag::FACE << (code & 3)) != 0 {
-                    self.code_of.insert(face_key(self.solid.mesh.face(code)), code);
+                if self.mesh.is_subface(code) {
+                    self.code_of.insert(face_key(self.mesh.face(code)), code);
                 }
             }
         }
@@ -369,7 +371,7 @@ impl<'a> Retarget<'a> {
 
     /// The tetrahedra round edge `ab` from the face of a corner to the other face of the flip, and what bounds them after it.
     fn collect_side(&self, code: u32, [a, b]: [u32; 2], [c, d]: [u32; 2]) -> Result<Side, Error> {
-        let mesh = &self.solid.mesh;
+        let mesh = &self.mesh;
         let mut side = Side { tets: Vec::new(), faces: Vec::new() };
         let face = mesh.face(code);
         let ghost = mesh.is_ghost(code >> 2);
@@ -387,9 +389,9 @@ impl<'a> Retarget<'a> {
                 side.faces.extend([mesh.face(4 * t + slots[0]), mesh.face(4 * t + slots[1])]);
             }
             let exit = 4 * t + slots[2];
-            let apex = mesh.verts[t as usize].into_iter().find(|&v| v != a && v != b && v != left);
+            let apex = mesh.verts(t).into_iter().find(|&v| v != a && v != b && v != left);
             left = apex.unwrap_or(GHOST);
-            if self.solid.is_wall(exit) {
+            if self.mesh.is_wall(exit) {
                 break;
             }
             t = mesh.across(exit) >> 2;
@@ -432,8 +434,8 @@ impl<'a> Retarget<'a> {
             taken,
         };
         let growth = Growth { budget: self.growth.budget / 4, ..self.growth };
-        let Retarget { solid, points, reconnect, isolated, hollow, .. } = self;
-        if let Some(new) = hollow.grow(solid, points, reconnect, &start, isolated, growth)? {
+        let Retarget { mesh, points, reconnect, isolated, hollow, .. } = self;
+        if let Some(new) = hollow.grow(mesh, points, reconnect, &start, isolated, growth)? {
             self.count.grown += 1;
             side.tets = std::mem::take(&mut hollow.tets);
             return Ok(Some(new));
@@ -443,7 +445,7 @@ impl<'a> Retarget<'a> {
         }
         let [pa, pb, pc, pd] = [a, b, c, d].map(|v| *self.points.xyz(v));
         let (from, normal) = crossing_point(pa, pb, pc, pd);
-        let p = self.inside.add(self.solid, self.points, from)?;
+        let p = self.inside.add(self.mesh, self.points, from)?;
         if place(self.points, p, &side.faces, from, &[normal, normal.map(|x| -x)])? {
             new.try_reserve(side.faces.len())?;
             new.extend(side.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
@@ -462,8 +464,8 @@ impl<'a> Retarget<'a> {
             lean(-1.0, 8.0),
         ];
         let rays = Rays { point: p, from, toward: &toward };
-        let Retarget { solid, points, isolated, inside, widen, .. } = self;
-        if let Some(new) = widen.place(solid, points, &start, isolated, &inside.list, &rays)? {
+        let Retarget { mesh, points, isolated, inside, widen, .. } = self;
+        if let Some(new) = widen.place(mesh, points, &start, isolated, &inside.list, &rays)? {
             side.tets = std::mem::take(&mut widen.tets);
             self.swallowed.try_reserve(self.widen.swallowed.len())?;
             self.swallowed.extend_from_slice(&self.widen.swallowed);

@@ -5,12 +5,12 @@
 //! it gets two to four points around the segment.
 use crate::elementary::power_of_two;
 use crate::error::Error;
+use crate::kernel::replace::Sector;
 use crate::ops::place::place;
 use crate::ops::reconnect::Polyhedron;
 use crate::preserve::release::hollow::Start;
 use crate::preserve::release::segments::{unit, Effort, Unsplit};
 use crate::preserve::release::widen::Rays;
-use crate::preserve::solid::Sector;
 use crate::vector::{cross, dot, sub};
 
 impl Unsplit<'_> {
@@ -68,7 +68,7 @@ impl Unsplit<'_> {
             taken,
         };
         let known = &self.inside.list;
-        let new = self.widen.place(self.solid, self.points, &start, self.isolated, known, rays)?;
+        let new = self.widen.place(self.mesh, self.points, &start, self.isolated, known, rays)?;
         self.read.try_reserve(self.widen.read.len())?;
         self.read.extend_from_slice(&self.widen.read);
         if new.is_some() {
@@ -110,7 +110,7 @@ impl Unsplit<'_> {
     }
 
     pub(super) fn new_point(&mut self, at: [f64; 3]) -> Result<u32, Error> {
-        self.inside.add(self.solid, self.points, at)
+        self.inside.add(self.mesh, self.points, at)
     }
 
     /// Takes the last points inside back, all but the first `count`.

@@ -5,13 +5,14 @@
 //!
 //! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::edge_key;
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::predicates::Points;
 use crate::preserve::inside::Inside;
 use crate::preserve::memory::Memory;
 use crate::preserve::release::segments::{Effort, Outcome, Unsplit};
-use crate::preserve::solid::Solid;
 use crate::preserve::Terms;
 use crate::preserve::{BUDGET, SOME};
 use crate::segments::recovery::Segments;
@@ -77,7 +78,7 @@ impl Along {
 
 /// Takes the points on segments away.
 pub(in crate::preserve) fn remove_all(
-    solid: &mut Solid,
+    mesh: &mut Mesh,
     points: &mut Points,
     Terms { segments, target, internal }: Terms,
     inside: &mut Inside,
@@ -87,13 +88,13 @@ pub(in crate::preserve) fn remove_all(
     // Looked up only where a point goes.
     let count = if along.ends.is_empty() { 0 } else { target.triangles.len() };
     let wanted = edges_of(target.triangles[..count].iter())?;
-    let mut removal = Removal { isolated: isolated_pieces(solid, segments)?, ..Removal::default() };
+    let mut removal = Removal { isolated: isolated_pieces(mesh, segments)?, ..Removal::default() };
     let mut left: Vec<u32> = Vec::new();
     left.try_reserve(along.ends.len())?;
     left.extend((0..along.ends.len() as u32).rev().map(|i| along.first + i));
     let total = left.len().max(1) as f64;
     let mut counts = [0, 0];
-    let mut unsplit = Unsplit::new(solid, points, &wanted, &mut removal.isolated, inside);
+    let mut unsplit = Unsplit::new(mesh, points, &wanted, &mut removal.isolated, inside);
     if target.attempt > 0 {
         left.sort_unstable_by_key(|&v| (shuffled(v - along.first, target.attempt), v));
     }
@@ -108,10 +109,10 @@ pub(in crate::preserve) fn remove_all(
                     tick(1.0 - (before - i + kept.len()) as f64 / total)?;
                 }
                 let stays = effort.relocate && internal.may_stay(v);
-                if stays || lasting.knows(unsplit.solid, v) {
+                if stays || lasting.knows(unsplit.mesh, v) {
                     kept.push(v);
                 } else if !take(&mut unsplit, &mut along, v, effort, &mut counts)? {
-                    lasting.note(unsplit.solid, v, &unsplit.read)?;
+                    lasting.note(unsplit.mesh, v, &unsplit.read)?;
                     kept.push(v);
                 }
             }
@@ -161,8 +162,9 @@ fn edges_of<'a>(triangles: impl ExactSizeIterator<Item = &'a [u32; 3]>) -> Resul
 }
 
 /// The pieces of segments that no subface has.
-fn isolated_pieces(solid: &Solid, segments: &Segments) -> Result<FxHashSet<[u32; 2]>, Error> {
-    let edges = edges_of(solid.patch_of.keys())?;
+fn isolated_pieces(mesh: &Mesh, segments: &Segments) -> Result<FxHashSet<[u32; 2]>, Error> {
+    let faces: Vec<[u32; 3]> = fallible::collect(mesh.subfaces().map(|code| mesh.face(code)))?;
+    let edges = edges_of(faces.iter())?;
     let keys = segments.pieces.iter().map(|piece| edge_key(piece.ends[0], piece.ends[1]));
     Ok(keys.filter(|key| edges.binary_search(key).is_err()).collect())
 }

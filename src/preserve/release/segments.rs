@@ -5,15 +5,17 @@
 //! then *relocated*. Such a position exists by the half-ball argument (section 8.1): the faces opposite the point are seen from all
 //! positions near it, and the walls from those between their planes.
 use crate::error::Error;
+use crate::kernel::edge_key;
+use crate::kernel::ghosts::ghost_at;
+use crate::kernel::replace::{Replace, Sector};
+use crate::kernel::Mesh;
 use crate::kernel::NONE;
-use crate::kernel::{edge_key, face_key};
 use crate::ops::polygon::Polygons;
 use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::predicates::{Points, Sign};
 use crate::preserve::inside::Inside;
 use crate::preserve::release::hollow::{Growth, Hollow, Start};
 use crate::preserve::release::widen::Widen;
-use crate::preserve::solid::{ghost_at, Sector, Solid};
 use crate::preserve::star::{Star, Wall};
 use crate::vector::{cross, dot, sub};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -52,7 +54,7 @@ pub enum Outcome {
 /// Removes boundary points.
 pub struct Unsplit<'a> {
     /// The mesh.
-    pub solid: &'a mut Solid,
+    pub mesh: &'a mut Mesh,
     /// The vertices.
     pub points: &'a mut Points,
     /// Edges of the input's triangles, in order: walls get them where they can.
@@ -62,6 +64,7 @@ pub struct Unsplit<'a> {
     /// Points inside made so far.
     pub inside: &'a mut Inside,
     pub(super) reconnect: Reconnect,
+    replace: Replace,
     hollow: Hollow,
     pub(super) widen: Widen,
     /// Points inside that cavities of the current attempt swallow.
@@ -80,19 +83,20 @@ pub struct Unsplit<'a> {
 impl<'a> Unsplit<'a> {
     /// Nothing is done yet.
     pub fn new(
-        solid: &'a mut Solid,
+        mesh: &'a mut Mesh,
         points: &'a mut Points,
         wanted: &'a [[u32; 2]],
         isolated: &'a mut FxHashSet<[u32; 2]>,
         inside: &'a mut Inside,
     ) -> Self {
         Unsplit {
-            solid,
+            mesh,
             points,
             wanted,
             isolated,
             inside,
             reconnect: Reconnect::default(),
+            replace: Replace::default(),
             hollow: Hollow::default(),
             widen: Widen::default(),
             swallowed: Vec::new(),
@@ -108,10 +112,10 @@ impl<'a> Unsplit<'a> {
 
     /// Tries to remove `v`; `ends` are its neighbours on its segment.
     pub fn remove(&mut self, v: u32, ends: [u32; 2], effort: Effort) -> Result<Outcome, Error> {
-        if self.solid.vertex_tet[v as usize] == NONE {
+        if self.mesh.vertex_tet[v as usize] == NONE {
             return Ok(Outcome::Deleted);
         }
-        self.star.read(self.solid, v, ends)?;
+        self.star.read(self.mesh, v, ends)?;
         self.read.clear();
         for sector in &self.star.sectors {
             self.read.try_reserve(sector.tets.len())?;
@@ -137,21 +141,18 @@ impl<'a> Unsplit<'a> {
             };
             sectors.push(sector);
         }
+        let mut subfaces: Vec<([u32; 3], u32)> = Vec::new();
         for (wall, (options, &c)) in self.star.walls.iter().zip(self.options.iter().zip(&choice)) {
             if wall.patch == NONE {
                 continue;
             }
-            for face in &wall.faces {
-                self.solid.patch_of.remove(face);
-            }
-            for &triangle in &options[c] {
-                self.solid.patch_of.insert(face_key(triangle), wall.patch);
-            }
+            subfaces.try_reserve(options[c].len())?;
+            subfaces.extend(options[c].iter().map(|&triangle| (triangle, wall.patch)));
         }
-        self.solid.replace(&sectors)?;
-        self.solid.vertex_tet[v as usize] = NONE;
+        self.replace.sectors(self.mesh, &sectors, &subfaces)?;
+        self.mesh.vertex_tet[v as usize] = NONE;
         for &p in &self.swallowed {
-            self.solid.vertex_tet[p as usize] = NONE;
+            self.mesh.vertex_tet[p as usize] = NONE;
         }
         if self.isolated.remove(&edge_key(ends[0], v)) {
             self.isolated.remove(&edge_key(v, ends[1]));
@@ -311,7 +312,7 @@ impl<'a> Unsplit<'a> {
             taken,
         };
         let grown =
-            self.hollow.grow(self.solid, self.points, &mut self.reconnect, &start, self.isolated, growth)?;
+            self.hollow.grow(self.mesh, self.points, &mut self.reconnect, &start, self.isolated, growth)?;
         self.read.try_reserve(self.hollow.read.len())?;
         self.read.extend_from_slice(&self.hollow.read);
         Ok(grown)

@@ -10,10 +10,10 @@
 use crate::elementary::power_of_two;
 use crate::error::Error;
 use crate::kernel::tables::EDGE;
+use crate::kernel::Mesh;
 use crate::kernel::{edge_key, face_key};
 use crate::predicates::{in_range, Points, Sign};
 use crate::preserve::release::hollow::Start;
-use crate::preserve::solid::Solid;
 use crate::vector::{dot, sub};
 use rustc_hash::FxHashSet;
 
@@ -55,7 +55,7 @@ impl Widen {
     /// the old ones are in `self.tets`. `known`: the points inside.
     pub fn place(
         &mut self,
-        solid: &Solid,
+        mesh: &Mesh,
         points: &mut Points,
         start: &Start,
         isolated: &FxHashSet<[u32; 2]>,
@@ -64,7 +64,7 @@ impl Widen {
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
         let p = rays.point;
         self.read.clear();
-        let corners = start.tets.iter().flat_map(|&t| solid.mesh.verts[t as usize]);
+        let corners = start.tets.iter().flat_map(|&t| mesh.verts(t));
         let reach =
             corners.map(|v| sub(points.xyz(v), &rays.from)).map(|d| dot(&d, &d)).fold(0.0, f64::max).sqrt();
         for k in 1..=QUARTERINGS {
@@ -75,7 +75,7 @@ impl Widen {
                     continue;
                 }
                 points.move_to(p, at)?;
-                if self.grow(solid, points, p, start)? && self.keeps(solid, start, isolated, known)? {
+                if self.grow(mesh, points, p, start)? && self.keeps(mesh, start, isolated, known)? {
                     let mut new = Vec::new();
                     new.try_reserve(self.faces.len())?;
                     new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
@@ -87,12 +87,11 @@ impl Widen {
     }
 
     /// The smallest cavity that holds the start and is star-shaped from `p`; false if there is none.
-    fn grow(&mut self, solid: &Solid, points: &Points, p: u32, start: &Start) -> Result<bool, Error> {
+    fn grow(&mut self, mesh: &Mesh, points: &Points, p: u32, start: &Start) -> Result<bool, Error> {
         let sees = |[x, y, z]: [u32; 3]| points.orient3d(p, x, y, z) == Sign::Positive;
         if !start.walls.iter().all(|&face| sees(face)) {
             return Ok(false);
         }
-        let mesh = &solid.mesh;
         self.tets.clear();
         self.inside.clear();
         self.doors.clear();
@@ -103,7 +102,7 @@ impl Widen {
         self.doors.extend(start.tets.iter().flat_map(|&t| 4 * t..4 * t + 4));
         while let Some(code) = self.doors.pop() {
             let n = mesh.across(code);
-            let wall = solid.is_wall(code);
+            let wall = mesh.is_wall(code);
             if !wall && self.inside.contains(&(n >> 2)) {
                 continue;
             }
@@ -114,7 +113,7 @@ impl Widen {
             if wall || self.tets.len() >= MOST_TETS {
                 return Ok(false);
             }
-            let (t, verts) = (n >> 2, &mesh.verts[(n >> 2) as usize]);
+            let (t, verts) = (n >> 2, mesh.verts(n >> 2));
             self.read.try_reserve(1)?;
             self.read.push(t);
             if start.taken.iter().any(|s| s.old.contains(&t)) || start.avoid.iter().all(|v| verts.contains(v))
@@ -133,19 +132,18 @@ impl Widen {
     /// Collects the faces of the cavity; false if a vertex or an edge that must stay is on none of them.
     fn keeps(
         &mut self,
-        solid: &Solid,
+        mesh: &Mesh,
         start: &Start,
         isolated: &FxHashSet<[u32; 2]>,
         known: &[u32],
     ) -> Result<bool, Error> {
-        let mesh = &solid.mesh;
         let Widen { tets, swallowed, faces, inside, corners, edges, .. } = self;
         faces.clear();
         faces.try_reserve(start.walls.len())?;
         faces.extend_from_slice(start.walls);
         for code in tets.iter().flat_map(|&t| 4 * t..4 * t + 4) {
             let face = mesh.face(code);
-            let wall = solid.is_wall(code);
+            let wall = mesh.is_wall(code);
             let open = if wall {
                 start.gone.contains(&face_key(face))
             } else {
@@ -159,7 +157,7 @@ impl Widen {
         corners.clear();
         corners.extend(faces.iter().flatten().copied());
         swallowed.clear();
-        for v in tets.iter().flat_map(|&t| mesh.verts[t as usize]) {
+        for v in tets.iter().flat_map(|&t| mesh.verts(t)) {
             if v == start.without || !corners.insert(v) {
                 continue;
             }
@@ -175,7 +173,7 @@ impl Widen {
         edges.clear();
         edges.extend(faces.iter().flat_map(|&[x, y, z]| [edge_key(x, y), edge_key(y, z), edge_key(z, x)]));
         Ok(tets.iter().all(|&t| {
-            let verts = mesh.verts[t as usize];
+            let verts = mesh.verts(t);
             EDGE.iter().all(|&[i, j]| {
                 let key = edge_key(verts[i as usize], verts[j as usize]);
                 !isolated.contains(&key) || key.contains(&start.without) || edges.contains(&key)

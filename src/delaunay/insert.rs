@@ -1,4 +1,4 @@
-//! Cavity insertion with adjacency in O(1) per face.
+//! Insertion of a vertex (Bowyer 1981, Watson 1981), with adjacency in O(1) per face.
 //!
 //! The boundary faces of the conflict region are joined to the new vertex, and the new tetrahedra are linked through a table
 //! indexed by *local* vertex numbers: the boundary's vertices are renumbered from 0, and the half-edge `i → j` of each boundary face is
@@ -10,11 +10,10 @@
 //! flag, or is lost and reported in `lost_edges`.
 use crate::delaunay::conflicts::Conflicts;
 use crate::delaunay::edge_table::EdgeTable;
-use crate::delaunay::Delaunay;
 use crate::error::Error;
 use crate::kernel::slots::Slots;
 use crate::kernel::tables::{EDGE, EDGE_OF};
-use crate::kernel::{flag, GHOST};
+use crate::kernel::{Mesh, GHOST};
 use crate::predicates::Points;
 
 /// Boundary vertices that the table can number: a power of two.
@@ -24,9 +23,9 @@ const ENTRIES: usize = (LOCAL * LOCAL) as usize;
 /// The slots, in a new tetrahedron, of the edge of the boundary half-edge with this corner; the first entry is never used.
 const HALF_EDGE: [[u8; 2]; 4] = [[0, 0], [2, 3], [3, 1], [1, 2]];
 
-/// Scratch space of an insertion.
-#[derive(Clone, Default)]
-pub struct Cavity {
+/// Inserts vertices; keeps its scratch space.
+#[derive(Default)]
+pub struct Inserter {
     pub(super) conflicts: Conflicts,
     /// The new tetrahedra, all with the inserted vertex in slot 0.
     pub fresh: Vec<u32>,
@@ -104,7 +103,7 @@ impl LocalNumbers {
     }
 }
 
-impl Cavity {
+impl Inserter {
     /// Makes room for vertices with ids below `vertex_count`.
     pub fn prepare(&mut self, vertex_count: usize) -> Result<(), Error> {
         let numbers = &mut self.numbers.of_vertex;
@@ -135,7 +134,7 @@ impl Cavity {
 
     /// Joins `p` to the boundary faces, in the slots `fresh`, and links the new tetrahedra, which get `flags`. Consumes the list of faces.
     pub(super) fn fill(&mut self, slots: &Slots, flags: u16, p: u32) -> Result<(), Error> {
-        let Cavity { conflicts, fresh, numbers, half_edges, .. } = self;
+        let Inserter { conflicts, fresh, numbers, half_edges, .. } = self;
         numbers.clear();
         for (face, &t) in conflicts.faces().iter_mut().zip(&*fresh) {
             let [a, b, c, outer] = *face;
@@ -178,62 +177,64 @@ impl Cavity {
     }
 }
 
-impl Delaunay {
+impl Inserter {
     /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`.
-    pub fn insert_at<const CONSTRAINED: bool>(
+    pub fn insert<const CONSTRAINED: bool>(
         &mut self,
+        mesh: &mut Mesh,
         points: &Points,
         p: u32,
         t: u32,
     ) -> Result<u32, Error> {
-        let Delaunay { mesh, cavity, vertex_tet, .. } = self;
-        cavity.conflicts.collect::<false>(&mesh.exclusive(), 0, points, p, t)?;
+        self.conflicts.collect::<false>(&mesh.exclusive(), 0, points, p, t)?;
         if CONSTRAINED {
-            cavity.fresh.clear();
+            self.fresh.clear();
         } else {
-            cavity.reuse_slots()?;
+            self.reuse_slots()?;
         }
-        let reused = cavity.fresh.len();
-        mesh.allocate_all(cavity.conflicts.face_count() - reused, &mut cavity.fresh)?;
-        cavity.fill(&mesh.exclusive(), 0, p)?;
+        let reused = self.fresh.len();
+        mesh.allocate_all(self.conflicts.face_count() - reused, &mut self.fresh)?;
+        self.fill(&mesh.exclusive(), 0, p)?;
         if CONSTRAINED {
-            for &t in &cavity.fresh {
-                for v in mesh.verts[t as usize].into_iter().skip(1).filter(|&v| v != GHOST) {
-                    vertex_tet[v as usize] = t;
+            for &t in &self.fresh {
+                for v in mesh.verts(t).into_iter().skip(1).filter(|&v| v != GHOST) {
+                    mesh.vertex_tet[v as usize] = t;
                 }
             }
-            vertex_tet[p as usize] = cavity.fresh[0];
-            self.carry_edge_flags(p);
+            mesh.vertex_tet[p as usize] = self.fresh[0];
+            self.carry_edge_flags(mesh, p);
         }
-        for &t in &self.cavity.conflicts.dead()[reused..] {
-            self.mesh.release(t);
+        for &t in &self.conflicts.dead()[reused..] {
+            mesh.release(t);
         }
-        Ok(self.cavity.fresh[0])
+        Ok(self.fresh[0])
     }
 
-    /// Gives the new tetrahedra the subsegment flags of the boundary's edges and lists the flagged edges that were destroyed.
+    /// Makes the boundary's subsegments those of the new tetrahedra and lists the subsegments that were destroyed.
     ///
     /// The half-edges of the boundary tell which edges of dead tetrahedra are on it, and which new tetrahedra have them: one per direction.
-    fn carry_edge_flags(&mut self, p: u32) {
-        self.cavity.lost_edges.clear();
-        for i in 0..self.cavity.conflicts.dead().len() {
-            let t = self.cavity.conflicts.dead()[i] as usize;
-            let mut bits = (self.mesh.flags[t] & flag::EDGES) >> 4;
+    fn carry_edge_flags(&mut self, mesh: &mut Mesh, p: u32) {
+        self.lost_edges.clear();
+        for i in 0..self.conflicts.dead().len() {
+            let t = self.conflicts.dead()[i];
+            let mut bits = mesh.subsegment_bits(t);
             while bits != 0 {
                 let e = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let v = self.mesh.verts[t];
+                let v = mesh.verts(t);
                 let (a, b) = (v[EDGE[e][0] as usize], v[EDGE[e][1] as usize]);
-                let (Some(there), Some(back)) = (self.half_edge(p, a, b), self.half_edge(p, b, a)) else {
+                let (Some(there), Some(back)) =
+                    (self.half_edge(mesh, p, a, b), self.half_edge(mesh, p, b, a))
+                else {
                     let edge = [a.min(b), a.max(b)];
-                    if !self.cavity.lost_edges.contains(&edge) {
-                        self.cavity.lost_edges.push(edge);
+                    if !self.lost_edges.contains(&edge) {
+                        self.lost_edges.push(edge);
                     }
                     continue;
                 };
                 for code in [there, back] {
                     let [x, y] = HALF_EDGE[(code & 3) as usize];
-                    self.mesh.flags[(code >> 2) as usize] |= flag::EDGE << EDGE_OF[x as usize][y as usize];
+                    mesh.set_subsegment(code >> 2, EDGE_OF[x as usize][y as usize]);
                 }
             }
         }
@@ -241,14 +242,17 @@ impl Delaunay {
 
     /// The corner code of the boundary's half-edge from `a` to `b` in the tetrahedron that joins it to `p`, if it is on the boundary.
     #[inline(always)]
-    fn half_edge(&self, p: u32, a: u32, b: u32) -> Option<u32> {
-        let Cavity { numbers, half_edges, wide_edges, .. } = &self.cavity;
+    fn half_edge(&self, mesh: &Mesh, p: u32, a: u32, b: u32) -> Option<u32> {
+        let Inserter { numbers, half_edges, wide_edges, .. } = self;
         if numbers.count > LOCAL {
             return wide_edges.get(a, b);
         }
         // Stale entries of earlier cavities are recognized by their vertices: no other tetrahedra have `p`.
         let code = half_edges.get(numbers.last(a), numbers.last(b));
-        let v = self.mesh.verts.get((code >> 2) as usize)?;
+        if (code >> 2) as usize >= mesh.slot_count() {
+            return None;
+        }
+        let v = mesh.verts(code >> 2);
         let [x, y] = HALF_EDGE[(code & 3) as usize];
         (v[0] == p && v[x as usize] == a && v[y as usize] == b).then_some(code)
     }

@@ -1,0 +1,147 @@
+//! What hangs on the mesh: the region of a tetrahedron, the subface on a face, the subsegment on an edge.
+//!
+//! Flags in both tetrahedra at a face tell whether a subface is there, and in all tetrahedra round an edge whether a subsegment is. Regions
+//! and the names of subfaces have arrays of their own, which do not exist until they are given.
+use crate::error::Error;
+use crate::kernel::{flag, Mesh, NONE};
+
+impl Mesh {
+    /// Whether the face of a corner is a subface.
+    #[inline(always)]
+    pub fn is_subface(&self, code: u32) -> bool {
+        self.flags[(code >> 2) as usize] & (flag::FACE << (code & 3)) != 0
+    }
+
+    /// Whether a tetrahedron has a subface.
+    #[inline(always)]
+    pub fn has_subface(&self, t: u32) -> bool {
+        self.flags[t as usize] & flag::FACES != 0
+    }
+
+    /// Whether the face of a corner is a wall: a subface, or between the domain and what is not.
+    #[inline(always)]
+    pub fn is_wall(&self, code: u32) -> bool {
+        self.is_subface(code) || self.is_ghost(code >> 2) != self.is_ghost(self.across(code) >> 2)
+    }
+
+    /// Makes the face of a corner a subface, on both sides.
+    #[inline]
+    pub fn set_subface(&mut self, code: u32) {
+        for side in [code, self.across(code)] {
+            self.flags[(side >> 2) as usize] |= flag::FACE << (side & 3);
+        }
+    }
+
+    /// The name of the subface of a corner; `NONE` if it is none or has none.
+    #[inline]
+    pub fn subface(&self, code: u32) -> u32 {
+        match self.subface.get((code >> 2) as usize) {
+            Some(names) if self.is_subface(code) => names[(code & 3) as usize],
+            _ => NONE,
+        }
+    }
+
+    /// Corner codes of all subfaces, one of the two sides each, ascending.
+    pub fn subfaces(&self) -> impl Iterator<Item = u32> + '_ {
+        self.all()
+            .filter(|&t| self.is_live(t) && self.has_subface(t))
+            .flat_map(|t| 4 * t..4 * t + 4)
+            .filter(|&code| self.is_subface(code) && code < self.across(code))
+    }
+
+    /// Names subfaces: `name` gives the name of the subface of each corner, `None` if it is a subface no longer. Only one side of each is
+    /// asked for, and ghosts that are not flagged themselves take over what their neighbours have.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    pub fn name_subfaces(&mut self, name: impl Fn(&Mesh, u32) -> Option<u32>) -> Result<(), Error> {
+        let mut names = Vec::new();
+        names.try_reserve(self.slot_count())?;
+        names.resize(self.slot_count(), [NONE; 4]);
+        for t in self.all() {
+            if !self.is_live(t) {
+                continue;
+            }
+            for code in 4 * t..4 * t + 4 {
+                let other = self.across(code);
+                let flagged = self.is_subface(code) || self.is_subface(other);
+                if !flagged || other < code {
+                    continue;
+                }
+                let named = name(self, code);
+                for side in [code, other] {
+                    let flags = &mut self.flags[(side >> 2) as usize];
+                    match named {
+                        Some(named) => {
+                            *flags |= flag::FACE << (side & 3);
+                            names[(side >> 2) as usize][(side & 3) as usize] = named;
+                        }
+                        None => *flags &= !(flag::FACE << (side & 3)),
+                    }
+                }
+            }
+        }
+        self.subface = names;
+        Ok(())
+    }
+
+    /// Makes edge `e` of a tetrahedron (see [`tables::EDGE`](crate::kernel::tables::EDGE)) a subsegment: to be called for all tetrahedra round it.
+    #[inline]
+    pub fn set_subsegment(&mut self, t: u32, e: u8) {
+        self.flags[t as usize] |= flag::EDGE << e;
+    }
+
+    /// One bit for each edge of a tetrahedron that is a subsegment.
+    #[inline(always)]
+    pub fn subsegment_bits(&self, t: u32) -> u16 {
+        (self.flags[t as usize] & flag::EDGES) / flag::EDGE
+    }
+
+    /// The edges of a tetrahedron that are subsegments, by their ends.
+    #[cfg(test)]
+    pub fn subsegments(&self, t: u32) -> impl Iterator<Item = [u32; 2]> + '_ {
+        let bits = self.subsegment_bits(t);
+        crate::kernel::tables::EDGE.iter().enumerate().filter(move |(e, _)| bits >> e & 1 != 0).map(
+            move |(_, &[i, j])| {
+                let v = &self.verts[t as usize];
+                [v[i as usize], v[j as usize]]
+            },
+        )
+    }
+
+    /// Lets `each` choose which edges of every live tetrahedron become subsegments: it gets the vertices and returns one bit an edge.
+    pub fn mark_subsegments(&mut self, mut each: impl FnMut(&[u32; 4]) -> u16) {
+        for (v, flags) in self.verts.iter().zip(&mut self.flags) {
+            if *flags & flag::DEAD == 0 {
+                *flags |= each(v) * flag::EDGE;
+            }
+        }
+    }
+
+    /// Forgets which edges are subsegments.
+    pub fn clear_subsegments(&mut self) {
+        for flags in &mut self.flags {
+            *flags &= !flag::EDGES;
+        }
+    }
+
+    /// The region of a tetrahedron; `NONE` for ghosts, for what is carved, and without regions.
+    #[inline(always)]
+    pub fn region(&self, t: u32) -> u32 {
+        self.region.get(t as usize).copied().unwrap_or(NONE)
+    }
+
+    /// Gives every slot the region that `of` says; ghosts and free slots get none.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    pub fn set_regions(&mut self, of: impl Fn(u32) -> u32) -> Result<(), Error> {
+        self.region.clear();
+        self.region.try_reserve_exact(self.slot_count())?;
+        let (flags, verts) = (&self.flags, &self.verts);
+        let inside =
+            |t: u32| flags[t as usize] & flag::DEAD == 0 && verts[t as usize][3] != crate::kernel::GHOST;
+        self.region.extend((0..verts.len() as u32).map(|t| if inside(t) { of(t) } else { NONE }));
+        Ok(())
+    }
+}
