@@ -1,6 +1,6 @@
 //! Carving and regions: flooding between subfaces.
 //!
-//! Mesh connected through faces that are not subfaces form a component. The component of the ghosts is the outside, those with a hole
+//! Tetrahedra connected through faces that are not subfaces form a component. The component of the ghosts is the outside, those with a hole
 //! seed are holes, the others are regions.
 use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
 use crate::fallible;

@@ -2,7 +2,7 @@
 //!
 //! When all segments are edges, the constrained Delaunay tetrahedralization exists (Shewchuk 1998), and still does after each facet. The
 //! tetrahedra that cross a connected set of missing subfaces form a cavity; the region cuts the cavity into two halves, each of which is
-//! filled on its own ([`fill`](crate::facets::fill)) without adding points. Mesh that do not cross the region stay, since adding a constraint
+//! filled on its own ([`fill`](crate::facets::fill)) without adding points. Tetrahedra that do not cross the region stay, since adding a constraint
 //! only hides vertices.
 //!
 //! A mesh edge in the plane is also in the patch's triangulation, because both break ties the same way. Hence regions are sets of missing

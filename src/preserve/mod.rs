@@ -26,6 +26,7 @@ use crate::error::Error;
 use crate::facets::subface::Subfaces;
 use crate::fallible;
 use crate::kernel::face_key;
+use crate::kernel::lookup::Lookup;
 use crate::kernel::Mesh;
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
@@ -52,12 +53,15 @@ const MORE: Growth = Growth { budget: 50, branches: 3, tries: 60 };
 /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
 pub fn carve(mesh: &mut Mesh, vertex_count: usize, subfaces: &Subfaces) -> Result<(), Error> {
     mesh.carve(vertex_count)?;
-    let mut patch_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-    patch_of.try_reserve(subfaces.verts.len())?;
-    for (&corners, &patch) in subfaces.verts.iter().zip(&subfaces.patch) {
-        patch_of.insert(face_key(corners), patch);
-    }
-    mesh.name_subfaces(|mesh, code| patch_of.get(&face_key(mesh.face(code))).copied())?;
+    let keys = subfaces.verts.iter().zip(&subfaces.patch).map(|(&corners, &patch)| {
+        let [a, b, c] = face_key(corners);
+        (a, [b, c], patch)
+    });
+    let patch_of = Lookup::new(vertex_count, keys)?;
+    mesh.name_subfaces(|mesh, code| {
+        let [a, b, c] = face_key(mesh.face(code));
+        patch_of.get(a, [b, c])
+    })?;
     mesh.track();
     Ok(())
 }

@@ -429,9 +429,9 @@ fn cavities_grow_round_a_position() {
             let new = widen.place(&mesh, &mut points, &start, &none, known, &rays).unwrap();
             let Some(new) = new else { continue };
             assert!(new.iter().all(|&[p, x, y, z]| points.orient3d(p, x, y, z) == Sign::Positive));
-            moves += usize::from(widen.tets.len() > search.tets.len());
+            moves += usize::from(widen.cavity.tets.len() > search.tets.len());
             swallowed += widen.swallowed.len();
-            let sector = Sector { old: std::mem::take(&mut widen.tets), new, region };
+            let sector = Sector { old: std::mem::take(&mut widen.cavity.tets), new, region };
             Replace::default().sectors(&mut mesh, &[sector], &[]).unwrap();
             for &w in widen.swallowed.iter().chain([&v]) {
                 assert!(inside.list.contains(&w));

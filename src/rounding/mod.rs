@@ -32,7 +32,7 @@ enum Stage {
     Place(Reach),
     /// Points may move far.
     Stray,
-    /// Mesh are replaced.
+    /// Tetrahedra are replaced.
     Reconnect,
 }
 
@@ -168,12 +168,12 @@ struct Repair<'a> {
     scale_exponent: i32,
     xyz: &'a mut Vec<[f64; 3]>,
     search: StarSearch,
-    /// Mesh of the stars of moved vertices.
+    /// Tetrahedra of the stars of moved vertices.
     touched: Vec<u32>,
     /// Vertices that were moved; never iterated.
     moved: FxHashSet<u32>,
     moves: u64,
-    /// Mesh that took the place of others.
+    /// Tetrahedra that took the place of others.
     replaced: FxHashSet<u32>,
     /// The exact mesh, once tetrahedra may have been replaced. No parameter changes from then on, since it could no longer be verified that
     /// the exact mesh stays valid.

@@ -9,7 +9,7 @@
 //! extends across a subface, and none contains ghosts. The new tetrahedra need not be Delaunay, nor positive at the exact positions, so
 //! they are listed.
 use crate::error::Error;
-use crate::kernel::cavity::Edges;
+use crate::kernel::cavity::{Cavity, Edges, Terms};
 use crate::kernel::replace::Replace;
 use crate::kernel::tables::{EDGE, FACE};
 use crate::kernel::{edge_key, face_key, Mesh};
@@ -121,9 +121,7 @@ impl Repair<'_> {
 #[derive(Default)]
 struct Untangle {
     reconnect: Reconnect,
-    faces: Vec<[u32; 3]>,
-    inner: Vec<u32>,
-    kept_edges: Vec<[u32; 2]>,
+    cavity: Cavity,
     new: Vec<[u32; 4]>,
 }
 
@@ -147,43 +145,14 @@ impl Untangle {
 
     /// Fills a cavity with positive tetrahedra into `self.new`.
     fn fill(&mut self, place: &Place, points: &Points, cavity: &[u32]) -> Result<bool, Error> {
-        let mesh = &place.mesh;
-        self.faces.clear();
-        self.faces.try_reserve(4 * cavity.len())?;
-        for code in cavity.iter().flat_map(|&t| 4 * t..4 * t + 4) {
-            let inside = cavity.binary_search(&(mesh.across(code) >> 2)).is_ok();
-            if !inside || is_closed(mesh, code) {
-                self.faces.push(mesh.face(code));
-            }
-        }
-        self.inner.clear();
-        self.kept_edges.clear();
-        let mut corners: Vec<u32> = Vec::new();
-        corners.try_reserve(3 * self.faces.len())?;
-        corners.extend(self.faces.iter().flatten());
-        corners.sort_unstable();
-        corners.dedup();
-        for &t in cavity {
-            let verts = mesh.verts(t);
-            for v in verts {
-                if corners.binary_search(&v).is_err() && !self.inner.contains(&v) {
-                    self.inner.try_reserve(1)?;
-                    self.inner.push(v);
-                }
-            }
-            for [i, j] in EDGE {
-                let key = edge_key(verts[i as usize], verts[j as usize]);
-                if place.edges.contains(&key) && !self.kept_edges.contains(&key) {
-                    self.kept_edges.try_reserve(1)?;
-                    self.kept_edges.push(key);
-                }
-            }
-        }
-        if corners.len() + self.inner.len() > MOST_VERTICES {
+        self.cavity.set(cavity)?;
+        self.cavity.bound(place.mesh, &Terms::keep(&place.edges))?;
+        if self.cavity.vertex_count() > MOST_VERTICES {
             return Ok(false);
         }
         self.new.clear();
-        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.kept_edges };
+        let polyhedron =
+            Polyhedron { faces: &self.cavity.faces, inner: &self.cavity.inner, edges: &self.cavity.edges };
         self.reconnect.fill(points, &polyhedron, BUDGET, &mut self.new)
     }
 }

@@ -23,7 +23,7 @@ pub(super) struct Level {
 pub struct Search {
     pub(super) signs: Signs,
     pub(super) rows: Rows,
-    /// Mesh that were not free.
+    /// Tetrahedra that were not free.
     pub(super) blocks: Blocks,
     /// The qualities of tetrahedra, if a search asks for them.
     pub(super) qualities: Qualities,

@@ -318,7 +318,7 @@ fn a_sheet_leaves_most_of_a_way_clear() {
             .flat_map(|[a, b]| [[0, b, a], [1, a, b]])
             .collect();
         check(&points, &Polyhedron { faces: &faces, ..Default::default() }, &clear);
-        // Mesh that contain one of many positions on the segment.
+        // Tetrahedra that contain one of many positions on the segment.
         let met = |tets: &[[u32; 4]]| {
             let place = |i: u32| {
                 let part = f64::from(i) / 2000.0;

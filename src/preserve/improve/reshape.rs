@@ -7,6 +7,7 @@
 //! Invariants: subfaces, edges on no facet, regions and vertices stay.
 use crate::error::Error;
 use crate::kernel::around::EdgeRing;
+use crate::kernel::cavity::{Cavity, Edges, Terms};
 use crate::kernel::replace::Replace;
 use crate::kernel::reversed;
 use crate::kernel::tables::EDGE;
@@ -73,10 +74,9 @@ pub struct Reshape {
     reconnect: Reconnect,
     /// Puts tetrahedra in place.
     pub replace: Replace,
-    visited: Visited,
     ring: Vec<u32>,
     link: Vec<u32>,
-    cavity: Vec<u32>,
+    cavity: Cavity,
     corners: Vec<u32>,
     /// Corner codes of tetrahedra that could be added to the cavity.
     doors: Vec<u32>,
@@ -216,7 +216,6 @@ impl Reshape {
         most: usize,
     ) -> Result<(), Error> {
         self.cavity.clear();
-        self.visited.begin();
         self.corners.clear();
         self.doors.clear();
         self.corners.try_reserve(most + 4)?;
@@ -228,9 +227,7 @@ impl Reshape {
         let mut seeds = std::mem::take(&mut self.ring);
         let mut next = seeds.pop();
         while let Some(t) = next {
-            self.cavity.try_reserve(1)?;
-            self.cavity.push(t);
-            self.visited.insert(t)?;
+            self.cavity.add(t)?;
             for v in mesh.verts(t) {
                 if !self.corners.contains(&v) {
                     self.corners.push(v);
@@ -247,7 +244,7 @@ impl Reshape {
             while i < self.doors.len() {
                 let code = self.doors[i];
                 let t = code >> 2;
-                if self.visited.contains(t) || !may_join(mesh, isolated, &self.visited, t) {
+                if self.cavity.has(t) || !may_join(mesh, isolated, self.cavity.visited(), t) {
                     self.doors.swap_remove(i);
                     continue;
                 }
@@ -296,17 +293,12 @@ impl Reshape {
 
     /// Fills the cavity as well as the search can, or in some better way with the given tetrahedra.
     fn refill(&mut self, mesh: &mut Mesh, points: &Points, aim: &Aim, budget: u32) -> Result<bool, Error> {
+        self.cavity.bound(mesh, &Terms::keep(&Edges::default()))?;
         self.faces.clear();
         self.inner.clear();
-        for &t in &self.cavity {
-            for code in 4 * t..4 * t + 4 {
-                if !self.visited.contains(mesh.across(code) >> 2) {
-                    self.faces.try_reserve(1)?;
-                    self.faces.push(mesh.face(code));
-                }
-            }
-        }
-        let goal = aim.goal(mesh, points, &self.cavity);
+        self.faces.try_reserve(self.cavity.faces.len())?;
+        self.faces.extend_from_slice(&self.cavity.faces);
+        let goal = aim.goal(mesh, points, &self.cavity.tets);
         if budget == 0 || !self.cut_given(points, &goal)? {
             return Ok(false);
         }
@@ -326,7 +318,7 @@ impl Reshape {
         }
         self.new.try_reserve(self.given.len())?;
         self.new.extend_from_slice(&self.given);
-        self.replace.cavity(mesh, &self.cavity, &self.new, &[])?;
+        self.replace.cavity(mesh, &self.cavity.tets, &self.new, &[])?;
         Ok(true)
     }
 }

@@ -10,7 +10,7 @@
 use crate::error::Error;
 use crate::facets::cavity::RegionCavity;
 use crate::kernel::around::StarSearch;
-use crate::kernel::cavity::{Cavity, Edges};
+use crate::kernel::cavity::{Cavity, Edges, Terms};
 use crate::kernel::edge_key;
 use crate::kernel::replace::Replace;
 use crate::kernel::Mesh;
@@ -200,13 +200,15 @@ impl<'a> Recovery<'a> {
         self.mesh.vertex_tet.push(NONE);
         // The tetrahedra whose closure has the point: it sees their boundary.
         let (mesh, points) = (&self.mesh, &*self.points);
-        self.cavity.tets.retain(|&t| {
+        let mut holds = std::mem::take(&mut self.cavity.tets);
+        holds.retain(|&t| {
             (0..4).all(|f| {
                 let [x, y, z] = mesh.face(4 * t + f);
                 points.orient3d(v, x, y, z) != Sign::Negative
             })
         });
-        self.cavity.bound(self.mesh, &self.edges)?;
+        self.cavity.set(&holds)?;
+        self.cavity.bound(self.mesh, &Terms::keep(&self.edges))?;
         self.tets.clear();
         self.tets.try_reserve(self.cavity.faces.len())?;
         self.tets.extend(self.cavity.faces.iter().map(|&[x, y, z]| [v, x, y, z]));
@@ -262,7 +264,7 @@ impl<'a> Recovery<'a> {
         if self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity)? != Outcome::Found {
             return Ok(false);
         }
-        self.cavity.bound(self.mesh, &self.edges)?;
+        self.cavity.bound(self.mesh, &Terms::keep(&self.edges))?;
         self.cavity.edges.try_reserve(1)?;
         self.cavity.edges.push(edge);
         self.refill(budget)

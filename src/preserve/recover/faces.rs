@@ -9,6 +9,7 @@
 use crate::error::Error;
 use crate::facets::cavity::Opening;
 use crate::facets::subface::Subfaces;
+use crate::kernel::cavity::Terms;
 use crate::kernel::edge_key;
 use crate::kernel::NONE;
 use crate::ops::place::place;
@@ -181,7 +182,7 @@ impl Recovery<'_> {
             if self.collect_crossing(region)? != Opening::Found {
                 return Ok(false);
             }
-            self.cavity.bound(self.mesh, &self.edges)?;
+            self.cavity.bound(self.mesh, &Terms::keep(&self.edges))?;
             if self.fill_halves(region, budget, false)? {
                 continue;
             }
@@ -197,7 +198,7 @@ impl Recovery<'_> {
     /// Collects the tetrahedra that cross the region in the cavity, if they can be opened.
     fn collect_crossing(&mut self, region: &[[u32; 3]]) -> Result<Opening, Error> {
         let outcome = self.crossed.collect(self.mesh, self.points, region)?;
-        std::mem::swap(&mut self.cavity.tets, &mut self.crossed.tets);
+        self.cavity.set(&self.crossed.tets)?;
         Ok(outcome)
     }
 
@@ -206,7 +207,7 @@ impl Recovery<'_> {
         if self.collect_crossing(region)? != Opening::Found {
             return Ok(false);
         }
-        self.cavity.bound(self.mesh, &self.edges)?;
+        self.cavity.bound(self.mesh, &Terms::keep(&self.edges))?;
         if !self.fill_halves(region, budget, true)? {
             return Ok(false);
         }

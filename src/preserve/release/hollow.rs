@@ -3,11 +3,12 @@
 //! A hollow that cannot be filled often can be after opening one of its edges: all tetrahedra around it are added, so that the edge is no
 //! longer required. Reflex and flat edges are what obstructs a filling (the twisted diagonals of a prism, for example).
 use crate::error::Error;
+use crate::fallible;
+use crate::kernel::cavity::{Cavity, Terms};
+use crate::kernel::edge_key;
 use crate::kernel::replace::Sector;
-use crate::kernel::tables::EDGE;
 use crate::kernel::Mesh;
 use crate::kernel::NONE;
-use crate::kernel::{edge_key, face_key};
 use crate::ops::reconnect::{Polyhedron, Reconnect, MOST_VERTICES};
 use crate::predicates::{Points, Sign};
 use rustc_hash::FxHashSet;
@@ -29,16 +30,9 @@ const MOST_RING: usize = 12;
 /// A polyhedron to fill; keeps its scratch space.
 #[derive(Default)]
 pub struct Hollow {
-    /// Tetrahedra taken out.
-    pub tets: Vec<u32>,
-    /// Boundary, turned inward: of the tetrahedra, but for the walls that go, and new walls.
-    pub faces: Vec<[u32; 3]>,
-    inner: Vec<u32>,
+    /// The tetrahedra taken out, and what bounds them.
+    pub cavity: Cavity,
     edges: Vec<[u32; 2]>,
-    inside: FxHashSet<u32>,
-    corners: FxHashSet<u32>,
-    /// Faces of tetrahedra behind which others could be added: corner codes of these.
-    doors: Vec<(u32, u32)>,
     at_edge: Vec<([u32; 2], u32, u32)>,
     /// All tetrahedra that the last growth looked at, with repetitions: while they stay, it would end the same way.
     pub read: Vec<u32>,
@@ -57,64 +51,28 @@ pub struct Start<'a> {
     pub without: u32,
     /// An edge that must come.
     pub edge: Option<[u32; 2]>,
-    /// Mesh with both vertices are not added: they belong to another part of the same replacement.
+    /// Tetrahedra with both vertices are not added: they belong to another part of the same replacement.
     pub avoid: [u32; 2],
     /// Nor are these.
     pub taken: &'a [Sector],
 }
 
 impl Hollow {
-    /// Finds the boundary for the tetrahedra in `self.tets`.
-    fn bound(&mut self, mesh: &Mesh, start: &Start, isolated: &FxHashSet<[u32; 2]>) -> Result<(), Error> {
-        self.inside.clear();
-        self.inside.extend(self.tets.iter().copied());
-        self.faces.clear();
-        self.doors.clear();
-        for &t in &self.tets {
-            for code in 4 * t..4 * t + 4 {
-                let n = mesh.across(code) >> 2;
-                let wall = mesh.is_wall(code);
-                if !wall && self.inside.contains(&n) {
-                    continue;
-                }
-                let face = mesh.face(code);
-                if wall && start.gone.contains(&face_key(face)) {
-                    continue;
-                }
-                self.faces.try_reserve(1)?;
-                self.faces.push(face);
-                if !wall {
-                    self.doors.try_reserve(1)?;
-                    self.doors.push((self.faces.len() as u32 - 1, mesh.across(code)));
-                }
-            }
-        }
-        self.faces.try_reserve(start.walls.len())?;
-        self.faces.extend_from_slice(start.walls);
-        self.corners.clear();
-        self.corners.extend(self.faces.iter().flatten().copied());
-        self.inner.clear();
+    /// Takes these tetrahedra out.
+    fn bound(
+        &mut self,
+        mesh: &Mesh,
+        tets: &[u32],
+        start: &Start,
+        isolated: &FxHashSet<[u32; 2]>,
+    ) -> Result<(), Error> {
+        self.cavity.set(tets)?;
+        let Start { gone, walls, without, .. } = *start;
+        self.cavity.bound(mesh, &Terms { keep: isolated, gone, walls, without })?;
         self.edges.clear();
+        self.edges.try_reserve(1 + self.cavity.edges.len())?;
         self.edges.extend(start.edge);
-        for &t in &self.tets {
-            let verts = mesh.verts(t);
-            for v in verts {
-                if v != start.without && self.corners.insert(v) {
-                    self.inner.try_reserve(1)?;
-                    self.inner.push(v);
-                }
-            }
-            if isolated.is_empty() {
-                continue;
-            }
-            for [i, j] in EDGE {
-                let key = edge_key(verts[i as usize], verts[j as usize]);
-                if isolated.contains(&key) && !key.contains(&start.without) && !self.edges.contains(&key) {
-                    self.edges.try_reserve(1)?;
-                    self.edges.push(key);
-                }
-            }
-        }
+        self.edges.extend(self.cavity.edges.iter().filter(|&&edge| Some(edge) != start.edge));
         Ok(())
     }
 
@@ -125,14 +83,15 @@ impl Hollow {
         budget: u32,
         new: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
-        if self.corners.len() > MOST_VERTICES {
+        if self.cavity.vertex_count() > MOST_VERTICES {
             return Ok(false);
         }
-        let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &self.edges };
+        let polyhedron =
+            Polyhedron { faces: &self.cavity.faces, inner: &self.cavity.inner, edges: &self.edges };
         reconnect.fill_another(points, &polyhedron, budget, new)
     }
 
-    /// Fills the hollow with more and more opened, breadth first. Returns the new tetrahedra, or nothing; the old ones are in `self.tets`.
+    /// Fills the hollow with more and more opened, breadth first. Returns the new tetrahedra, or nothing; the old ones are in `self.cavity`.
     pub fn grow(
         &mut self,
         mesh: &Mesh,
@@ -155,12 +114,9 @@ impl Hollow {
         queue.push(first);
         let mut next = 0;
         while next < queue.len() {
-            self.tets.clear();
-            self.tets.try_reserve(queue[next].len())?;
-            self.tets.extend_from_slice(&queue[next]);
-            self.read.try_reserve(self.tets.len())?;
-            self.read.extend_from_slice(&self.tets);
-            self.bound(mesh, start, isolated)?;
+            self.read.try_reserve(queue[next].len())?;
+            self.read.extend_from_slice(&queue[next]);
+            self.bound(mesh, &queue[next], start, isolated)?;
             // The caller has already tried the start itself.
             if next > 0 && self.fill(reconnect, points, growth.budget, &mut new)? {
                 return Ok(Some(new));
@@ -170,7 +126,7 @@ impl Hollow {
                 continue;
             }
             for ring in self.rings(mesh, points, start)?.into_iter().take(growth.branches) {
-                let mut larger = self.tets.clone();
+                let mut larger = fallible::copied(&self.cavity.tets)?;
                 larger.try_reserve(ring.len())?;
                 larger.extend(ring);
                 let mut key = larger.clone();
@@ -187,8 +143,8 @@ impl Hollow {
     /// with few tetrahedra.
     fn rings(&mut self, mesh: &Mesh, points: &Points, start: &Start) -> Result<Vec<Vec<u32>>, Error> {
         self.at_edge.clear();
-        for &(face, code) in &self.doors {
-            let [x, y, z] = self.faces[face as usize];
+        for &(face, code) in &self.cavity.doors {
+            let [x, y, z] = self.cavity.faces[face as usize];
             for (p, q) in [(x, y), (y, z), (z, x)] {
                 self.at_edge.try_reserve(1)?;
                 self.at_edge.push((edge_key(p, q), face, code));
@@ -196,10 +152,11 @@ impl Hollow {
         }
         self.at_edge.sort_unstable();
         let mut ranked: Vec<(Sign, usize, [u32; 2], Vec<u32>)> = Vec::new();
-        let Hollow { at_edge, faces, inside, read, .. } = self;
+        let Hollow { at_edge, cavity, read, .. } = self;
+        let faces = &cavity.faces;
         for pair in at_edge.chunk_by(|a, b| a.0 == b.0) {
             let [(edge, face, code), (_, other, _)] = *pair else { continue };
-            let Some(ring) = ring(mesh, edge, code, start, inside, read)? else { continue };
+            let Some(ring) = ring(mesh, edge, code, start, cavity, read)? else { continue };
             let [x, y, z] = faces[face as usize];
             let apex = faces[other as usize].into_iter().find(|v| !edge.contains(v));
             let Some(apex) = apex else { continue };
@@ -223,7 +180,7 @@ fn ring(
     edge: [u32; 2],
     code: u32,
     start: &Start,
-    inside: &FxHashSet<u32>,
+    cavity: &Cavity,
     read: &mut Vec<u32>,
 ) -> Result<Option<Vec<u32>>, Error> {
     let mut ring = Vec::new();
@@ -231,7 +188,7 @@ fn ring(
     let mut left = mesh.face(code).into_iter().find(|v| !edge.contains(v)).unwrap_or(NONE);
     loop {
         let t = entered >> 2;
-        if inside.contains(&t) {
+        if cavity.has(t) {
             return Ok(Some(ring));
         }
         read.try_reserve(1)?;

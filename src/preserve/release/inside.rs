@@ -113,7 +113,7 @@ impl Thin {
                 return Ok(false);
             };
             new = found;
-            old = std::mem::take(&mut self.hollow.tets);
+            old = std::mem::take(&mut self.hollow.cavity.tets);
         }
         self.replace.cavity(mesh, &old, &new, &[])?;
         mesh.vertex_tet[p as usize] = NONE;

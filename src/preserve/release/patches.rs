@@ -437,7 +437,7 @@ impl<'a> Retarget<'a> {
         let Retarget { mesh, points, reconnect, isolated, hollow, .. } = self;
         if let Some(new) = hollow.grow(mesh, points, reconnect, &start, isolated, growth)? {
             self.count.grown += 1;
-            side.tets = std::mem::take(&mut hollow.tets);
+            side.tets = std::mem::take(&mut hollow.cavity.tets);
             return Ok(Some(new));
         }
         if self.loose.contains(&patch) {
@@ -466,7 +466,7 @@ impl<'a> Retarget<'a> {
         let rays = Rays { point: p, from, toward: &toward };
         let Retarget { mesh, points, isolated, inside, widen, .. } = self;
         if let Some(new) = widen.place(mesh, points, &start, isolated, &inside.list, &rays)? {
-            side.tets = std::mem::take(&mut widen.tets);
+            side.tets = std::mem::take(&mut widen.cavity.tets);
             self.swallowed.try_reserve(self.widen.swallowed.len())?;
             self.swallowed.extend_from_slice(&self.widen.swallowed);
             return Ok(Some(new));

@@ -40,7 +40,7 @@ impl Unsplit<'_> {
                 return Ok(Some(Sector { old, new, region }));
             }
             if let Some(new) = self.widen(v, s, taken, &Rays { point: p, from, toward: &toward })? {
-                return Ok(Some(Sector { old: std::mem::take(&mut self.widen.tets), new, region }));
+                return Ok(Some(Sector { old: std::mem::take(&mut self.widen.cavity.tets), new, region }));
             }
             let last = self.inside.list.len() - 1;
             self.discard(last);

@@ -283,7 +283,7 @@ impl<'a> Unsplit<'a> {
         self.collect_faces(s, choice)?;
         if let Some(growth) = effort.growth {
             if let Some(new) = self.grow(v, s, ends, taken, growth)? {
-                return Ok(Some(Sector { old: std::mem::take(&mut self.hollow.tets), new, region }));
+                return Ok(Some(Sector { old: std::mem::take(&mut self.hollow.cavity.tets), new, region }));
             }
         }
         if !effort.relocate {

@@ -9,9 +9,9 @@
 //! Points inside that the cavity swallows are no longer needed; other vertices must stay on its boundary.
 use crate::elementary::power_of_two;
 use crate::error::Error;
-use crate::kernel::tables::EDGE;
+use crate::kernel::cavity::{Cavity, Terms};
+use crate::kernel::face_key;
 use crate::kernel::Mesh;
-use crate::kernel::{edge_key, face_key};
 use crate::predicates::{in_range, Points, Sign};
 use crate::preserve::release::hollow::Start;
 use crate::vector::{dot, sub};
@@ -26,16 +26,12 @@ const QUARTERINGS: i32 = 28;
 /// Grows cavities; keeps its scratch space.
 #[derive(Default)]
 pub struct Widen {
-    /// Tetrahedra taken out.
-    pub tets: Vec<u32>,
+    /// The tetrahedra taken out, and what bounds them.
+    pub cavity: Cavity,
     /// Points inside that no longer belong to any tetrahedron.
     pub swallowed: Vec<u32>,
     /// What the last search looked at, with repetitions.
     pub read: Vec<u32>,
-    faces: Vec<[u32; 3]>,
-    inside: FxHashSet<u32>,
-    corners: FxHashSet<u32>,
-    edges: FxHashSet<[u32; 2]>,
     doors: Vec<u32>,
 }
 
@@ -52,7 +48,7 @@ pub struct Rays<'a> {
 
 impl Widen {
     /// Moves the point to a position from which a cavity that holds the start is star-shaped. Returns the new tetrahedra, or nothing;
-    /// the old ones are in `self.tets`. `known`: the points inside.
+    /// the old ones are in `self.cavity`. `known`: the points inside.
     pub fn place(
         &mut self,
         mesh: &Mesh,
@@ -77,8 +73,10 @@ impl Widen {
                 points.move_to(p, at)?;
                 if self.grow(mesh, points, p, start)? && self.keeps(mesh, start, isolated, known)? {
                     let mut new = Vec::new();
-                    new.try_reserve(self.faces.len())?;
-                    new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+                    let faces = &self.cavity.faces;
+                    let (boundary, walls) = faces.split_at(faces.len() - start.walls.len());
+                    new.try_reserve(faces.len())?;
+                    new.extend(walls.iter().chain(boundary).map(|&[x, y, z]| [p, x, y, z]));
                     return Ok(Some(new));
                 }
             }
@@ -92,25 +90,21 @@ impl Widen {
         if !start.walls.iter().all(|&face| sees(face)) {
             return Ok(false);
         }
-        self.tets.clear();
-        self.inside.clear();
+        self.cavity.set(start.tets)?;
         self.doors.clear();
-        self.tets.try_reserve(start.tets.len())?;
         self.doors.try_reserve(4 * start.tets.len())?;
-        self.tets.extend_from_slice(start.tets);
-        self.inside.extend(start.tets.iter().copied());
         self.doors.extend(start.tets.iter().flat_map(|&t| 4 * t..4 * t + 4));
         while let Some(code) = self.doors.pop() {
             let n = mesh.across(code);
             let wall = mesh.is_wall(code);
-            if !wall && self.inside.contains(&(n >> 2)) {
+            if !wall && self.cavity.has(n >> 2) {
                 continue;
             }
             let face = mesh.face(code);
             if (wall && start.gone.contains(&face_key(face))) || sees(face) {
                 continue;
             }
-            if wall || self.tets.len() >= MOST_TETS {
+            if wall || self.cavity.tets.len() >= MOST_TETS {
                 return Ok(false);
             }
             let (t, verts) = (n >> 2, mesh.verts(n >> 2));
@@ -120,9 +114,7 @@ impl Widen {
             {
                 return Ok(false);
             }
-            self.inside.insert(t);
-            self.tets.try_reserve(1)?;
-            self.tets.push(t);
+            self.cavity.add(t)?;
             self.doors.try_reserve(3)?;
             self.doors.extend((4 * t..4 * t + 4).filter(|&code| code != n));
         }
@@ -137,47 +129,11 @@ impl Widen {
         isolated: &FxHashSet<[u32; 2]>,
         known: &[u32],
     ) -> Result<bool, Error> {
-        let Widen { tets, swallowed, faces, inside, corners, edges, .. } = self;
-        faces.clear();
-        faces.try_reserve(start.walls.len())?;
-        faces.extend_from_slice(start.walls);
-        for code in tets.iter().flat_map(|&t| 4 * t..4 * t + 4) {
-            let face = mesh.face(code);
-            let wall = mesh.is_wall(code);
-            let open = if wall {
-                start.gone.contains(&face_key(face))
-            } else {
-                inside.contains(&(mesh.across(code) >> 2))
-            };
-            if !open {
-                faces.try_reserve(1)?;
-                faces.push(face);
-            }
-        }
-        corners.clear();
-        corners.extend(faces.iter().flatten().copied());
-        swallowed.clear();
-        for v in tets.iter().flat_map(|&t| mesh.verts(t)) {
-            if v == start.without || !corners.insert(v) {
-                continue;
-            }
-            if !known.contains(&v) {
-                return Ok(false);
-            }
-            swallowed.try_reserve(1)?;
-            swallowed.push(v);
-        }
-        if isolated.is_empty() {
-            return Ok(true);
-        }
-        edges.clear();
-        edges.extend(faces.iter().flat_map(|&[x, y, z]| [edge_key(x, y), edge_key(y, z), edge_key(z, x)]));
-        Ok(tets.iter().all(|&t| {
-            let verts = mesh.verts(t);
-            EDGE.iter().all(|&[i, j]| {
-                let key = edge_key(verts[i as usize], verts[j as usize]);
-                !isolated.contains(&key) || key.contains(&start.without) || edges.contains(&key)
-            })
-        }))
+        let Start { gone, walls, without, .. } = *start;
+        self.cavity.bound(mesh, &Terms { keep: isolated, gone, walls, without })?;
+        self.swallowed.clear();
+        self.swallowed.try_reserve(self.cavity.inner.len())?;
+        self.swallowed.extend_from_slice(&self.cavity.inner);
+        Ok(self.cavity.edges.is_empty() && self.swallowed.iter().all(|v| known.contains(v)))
     }
 }
