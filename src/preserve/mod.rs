@@ -1,17 +1,14 @@
 //! Keeping the surface as it is: a tetrahedralization without points on it.
 //!
-//! First, edges and faces missing from the Delaunay tetrahedralization are recovered by reconnecting tetrahedra ([`recover`], [`regions`]),
-//! with points on the edges that resist; if that is given up, the constrained Delaunay tetrahedralization is used instead. Then points on
-//! the surface are removed ([`from_constrained`]): the domain is carved out ([`mesh`]), the points on segments are removed ([`unsplit`]),
-//! patches get the surface's triangles again ([`retarget`]), unneeded points inside are removed ([`thin`]), and the others move to better
-//! positions ([`smooth`]). Finally bad tetrahedra are reconnected ([`mod@improve`]). Where doubles leave a point no room, small surfaces are
-//! filled as a [`whole`], without points.
+//! First, edges and faces missing from the Delaunay tetrahedralization are recovered by reconnecting tetrahedra ([`recover`]), with points
+//! on the edges that resist; if that is given up, the constrained Delaunay tetrahedralization is used instead. Then points on the surface
+//! are removed ([`from_constrained`], [`release`]): the domain is carved out ([`carve`]), the points on segments are removed, patches get the
+//! surface's triangles again, unneeded points inside are removed, and the others move to better positions. Finally bad tetrahedra are
+//! reconnected ([`mod@improve`]). Where doubles leave a point no room, small surfaces are filled as a [`whole`], without points.
 //!
 //! If only the outer boundary is kept, points on segments inside ([`internal`]) may stay, and patches inside keep their triangles where the
 //! surface's would need points. Such points get positions in doubles ([`mod@settle`]) at the very end: until then they are exactly on their
 //! segments, and every step tests them there.
-#[cfg(test)]
-mod check;
 pub mod improve;
 pub mod inside;
 pub mod internal;
@@ -25,13 +22,15 @@ pub mod whole;
 use crate::error::Error;
 use crate::facets::subface::Subfaces;
 use crate::fallible;
+use crate::kernel::around::StarSearch;
 use crate::kernel::face_key;
 use crate::kernel::lookup::Lookup;
 use crate::kernel::Mesh;
+use crate::ops::hollow::Growth;
+use crate::ops::smooth::smooth;
 use crate::output::PreserveStatistics;
 use crate::predicates::Points;
 use crate::preserve::release::facets::{name_facets, Gone};
-use crate::preserve::release::hollow::Growth;
 use crate::preserve::release::inside::Thin;
 use crate::preserve::release::patches::{Retarget, Target};
 use crate::segments::recovery::Segments;
@@ -193,12 +192,28 @@ fn free(
             let done = 0.8 + 0.2 * i as f64 / rounds.len() as f64;
             thin.run(mesh, points, &mut inside, &isolated, growth, &mut || tick(done))?;
         }
-        improve::smooth::smooth(mesh, points, &inside)?;
+        smooth_inside(mesh, points, &inside)?;
     }
     improve::improve(mesh, points, &isolated, &mut || tick(0.99))?;
     statistics.interior = inside.list.len() as u64;
     let subfaces = subfaces(mesh, points, target, internal)?;
     Ok((Freed { inside, settled: Vec::new(), subfaces }, removal.staying))
+}
+
+/// Sweeps over all points inside.
+const SWEEPS: usize = 3;
+
+/// Moves the points inside to better positions.
+fn smooth_inside(mesh: &Mesh, points: &mut Points, inside: &Inside) -> Result<(), Error> {
+    let mut search = StarSearch::default();
+    let mut faces = Vec::new();
+    for _ in 0..SWEEPS {
+        for &p in &inside.list {
+            search.link(mesh, p, &mut faces)?;
+            smooth(points, p, &faces)?;
+        }
+    }
+    Ok(())
 }
 
 /// The surface's faces: its triangles, except those that polygons and internal patches have replaced.

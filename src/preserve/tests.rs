@@ -12,12 +12,12 @@ use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::kernel::{edge_key, face_key};
 use crate::ops::center::{center, Plane};
+use crate::ops::check::check_domain;
+use crate::ops::hollow::Start;
 use crate::ops::polygon::Polygons;
+use crate::ops::widen::{Rays, Widen};
 use crate::predicates::Sign;
-use crate::preserve::check::check_domain;
-use crate::preserve::release::hollow::Start;
 use crate::preserve::release::patches::Target;
-use crate::preserve::release::widen::{Rays, Widen};
 use crate::segments::recovery::Recovery;
 use rustc_hash::FxHashSet;
 
@@ -279,7 +279,7 @@ fn worst(mesh: &Mesh, points: &Points) -> crate::ops::shape::Shape {
     use crate::ops::shape::Shape;
     (0..mesh.slot_count() as u32)
         .filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t))
-        .map(|t| improve::reshape::shape(mesh, points, t))
+        .map(|t| crate::ops::reshape::shape(mesh, points, t))
         .fold(Shape::BEST, Shape::worse)
 }
 
@@ -323,8 +323,8 @@ fn sorted(mut tet: [u32; 4]) -> [u32; 4] {
 /// If no edge can be removed, walls get another apex: all new tetrahedra are better than the removed ones, and the surface stays.
 #[test]
 fn walls_get_better_apexes() {
+    use crate::ops::reshape::{Aim, Effort, Reshape};
     use crate::ops::shape::{Measure, Shape};
-    use crate::preserve::improve::reshape::{Aim, Effort, Reshape};
     let mut model = cube(2, false);
     let mut state = 5u64;
     let mut next = || {
@@ -363,8 +363,11 @@ fn walls_get_better_apexes() {
                 })
                 .map(|t| Shape::of(&points, old[t]).by(measure))
                 .fold(f64::INFINITY, f64::min);
-            let came =
-                reshape.replace.fresh.iter().map(|&t| improve::reshape::shape(&mesh, &points, t).by(measure));
+            let came = reshape
+                .replace
+                .fresh
+                .iter()
+                .map(|&t| crate::ops::reshape::shape(&mesh, &points, t).by(measure));
             assert!(came.fold(f64::INFINITY, f64::min) > worst_of_cavity);
             check_domain(&mesh, &points).unwrap();
         }

@@ -87,7 +87,7 @@ pub fn round(
         *p = p.map(|x| surviving(x, scale_exponent));
     }
     let mut bad: Vec<u32> = (0..mesh.slot_count() as u32)
-        .filter(|&t| is_kept(mesh, t) && !is_positive(&mesh, points, &rounded.xyz, t))
+        .filter(|&t| is_kept(mesh, t) && !is_positive(mesh, points, &rounded.xyz, t))
         .collect();
     let work = Work::for_mesh(mesh.slot_count());
     let mut repair = Repair {
@@ -204,7 +204,7 @@ impl Repair<'_> {
     fn keep_bad(&self, bad: &mut Vec<u32>) {
         bad.sort_unstable();
         bad.dedup();
-        bad.retain(|&t| is_kept(self.mesh, t) && !is_positive(&self.mesh, self.points, self.xyz, t));
+        bad.retain(|&t| is_kept(self.mesh, t) && !is_positive(self.mesh, self.points, self.xyz, t));
     }
 
     /// Keeps the exact mesh, for the case that replacing tetrahedra does not help either.

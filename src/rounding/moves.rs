@@ -9,7 +9,7 @@ impl Repair<'_> {
     /// Tries to make a tetrahedron positive by moving one of its implicit vertices; with `far`, also by more than a few units in the
     /// last place.
     pub(super) fn mend(&mut self, t: u32, far: bool) -> Result<(), Error> {
-        if is_positive(&self.mesh, self.points, self.xyz, t) {
+        if is_positive(self.mesh, self.points, self.xyz, t) {
             return Ok(());
         }
         let verts = self.mesh.verts(t);
@@ -33,7 +33,7 @@ impl Repair<'_> {
                     self.touched.try_reserve(self.search.tets.len())?;
                     self.touched.extend_from_slice(&self.search.tets);
                 }
-                if moved && is_positive(&self.mesh, self.points, self.xyz, t) {
+                if moved && is_positive(self.mesh, self.points, self.xyz, t) {
                     return Ok(());
                 }
             }

@@ -35,7 +35,7 @@ impl Repair<'_> {
             let t = bad[next];
             next += 1;
             for v in self.mesh.verts(t) {
-                let spoilt = is_kept(self.mesh, t) && !is_positive(&self.mesh, self.points, self.xyz, t);
+                let spoilt = is_kept(self.mesh, t) && !is_positive(self.mesh, self.points, self.xyz, t);
                 if self.work.is_done() {
                     break;
                 }

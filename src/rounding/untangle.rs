@@ -128,7 +128,7 @@ struct Untangle {
 impl Untangle {
     /// Replaces the tetrahedron `t` and some around it by positive ones, if a filling is found; they are in `place.replace.fresh`.
     fn replace(&mut self, place: &mut Place, points: &Points, t: u32, work: &Work) -> Result<bool, Error> {
-        for cavity in cavities(&place.mesh, t)? {
+        for cavity in cavities(place.mesh, t)? {
             if work.is_done() {
                 break;
             }

@@ -1,6 +1,6 @@
 //! Recovery of edges and faces by flips and reconnection, with points only on segments that resist.
 //!
-//! First by flips ([`flips`](crate::preserve::recover::flips)): an edge that obstructs a missing one is removed if fewer tetrahedra then obstruct it. Edges
+//! First by flips ([`flips`](crate::ops::flip)): an edge that obstructs a missing one is removed if fewer tetrahedra then obstruct it. Edges
 //! near the ends come first, and only a few are tried, since most removable edges are there. If no flip helps, a search fills the whole
 //! corridor with the edge in it (Liu, Chen & Chen 2007); for a missing triangle whose edges exist, the tetrahedra that cross it are
 //! removed, and both halves of the cavity are filled. What fails is tried again after the others, with more steps. A segment that resists
@@ -15,11 +15,11 @@ use crate::kernel::edge_key;
 use crate::kernel::replace::Replace;
 use crate::kernel::Mesh;
 use crate::kernel::NONE;
+use crate::ops::flip::{Flips, Limits, Site};
 use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::predicates::{Expansion, Points, Sign};
 use crate::preserve::recover::breakpoint::breakpoint;
 use crate::preserve::recover::corridor::{Corridor, Feature, Outcome};
-use crate::preserve::recover::flips::{Flips, Limits, Site};
 use crate::segments::recovery::Segments;
 use rustc_hash::FxHashMap;
 

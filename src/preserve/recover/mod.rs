@@ -3,7 +3,4 @@ pub mod breakpoint;
 pub mod corridor;
 pub mod edges;
 pub mod faces;
-pub mod flips;
-#[cfg(test)]
-mod flips_tests;
 pub mod order;

@@ -1,16 +1,16 @@
 //! Points inside that replace a point on a segment: one per sector, where the sector cannot be filled.
 //!
 //! A sector between two walls gets one that sees all of it (Si & Gärtner 2011, section 8.1), near the old point or, where no double
-//! does, farther away and with surroundings of the sector ([`widen`](crate::preserve::release::widen)). A sector all around the segment has no such position:
+//! does, farther away and with surroundings of the sector ([`widen`](crate::ops::widen)). A sector all around the segment has no such position:
 //! it gets two to four points around the segment.
 use crate::elementary::power_of_two;
 use crate::error::Error;
 use crate::kernel::replace::Sector;
+use crate::ops::hollow::Start;
 use crate::ops::place::place;
 use crate::ops::reconnect::Polyhedron;
-use crate::preserve::release::hollow::Start;
+use crate::ops::widen::Rays;
 use crate::preserve::release::segments::{unit, Effort, Unsplit};
-use crate::preserve::release::widen::Rays;
 use crate::vector::{cross, dot, sub};
 
 impl Unsplit<'_> {

@@ -1,35 +1,18 @@
-//! Smoothing: points inside move to where their worst tetrahedron is best.
+//! Smoothing: a vertex inside moves to where its worst tetrahedron is best.
 //!
 //! A compass search (Hooke & Jeeves 1961) from where the point is and from the point farthest from the planes of its star. Quality is
 //! floating-point and only compared; a position counts only if it sees all faces of the star exactly.
 use crate::error::Error;
-use crate::kernel::around::StarSearch;
-use crate::kernel::Mesh;
 use crate::ops::place::{place_at_center, sees_all};
 use crate::ops::quality::quality;
 use crate::predicates::{in_range, Points};
-use crate::preserve::inside::Inside;
 use crate::vector::{dot, sub};
 
-/// Sweeps over all points, and halvings of the step.
-const SWEEPS: usize = 3;
+/// Halvings of the step: down to a four-thousandth of the first.
 const HALVINGS: usize = 12;
 
-/// Moves the points inside.
-pub fn smooth(mesh: &mut Mesh, points: &mut Points, inside: &Inside) -> Result<(), Error> {
-    let mut search = StarSearch::default();
-    let mut faces = Vec::new();
-    for _ in 0..SWEEPS {
-        for &p in &inside.list {
-            search.link(mesh, p, &mut faces)?;
-            improve(points, p, &faces)?;
-        }
-    }
-    Ok(())
-}
-
-/// Moves one point within its star.
-fn improve(points: &mut Points, p: u32, faces: &[[u32; 3]]) -> Result<(), Error> {
+/// Moves a vertex within its star, whose faces opposite it are given, turned towards it.
+pub fn smooth(points: &mut Points, p: u32, faces: &[[u32; 3]]) -> Result<(), Error> {
     let start = *points.xyz(p);
     let mut best = (worst(points, &start, faces), start);
     if place_at_center(points, p, faces)? {

@@ -8,9 +8,9 @@ use crate::kernel::tables::FACE;
 use crate::kernel::visited::Visited;
 use crate::kernel::Mesh;
 use crate::kernel::NONE;
+use crate::ops::reshape::may_join;
 use crate::ops::shape::{Goal, Shape};
 use crate::predicates::Points;
-use crate::preserve::improve::reshape::may_join;
 use crate::vector::{cross, dot, sub};
 use rustc_hash::FxHashSet;
 

@@ -12,8 +12,8 @@ use crate::error::Error;
 use crate::kernel::cavity::{Cavity, Terms};
 use crate::kernel::face_key;
 use crate::kernel::Mesh;
+use crate::ops::hollow::Start;
 use crate::predicates::{in_range, Points, Sign};
-use crate::preserve::release::hollow::Start;
 use crate::vector::{dot, sub};
 use rustc_hash::FxHashSet;
 

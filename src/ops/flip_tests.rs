@@ -5,11 +5,11 @@ use crate::kernel::check::check_topology;
 use crate::kernel::edge_key;
 use crate::kernel::replace::Replace;
 use crate::kernel::Mesh;
+use crate::ops::flip::{Flips, Limits, Site};
 use crate::predicates::{Points, Sign};
 use crate::preserve::recover::breakpoint::breakpoint;
 use crate::preserve::recover::corridor::Feature;
 use crate::preserve::recover::edges::{Recovery, ROUNDS};
-use crate::preserve::recover::flips::{Flips, Limits, Site};
 use crate::segments::recovery::Segments;
 
 /// Points on a small grid, in a fixed random order: many are coplanar.

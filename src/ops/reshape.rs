@@ -1,5 +1,5 @@
 //! Steps that improve a mesh of tetrahedra: an edge removed with the best sheet in its ring, a cavity filled in the best way found,
-//! another apex for the walls of a tetrahedron ([`mod@approach`](crate::preserve::improve::approach)).
+//! another apex for the walls of a tetrahedron ([`mod@approach`](crate::ops::approach)).
 //!
 //! Each step replaces tetrahedra by others whose worst is better in one measure, and no worse in the other than allowed. Qualities are
 //! floating-point and only choose among fillings whose tetrahedra are positive by exact signs.
@@ -15,11 +15,11 @@ use crate::kernel::visited::Visited;
 use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::kernel::{edge_key, face_key};
+use crate::ops::approach::Approach;
 use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::ops::shape::{Goal, Measure, Shape};
 use crate::ops::sheet::Sheets;
 use crate::predicates::{Points, Sign};
-use crate::preserve::improve::approach::Approach;
 use crate::vector::{dot, sub};
 use rustc_hash::FxHashSet;
 

@@ -2,19 +2,16 @@
 //! surroundings allow.
 //!
 //! Hill climbing, the worst tetrahedron first (Freitag & Ollivier-Gooch 1997; Klingner & Shewchuk 2007), by steps of
-//! [`reshape`](crate::preserve::improve::reshape). Every step replaces tetrahedra by better ones, by one measure, so a stage ends: when nothing bad is left,
+//! [`reshape`](crate::ops::reshape). Every step replaces tetrahedra by better ones, by one measure, so a stage ends: when nothing bad is left,
 //! or when too many tetrahedra could not be improved. The stages take turns between the smallest dihedral angle and the
 //! radius-edge ratio; the last ones try harder for the few worst.
-pub mod approach;
-pub mod reshape;
-pub mod smooth;
 
 use crate::error::Error;
 use crate::kernel::Mesh;
 use crate::kernel::{face_key, NONE};
+use crate::ops::reshape::{shape, Aim, Effort, Reshape};
 use crate::ops::shape::{needle, Measure, Shape};
 use crate::predicates::Points;
-use crate::preserve::improve::reshape::{shape, Aim, Effort, Reshape};
 use rustc_hash::FxHashSet;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
