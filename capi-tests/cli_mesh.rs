@@ -243,6 +243,50 @@ fn an_interrupt_ends_cleanly_with_3() {
 }
 
 #[test]
+fn limits_end_with_3_and_leave_nothing_behind() {
+    let dir = folder("limits");
+    let mut state = 1u64;
+    let mut next = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let points: String = (0..200_000).map(|i| format!("{i} {} {} {}\n", next(), next(), next())).collect();
+    std::fs::write(dir.join("p.node"), format!("200000 3 0 0\n{points}")).unwrap();
+    let prism = Path::new(env!("CARGO_MANIFEST_DIR")).join("capi-tests/data/schoenhardt.off");
+    std::fs::copy(prism, dir.join("prism.off")).unwrap();
+    let files = std::fs::read_dir(&dir).unwrap().count();
+    let mut cases = vec![
+        (["p.node", "--time-limit", "0.1"], "the time limit of 0.1 s"),
+        (["prism.off", "--steiner-limit", "0"], "the limit of 0 Steiner points"),
+    ];
+    if cfg!(target_os = "linux") {
+        cases.push((["p.node", "--memory-limit", "20M"], "the memory limit of 20.0 MB"));
+    }
+    for ([input, option, value], message) in cases {
+        let output = delotet(&["mesh", input, "-o", "m.vtu", option, value], &dir);
+        assert_eq!(output.status.code(), Some(3), "{}", error_line(&output));
+        assert!(error_line(&output).contains(message), "{}", error_line(&output));
+        assert_eq!(std::fs::read_dir(&dir).unwrap().count(), files, "{option}");
+    }
+    let wide = ["--time-limit", "1e6", "--memory-limit", "1.5Gi", "--steiner-limit", "1000"];
+    let output = delotet(&[&["mesh", "prism.off", "-o", "m.vtu"], &wide[..]].concat(), &dir);
+    assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
+    for wrong in
+        [["--time-limit", "0"], ["--time-limit", "-1"], ["--time-limit", "nan"], ["--time-limit", "1e30"]]
+            .into_iter()
+            .chain([
+                ["--memory-limit", "0"],
+                ["--memory-limit", "5X"],
+                ["--memory-limit", "M"],
+                ["--steiner-limit", "-1"],
+            ])
+    {
+        let output = delotet(&[&["mesh", "prism.off", "-o", "n.vtu"], &wrong[..]].concat(), &dir);
+        assert_eq!(output.status.code(), Some(2), "{wrong:?}");
+    }
+}
+
+#[test]
 fn merged_facets_are_counted_and_reported() {
     let dir = folder("merge");
     // A pyramid over a kite that is cut along its long diagonal and almost flat.

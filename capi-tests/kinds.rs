@@ -6,8 +6,8 @@ use delotet::ffi::{options as c_options, plc as c_plc};
 use delotet::io::{self, Format};
 use delotet::plc::check as check_plc;
 use delotet::{
-    check_mesh, tetrahedralize, DefectKind, Element, Error, Facet, Mode, Observer, Options, Phase, Plc,
-    RegionSeed, Segment, Silent, Status, TetMesh, WarningKind, Warnings,
+    check_mesh, controlled, tetrahedralize, DefectKind, Element, Error, Facet, Limits, Mode, Observer,
+    Options, Phase, Plc, RegionSeed, Segment, Silent, Status, TetMesh, WarningKind, Warnings,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -15,6 +15,7 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::ptr::null_mut;
+use std::time::Duration;
 
 thread_local! {
     /// Blocks of this size or more are refused in this thread.
@@ -298,6 +299,14 @@ const STATUSES: &[StatusRow] = &[
     StatusRow { status: DelotetStatus::SteinerLimit, run: || {
         let options = Options { steiner_limit: Some(0), ..Options::default() };
         status(tetrahedralize(&schoenhardt(), &options, &mut Silent))
+    } },
+    StatusRow { status: DelotetStatus::TimeLimit, run: || {
+        let options = Options { time_limit: Some(Duration::from_nanos(1)), ..Options::default() };
+        status(tetrahedralize(&tetrahedron(), &options, &mut Silent))
+    } },
+    StatusRow { status: DelotetStatus::MemoryLimit, run: || {
+        let limits = Limits { memory: Some(1 << 20), ..Limits::default() };
+        status(controlled(limits, &mut Silent, |control| control.room(1 << 30)))
     } },
     StatusRow { status: DelotetStatus::OutOfMemory, run: || {
         let file = "OFF 2000 0 0\n".to_string() + &"0 0 0\n".repeat(2000);

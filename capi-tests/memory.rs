@@ -4,9 +4,13 @@
 //! The allocator of this program refuses the n-th request, or all from the n-th on. Each job (making a mesh in some mode, reading or
 //! writing a format, queries, checks) is run for every n up to the number of its requests, or, if there are too many, for some n spread
 //! over them; DELOTET_MEMORY_ALL=1 runs all of them. The runs are made by child processes, so that an abort is an observation: it is
-//! attributed to the innermost module of the library on the stack of the refused request, and must be among the known ones.
+//! reported with the innermost module of the library on the stack of the refused request. None may end the process.
 //!
 //! A run that succeeds must give the same result as one with enough memory, and all runs must free everything they allocated.
+//!
+//! On Linux the same is asked of a process whose address space is limited: in every mode, the limit is raised step by step from what the
+//! process has when it begins to what the run needs, and each run must end with a mesh or with DELOTET_STATUS_OUT_OF_MEMORY.
+//! DELOTET_MEMORY_STEPS and DELOTET_MEMORY_POINTS set the number of steps and of points.
 #![allow(unsafe_code)]
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::collections::BTreeMap;
@@ -21,9 +25,6 @@ use delotet::ffi::{
     error::*, file::*, mesh::*, options::*, plc::*, plc_view::*, query::*, run::*, status::*, view::*,
     write::*,
 };
-
-/// Modules with requests whose refusal still aborts the process: stages of the engine.
-const KNOWN: &[&str] = &["delaunay", "facets", "kernel", "mesh", "ops", "preserve", "rounding", "segments"];
 
 /// At most about this many requests of a job are refused, one run each, unless all are requested, since meshing takes long.
 const RUNS_PER_MESH: u64 = 16;
@@ -205,6 +206,20 @@ fn plc_of(job: &Job) -> *mut DelotetPlc {
     plc
 }
 
+/// A PLC of points and triangles.
+fn plc_of_arrays(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> *mut DelotetPlc {
+    let mut plc = null_mut();
+    // SAFETY: arrays of these sizes.
+    unsafe {
+        let status = delotet_plc_new(points.as_ptr().cast(), points.len(), &mut plc, null_mut());
+        assert_eq!(status, DelotetStatus::Ok);
+        let corners = triangles.as_ptr().cast();
+        let status = delotet_plc_add_triangles(plc, corners, null(), triangles.len(), null_mut());
+        assert_eq!(status, DelotetStatus::Ok);
+    }
+    plc
+}
+
 fn mesh_hash(mesh: *const DelotetMesh) -> u64 {
     let mut hash = Hash(0xcbf2_9ce4_8422_2325);
     // SAFETY: the mesh is alive.
@@ -242,7 +257,19 @@ fn make_mesh(
 }
 
 fn meshing(job: &Job) -> Box<dyn Fn() -> Outcome> {
-    let (plc, mode, change) = (plc_of(job), job.mode, job.change);
+    meshing_of(plc_of(job), job)
+}
+
+/// Enough points that threads are started.
+fn meshing_many_points(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let golden = |i: u32, step: f64| (f64::from(i) * step).fract();
+    let points: Vec<[f64; 3]> =
+        (0..40_000).map(|i| [0.618_034, 0.754_878, 0.569_84].map(|s| golden(i, s))).collect();
+    meshing_of(plc_of_arrays(&points, &[]), job)
+}
+
+fn meshing_of(plc: *mut DelotetPlc, job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let (mode, change) = (job.mode, job.change);
     Box::new(move || {
         let (status, mesh) = make_mesh(plc, mode, change);
         let hash = mesh_hash(mesh);
@@ -570,6 +597,15 @@ fn jobs() -> Vec<Job> {
             jobs.push(Job { model, mode, change, runs, ..Job::new(name, meshing) });
         }
     }
+    jobs.push(Job {
+        mode: DELOTET_MODE_DELAUNAY,
+        // SAFETY: the options are alive and nothing else uses them.
+        change: |o| {
+            assert_eq!(unsafe { delotet_options_set_threads(o, 4, null_mut()) }, DelotetStatus::Ok);
+        },
+        runs: RUNS_PER_MESH,
+        ..Job::new("mesh many points, delaunay, four threads", meshing_many_points)
+    });
     for (model, expected) in [
         ("invalid/crossing.off", DelotetStatus::SelfIntersection),
         ("invalid/degenerate.off", DelotetStatus::DegenerateFacet),
@@ -742,7 +778,6 @@ fn sweep(job: usize, name: &str, on: bool, tally: &mut Tally) {
         // Optimized builds lack full names of inlined functions: there only the kind of job is known.
         let site = match (cfg!(debug_assertions), name) {
             (true, _) => site(&trace),
-            (false, name) if name.starts_with("mesh ") => "mesh".into(),
             (false, name) => name.into(),
         };
         if site == "unknown" || std::env::var_os("DELOTET_MEMORY_SHOW").is_some() {
@@ -758,6 +793,10 @@ fn main() {
     if arguments.first().is_some_and(|first| first == "--child") {
         return child(&arguments[1..]);
     }
+    #[cfg(target_os = "linux")]
+    if arguments.first().is_some_and(|first| first == "--limited") {
+        return limits::child(&arguments[1..]);
+    }
     // Like the standard harness: a filter by name.
     let filter = arguments.iter().find(|argument| !argument.starts_with('-')).cloned();
     let mut tally = Tally::default();
@@ -771,11 +810,156 @@ fn main() {
         println!("{}: {} runs, {} aborts", job.name, tally.runs - before.0, tally.aborts - before.1);
     }
     println!("{} runs, {} aborts at {:#?}", tally.runs, tally.aborts, tally.sites);
-    let is_in = |site: &str, known: &str| {
-        site.strip_prefix(known).is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
-    };
-    for site in tally.sites.keys().filter(|site| !KNOWN.iter().any(|known| is_in(site, known))) {
+    for site in tally.sites.keys() {
         tally.faults.push(format!("a refused request in {site} ends the process"));
     }
+    #[cfg(target_os = "linux")]
+    limits::step_all(filter.as_deref(), &mut tally.faults);
     assert!(tally.faults.is_empty(), "\n{}\n", tally.faults.join("\n"));
+}
+
+/// Runs in a limited address space.
+#[cfg(target_os = "linux")]
+mod limits {
+    use super::*;
+
+    const STEPS: u64 = 12;
+    const POINTS: usize = 30_000;
+    const MODES: [(&str, DelotetMode); 3] = [
+        ("delaunay", DELOTET_MODE_DELAUNAY),
+        ("cdt", DELOTET_MODE_CONSTRAINED),
+        ("preserve", DELOTET_MODE_PRESERVE),
+    ];
+
+    fn from_environment<T: std::str::FromStr>(name: &str, otherwise: T) -> T {
+        std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
+    }
+
+    /// Numbers from 0 to 1, always the same (splitmix64).
+    struct Random(u64);
+
+    impl Random {
+        fn next(&mut self) -> f64 {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let x = (self.0 ^ self.0 >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let x = (x ^ x >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((x ^ x >> 31) >> 11) as f64 / (1u64 << 53) as f64
+        }
+    }
+
+    /// A rough torus of about so many points.
+    fn surface(count: usize) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let around = (count as f64).sqrt() as usize;
+        let mut random = Random(1);
+        let mut points = Vec::new();
+        let mut triangles = Vec::new();
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / around as f64;
+        for i in 0..around {
+            for j in 0..around {
+                let tube = 1.0 + 2.0 / around as f64 * random.next();
+                let ring = 3.0 + tube * angle(j).cos();
+                points.push([ring * angle(i).cos(), ring * angle(i).sin(), tube * angle(j).sin()]);
+                let at = |i: usize, j: usize| (i % around * around + j % around) as u32;
+                let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+        (points, triangles)
+    }
+
+    fn input(mode: DelotetMode, count: usize) -> *mut DelotetPlc {
+        let (points, triangles) = match mode {
+            DELOTET_MODE_DELAUNAY => {
+                let mut random = Random(2);
+                ((0..count).map(|_| [random.next(), random.next(), random.next()]).collect(), Vec::new())
+            }
+            _ => surface(count),
+        };
+        super::plc_of_arrays(&points, &triangles)
+    }
+
+    /// The address space of this process now, and at most so far.
+    fn address_space() -> [u64; 2] {
+        let status = std::fs::read_to_string("/proc/self/status").unwrap();
+        ["VmSize:", "VmPeak:"].map(|name| {
+            let line = status.lines().find_map(|line| line.strip_prefix(name)).unwrap();
+            1024 * line.split_whitespace().next().unwrap().parse::<u64>().unwrap()
+        })
+    }
+
+    /// A child: a mesh in some mode with so many more bytes of address space (0: all there is). Prints the status and what it took.
+    pub(super) fn child(arguments: &[String]) {
+        let mode = MODES[arguments[0].parse::<usize>().unwrap()].1;
+        let [count, more]: [u64; 2] = [1, 2].map(|i| arguments[i].parse().unwrap());
+        let plc = input(mode, count as usize);
+        let [before, _] = address_space();
+        if more > 0 {
+            let limit = libc::rlimit { rlim_cur: before + more, rlim_max: libc::RLIM_INFINITY };
+            // SAFETY: a limit to read.
+            assert_eq!(unsafe { libc::setrlimit(libc::RLIMIT_AS, &limit) }, 0);
+        }
+        let two_threads = |o| {
+            // SAFETY: the options are alive and nothing else uses them.
+            assert_eq!(unsafe { delotet_options_set_threads(o, 2, null_mut()) }, DelotetStatus::Ok);
+        };
+        let (status, mesh) = make_mesh(plc, mode, two_threads);
+        // SAFETY: both are ours.
+        unsafe {
+            delotet_mesh_free(mesh);
+            delotet_plc_free(plc);
+            let limit = libc::rlimit { rlim_cur: libc::RLIM_INFINITY, rlim_max: libc::RLIM_INFINITY };
+            libc::setrlimit(libc::RLIMIT_AS, &limit);
+        }
+        say(format_args!("{} {}", status as i32, address_space()[1] - before));
+    }
+
+    /// The status of a child and the address space it took; or what it said last.
+    fn run(mode: usize, count: usize, more: u64) -> Result<(i32, u64), String> {
+        let mut command = Command::new(std::env::current_exe().unwrap());
+        command.args(["--limited", &mode.to_string(), &count.to_string(), &more.to_string()]);
+        let output = command.env("RUST_BACKTRACE", "0").output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let mut numbers = text.split_whitespace().map(str::parse::<i64>);
+        match (output.status.success(), numbers.next(), numbers.next()) {
+            (true, Some(Ok(status)), Some(Ok(taken))) => Ok((status as i32, taken as u64)),
+            _ => Err(format!("{:?}: {}", output.status, String::from_utf8_lossy(&output.stderr))),
+        }
+    }
+
+    /// Steps through the limits in all modes.
+    pub(super) fn step_all(filter: Option<&str>, faults: &mut Vec<String>) {
+        let steps: u64 = from_environment("DELOTET_MEMORY_STEPS", STEPS);
+        let count: usize = from_environment("DELOTET_MEMORY_POINTS", POINTS);
+        for (number, (mode, _)) in MODES.into_iter().enumerate() {
+            let name = format!("limits, {mode}");
+            if filter.is_some_and(|filter| !name.contains(filter)) {
+                continue;
+            }
+            let (status, most) = match run(number, count, 0) {
+                Ok(end) => end,
+                Err(error) => {
+                    faults.push(format!("{name}, without a limit: {error}"));
+                    continue;
+                }
+            };
+            assert_eq!(status, DelotetStatus::Ok as i32, "{name}");
+            let mut ends = [0; 2];
+            for step in 1..=steps {
+                // The last limits are above what the run took.
+                let more = most * 21 / 20 * step / steps;
+                match run(number, count, more) {
+                    Ok((status, _)) if status == DelotetStatus::Ok as i32 => ends[0] += 1,
+                    Ok((status, _)) if status == DelotetStatus::OutOfMemory as i32 => ends[1] += 1,
+                    Ok((status, _)) => faults.push(format!("{name}, {more} bytes: status {status}")),
+                    Err(error) => faults.push(format!("{name}, {more} bytes: {error}")),
+                }
+            }
+            let [meshes, short] = ends;
+            println!(
+                "{name}: {count} points, {most} bytes; {steps} limits: {meshes} meshes, {short} times out of memory, {} faults",
+                steps - meshes - short
+            );
+            assert!(meshes > 0 && short > 0, "{name}: {meshes} meshes, {short} times out of memory");
+        }
+    }
 }

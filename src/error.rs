@@ -30,12 +30,16 @@ pub enum Status {
     SeedOutside = 18,
     /// The surface encloses nothing, and the convex hull was not requested.
     NothingEnclosed = 19,
-    /// The caller's callback asked to stop.
+    /// The caller asked to stop, by its callback or its token.
     Cancelled = 30,
     /// The caller's limit on Steiner points was reached.
     SteinerLimit = 31,
     /// The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
     Rounding = 33,
+    /// The caller's limit on time was reached.
+    TimeLimit = 34,
+    /// The caller's limit on memory was reached.
+    MemoryLimit = 35,
     /// Memory ran out.
     OutOfMemory = 40,
     /// More elements than 32-bit indices can address.
@@ -48,6 +52,14 @@ pub enum Status {
     CheckFailed = 60,
     /// An invariant failed: a bug in this library. Please report it.
     Internal = 90,
+}
+
+impl Status {
+    /// Whether nothing else may be tried after this failure: the run was ended by the caller or by a limit of the caller or the machine.
+    pub(crate) fn is_final(self) -> bool {
+        use Status::{Cancelled, MemoryLimit, OutOfMemory, TimeLimit, TooLarge};
+        matches!(self, Cancelled | TimeLimit | MemoryLimit | OutOfMemory | TooLarge)
+    }
 }
 
 /// An element of the input or of the mesh, by its index.
@@ -135,6 +147,7 @@ pub struct Defect {
 }
 
 /// A failure: its status, a readable message, and all elements at fault.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Error {
     /// The status.
@@ -172,9 +185,10 @@ impl From<fmt::Arguments<'_>> for Message {
 impl Error {
     /// An error without defects. If there is no memory for its text, the error is [`Status::OutOfMemory`].
     pub fn new(status: Status, message: impl Into<Message>) -> Self {
+        #[expect(clippy::disallowed_methods, reason = "the conversions to a message are above")]
         match message.into().0 {
             Ok(message) => Error { status, message, defects: Vec::new(), defect_count: 0 },
-            Err(short) => short.into(),
+            Err(short) => Error::from(short),
         }
     }
 
@@ -184,7 +198,7 @@ impl Error {
         if error.status == status {
             match fallible::push(&mut error.defects, defect) {
                 Ok(()) => error.defect_count = 1,
-                Err(short) => return short.into(),
+                Err(short) => return Error::from(short),
             }
         }
         error
@@ -194,7 +208,7 @@ impl Error {
     pub(crate) fn with_defects(status: Status, message: Message, defects: Vec<Defect>, count: usize) -> Self {
         match message.0 {
             Ok(message) => Error { status, message, defects, defect_count: count },
-            Err(short) => short.into(),
+            Err(short) => Error::from(short),
         }
     }
 
@@ -211,13 +225,13 @@ impl Error {
         }
         match fallible::text(format_args!("{place}: {}", self.message)) {
             Ok(message) => Error { message: Cow::Owned(message), ..self },
-            Err(short) => short.into(),
+            Err(short) => Error::from(short),
         }
     }
 }
 
 /// Counts of defects by kind, in the order in which the kinds were first seen. Allocates nothing.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct KindCounts {
     list: [Option<(DefectKind, usize)>; KindCounts::ROOM],
 }

@@ -1,34 +1,157 @@
 //! Allocation that returns an error instead of aborting the process, as the standard library's own functions do: a library must not do that
-//! to its host. Everything that allocates uses `try_reserve` or one of these functions. They fail if memory runs out.
+//! to its host. Everything that grows with the input grows by these functions, or in room taken by `try_reserve`. `.clippy.toml` lists the
+//! functions that abort; only this file may call them, always with room for what they add.
+#![allow(clippy::disallowed_methods)]
 use std::cmp::Ordering;
-use std::collections::TryReserveError;
+use std::collections::hash_map::Entry;
+use std::collections::{BinaryHeap, HashMap, HashSet, TryReserveError, VecDeque};
 use std::fmt::{self, Write};
+use std::hash::{BuildHasher, Hash};
 
 /// A value, unless memory ran out.
-type Room<T> = Result<T, TryReserveError>;
+pub type Room<T> = Result<T, TryReserveError>;
 
 /// Appends one element.
 #[inline]
 pub fn push<T>(list: &mut Vec<T>, value: T) -> Room<()> {
-    list.try_reserve(1)?;
+    // The comparison is the one that `push` makes, which therefore costs nothing more.
+    if list.len() == list.capacity() {
+        grow(list)?;
+    }
     list.push(value);
     Ok(())
 }
 
+#[cold]
+#[inline(never)]
+fn grow<T>(list: &mut Vec<T>) -> Room<()> {
+    list.try_reserve(1)
+}
+
+/// Appends one element to a queue.
+#[inline]
+pub fn push_back<T>(queue: &mut VecDeque<T>, value: T) -> Room<()> {
+    queue.try_reserve(1)?;
+    queue.push_back(value);
+    Ok(())
+}
+
+/// Adds one element to a heap.
+#[inline]
+pub fn push_heap<T: Ord>(heap: &mut BinaryHeap<T>, value: T) -> Room<()> {
+    heap.try_reserve(1)?;
+    heap.push(value);
+    Ok(())
+}
+
+/// Inserts one element at an index, at most the length.
+pub fn insert_at<T>(list: &mut Vec<T>, at: usize, value: T) -> Room<()> {
+    list.try_reserve(1)?;
+    list.insert(at, value);
+    Ok(())
+}
+
 /// Appends all elements, which may be more than the iterator's lower bound.
+#[inline]
 pub fn extend<T>(list: &mut Vec<T>, values: impl IntoIterator<Item = T>) -> Room<()> {
     let values = values.into_iter();
-    list.try_reserve(values.size_hint().0)?;
+    let (least, most) = values.size_hint();
+    list.try_reserve(least)?;
+    if most == Some(least) {
+        list.extend(values);
+        return Ok(());
+    }
     for value in values {
         push(list, value)?;
     }
     Ok(())
 }
 
+/// Appends a copy of a slice.
+#[inline]
+pub fn append<T: Copy>(list: &mut Vec<T>, more: &[T]) -> Room<()> {
+    list.try_reserve(more.len())?;
+    list.extend_from_slice(more);
+    Ok(())
+}
+
+/// Appends a text.
+pub fn append_text(text: &mut String, more: &str) -> Room<()> {
+    text.try_reserve(more.len())?;
+    text.push_str(more);
+    Ok(())
+}
+
+/// Makes a list this long: cuts it, or appends copies of `value`.
+#[inline]
+pub fn resize<T: Copy>(list: &mut Vec<T>, count: usize, value: T) -> Room<()> {
+    list.try_reserve(count.saturating_sub(list.len()))?;
+    list.resize(count, value);
+    Ok(())
+}
+
+/// Sets the value of a key; returns the previous one.
+#[inline]
+pub fn insert<K: Eq + Hash, V, S: BuildHasher>(
+    map: &mut HashMap<K, V, S>,
+    key: K,
+    value: V,
+) -> Room<Option<V>> {
+    map.try_reserve(1)?;
+    Ok(map.insert(key, value))
+}
+
+/// Sets the values of several keys.
+pub fn insert_all<K: Eq + Hash, V, S: BuildHasher>(
+    map: &mut HashMap<K, V, S>,
+    pairs: impl IntoIterator<Item = (K, V)>,
+) -> Room<()> {
+    let pairs = pairs.into_iter();
+    map.try_reserve(pairs.size_hint().0)?;
+    for (key, value) in pairs {
+        insert(map, key, value)?;
+    }
+    Ok(())
+}
+
+/// Adds a key; returns whether it is new.
+#[inline]
+pub fn add<K: Eq + Hash, S: BuildHasher>(set: &mut HashSet<K, S>, key: K) -> Room<bool> {
+    set.try_reserve(1)?;
+    Ok(set.insert(key))
+}
+
+/// Adds several keys.
+pub fn add_all<K: Eq + Hash, S: BuildHasher>(
+    set: &mut HashSet<K, S>,
+    keys: impl IntoIterator<Item = K>,
+) -> Room<()> {
+    let keys = keys.into_iter();
+    set.try_reserve(keys.size_hint().0)?;
+    for key in keys {
+        add(set, key)?;
+    }
+    Ok(())
+}
+
+/// The place of a key, with room for it if there is none yet.
+#[inline]
+pub fn entry<K: Eq + Hash, V, S: BuildHasher>(map: &mut HashMap<K, V, S>, key: K) -> Room<Entry<'_, K, V>> {
+    map.try_reserve(1)?;
+    Ok(map.entry(key))
+}
+
 /// Collects all elements in a list.
 pub fn collect<T>(values: impl IntoIterator<Item = T>) -> Room<Vec<T>> {
     let mut list = Vec::new();
     extend(&mut list, values)?;
+    Ok(list)
+}
+
+/// An empty list with room for `count` elements.
+pub fn reserved<T>(count: usize) -> Room<Vec<T>> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count)?;
     Ok(list)
 }
 
@@ -54,6 +177,26 @@ pub fn copied<T: Copy>(from: &[T]) -> Room<Vec<T>> {
     list.try_reserve_exact(from.len())?;
     list.extend_from_slice(from);
     Ok(list)
+}
+
+/// A copy of a text.
+pub fn copied_text(from: &str) -> Room<String> {
+    let mut text = String::new();
+    text.try_reserve_exact(from.len())?;
+    text.push_str(from);
+    Ok(text)
+}
+
+/// A list of what `make` makes of each element. Fails if `make` does.
+pub fn each<T, R, E: From<TryReserveError>>(
+    list: &[T],
+    mut make: impl FnMut(&T) -> Result<R, E>,
+) -> Result<Vec<R>, E> {
+    let mut made = reserved(list.len())?;
+    for element in list {
+        made.push(make(element)?);
+    }
+    Ok(made)
 }
 
 /// A stable sort.

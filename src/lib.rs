@@ -23,7 +23,7 @@
 //! ops                                        local operations on a few tetrahedra: reconnection, sheets, positions
 //! kernel                                     tetrahedra and their adjacency: topology alone, no coordinates
 //! predicates                                 signs
-//! leaves    elementary  error  fallible  options  output  panics  progress  vector  warning
+//! leaves    control  elementary  error  fallible  options  output  panics  progress  threads  vector  warning
 //! ```
 //!
 //! What is below the rim is private to the crate.
@@ -34,8 +34,11 @@
 //!   positive, as in VTK, Gmsh and MEDIT.
 //! * Face `i` of a tetrahedron is opposite its vertex `i`. Indices are 0-based `u32`; [`INVALID`] means "none".
 #![warn(clippy::all)]
+#![cfg_attr(not(test), warn(clippy::disallowed_macros, clippy::disallowed_methods))]
+#![cfg_attr(test, allow(clippy::disallowed_macros, clippy::disallowed_methods))]
 
 pub mod check;
+mod control;
 mod delaunay;
 #[cfg(any(doc, doctest))]
 pub mod doc;
@@ -63,17 +66,19 @@ pub mod progress;
 pub mod query;
 mod rounding;
 mod segments;
+mod threads;
 mod vector;
 pub mod warning;
 
 pub use check::{check_guarantee, check_mesh, check_preserved, check_preserved_outer};
+pub use control::{controlled, CancelToken, Control, Limits};
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, MshVersion, Options, Preserve, RegionName, WriteOptions};
 pub use output::{
     Dropped, FacetFlip, Guarantee, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm,
     Subface, Subsegment, TetMesh,
 };
-pub use plan::tetrahedralize;
+pub use plan::{tetrahedralize, tetrahedralize_with};
 pub use plc::{Facet, Interior, MarkerName, Plc, RegionSeed, Segment};
 pub use progress::{Observer, Phase, Silent};
 pub use warning::{Warning, WarningKind, Warnings};

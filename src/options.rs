@@ -1,5 +1,8 @@
 //! The settings of a run and of a writer, with their defaults.
+use crate::control::{CancelToken, Limits};
 use crate::error::Error;
+use crate::fallible;
+use std::time::Duration;
 
 /// What is made from the input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -27,6 +30,7 @@ pub enum Preserve {
 }
 
 /// Settings of a run. `Options::default()` has the defaults that the field docs give.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// What is made. Default: [`Mode::Constrained`].
@@ -45,9 +49,18 @@ pub struct Options {
     pub max_defects: usize,
     /// The number of worker threads; 0: one per processor available to the process. The mesh is the same for any number. Default: 1.
     pub threads: usize,
-    /// Fail with [`Status::SteinerLimit`](crate::Status::SteinerLimit) beyond this many Steiner points. Default: None, which means 100,000
-    /// plus 100 per segment, many times what any model has needed.
+    /// Fail with [`Status::SteinerLimit`](crate::Status::SteinerLimit) if the mesh needs more Steiner points than this; those that
+    /// [`Mode::Preserve`] removes again count where it starts from the constrained Delaunay tetrahedralization. Default: None, which means
+    /// 100,000 plus 100 per segment, many times what any model has needed.
     pub steiner_limit: Option<u64>,
+    /// Fail with [`Status::TimeLimit`](crate::Status::TimeLimit) after this time, counted from the call. Default: None (no limit).
+    pub time_limit: Option<Duration>,
+    /// Fail with [`Status::MemoryLimit`](crate::Status::MemoryLimit) before the resident memory of the process has grown by more than this
+    /// many bytes since the call. Concurrent runs and the host's other threads count, since only the whole process is measured. What
+    /// is taken between two readings may exceed it. Linux only: other systems count only the large tables of the engine. Default: None (no limit).
+    pub memory_limit: Option<u64>,
+    /// Fail with [`Status::Cancelled`](crate::Status::Cancelled) once this token is cancelled. Default: None.
+    pub cancel: Option<CancelToken>,
     /// Return the mesh even if some Steiner points have no valid position in doubles, instead of failing with
     /// [`Status::Rounding`](crate::Status::Rounding). [`TetMesh::crowded`](crate::TetMesh::crowded) lists these points; tetrahedra at them
     /// may be flat or inverted in doubles; [`TetMesh::steiner`](crate::TetMesh::steiner) gives the exact mesh. Default: false.
@@ -61,6 +74,21 @@ pub struct Options {
 }
 
 impl Options {
+    /// A copy: no setting owns memory but the token, which is shared.
+    pub(crate) fn copied(&self) -> Options {
+        Options { cancel: self.cancel.as_ref().map(CancelToken::shared), ..*self }
+    }
+
+    /// What ends a run.
+    pub fn limits(&self) -> Limits<'_> {
+        Limits {
+            cancel: self.cancel.as_ref().map(CancelToken::flag),
+            time: self.time_limit,
+            memory: self.memory_limit,
+            steiner: self.steiner_limit,
+        }
+    }
+
     /// The number of worker threads of a run: [`Options::threads`], or the number of processors if that is 0.
     pub fn worker_threads(&self) -> usize {
         match self.threads {
@@ -81,6 +109,9 @@ impl Default for Options {
             max_defects: 1000,
             threads: 1,
             steiner_limit: None,
+            time_limit: None,
+            memory_limit: None,
+            cancel: None,
             exact_form: false,
             drop_unmeshed_points: false,
             points_sorted: false,
@@ -99,6 +130,7 @@ pub enum MshVersion {
 }
 
 /// The name of the regions with an attribute.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionName {
     /// The attribute.
@@ -108,6 +140,7 @@ pub struct RegionName {
 }
 
 /// How a mesh is written. `WriteOptions::default()` has the defaults that the field docs give.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct WriteOptions {
     /// `.vtu`: compress the arrays with zlib, which makes smaller files more slowly. Default: false.
@@ -145,15 +178,10 @@ impl WriteOptions {
     /// # Errors
     /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
     pub fn set_region_name(&mut self, attribute: f64, name: &str) -> Result<(), Error> {
-        let mut kept = String::new();
-        kept.try_reserve_exact(name.len())?;
-        kept.push_str(name);
+        let kept = fallible::copied_text(name)?;
         match self.region_names.iter_mut().find(|n| n.attribute == attribute) {
             Some(known) => known.name = kept,
-            None => {
-                self.region_names.try_reserve(1)?;
-                self.region_names.push(RegionName { attribute, name: kept });
-            }
+            None => fallible::push(&mut self.region_names, RegionName { attribute, name: kept })?,
         }
         Ok(())
     }

@@ -1,4 +1,6 @@
 //! The result: flat arrays in doubles, input points first, with the origin of every element.
+use crate::error::Error;
+use crate::fallible;
 use crate::progress::Phase;
 use crate::warning::Warnings;
 
@@ -110,7 +112,7 @@ pub struct FacetFlip {
 }
 
 /// Counts of what it took to keep the surface ([`Mode::Preserve`](crate::Mode::Preserve)).
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PreserveStatistics {
     /// Edges of the surface missing from the Delaunay tetrahedralization of the points.
     pub missing_edges: u64,
@@ -133,6 +135,7 @@ pub struct PreserveStatistics {
 }
 
 /// Counts and costs of a run.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
     /// Steiner points on segments and facet edges.
@@ -158,6 +161,7 @@ pub struct Statistics {
 }
 
 /// A tetrahedral mesh in doubles.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TetMesh {
     /// All points: the input points first, bit for bit and in input order, then the Steiner points.
@@ -216,4 +220,64 @@ pub struct TetMesh {
     pub warnings: Warnings,
     /// Counts and costs.
     pub statistics: Statistics,
+}
+
+impl TetMesh {
+    /// A copy; unlike `clone` it returns an error if memory runs out.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    pub fn try_clone(&self) -> Result<TetMesh, Error> {
+        // By name, so that a new field cannot be forgotten here.
+        let TetMesh {
+            points,
+            input_point_count,
+            point_alias,
+            tets,
+            neighbors,
+            tet_region,
+            regions,
+            subfaces,
+            subsegments,
+            unmeshed_subfaces,
+            unmeshed_subsegments,
+            unmeshed_points,
+            dropped,
+            steiner,
+            steiner_terms,
+            replaced,
+            crowded,
+            facet_flips,
+            hull_kept,
+            guarantee,
+            preserved,
+            warnings,
+            statistics,
+        } = self;
+        Ok(TetMesh {
+            points: fallible::copied(points)?,
+            input_point_count: *input_point_count,
+            point_alias: fallible::copied(point_alias)?,
+            tets: fallible::copied(tets)?,
+            neighbors: fallible::copied(neighbors)?,
+            tet_region: fallible::copied(tet_region)?,
+            regions: fallible::copied(regions)?,
+            subfaces: fallible::copied(subfaces)?,
+            subsegments: fallible::copied(subsegments)?,
+            unmeshed_subfaces: fallible::copied(unmeshed_subfaces)?,
+            unmeshed_subsegments: fallible::copied(unmeshed_subsegments)?,
+            unmeshed_points: fallible::copied(unmeshed_points)?,
+            dropped: dropped.as_ref().map(Dropped::try_clone).transpose()?,
+            steiner: fallible::copied(steiner)?,
+            steiner_terms: fallible::copied(steiner_terms)?,
+            replaced: fallible::copied(replaced)?,
+            crowded: fallible::copied(crowded)?,
+            facet_flips: fallible::copied(facet_flips)?,
+            hull_kept: *hull_kept,
+            guarantee: *guarantee,
+            preserved: *preserved,
+            warnings: warnings.try_clone()?,
+            statistics: Statistics { ..*statistics },
+        })
+    }
 }

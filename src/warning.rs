@@ -1,7 +1,8 @@
 //! Warnings: what a caller should know about a mesh that is valid nonetheless. No C types here: `ffi` translates.
+use crate::control::Control;
 use crate::error::Element;
 use crate::fallible;
-use crate::progress::Observer;
+use std::collections::TryReserveError;
 use std::fmt;
 
 /// What a warning is about.
@@ -120,6 +121,7 @@ pub struct Warning {
 }
 
 /// A list of warnings, limited per kind; all are counted.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Warnings {
     list: Vec<Warning>,
@@ -133,8 +135,8 @@ impl Warnings {
         // The listed warnings of a kind are its first ones: none was listed after one that was not.
         let listed = *count < limit as u64;
         *count += 1;
-        if listed && self.list.try_reserve(1).is_ok() {
-            self.list.push(warning);
+        if listed {
+            let _ = fallible::push(&mut self.list, warning);
         }
     }
 
@@ -143,9 +145,13 @@ impl Warnings {
         for (count, more) in self.counts.iter_mut().zip(other.counts) {
             *count += more;
         }
-        if self.list.try_reserve(other.list.len()).is_ok() {
-            self.list.extend_from_slice(&other.list);
-        }
+        // Without memory, they are counted only.
+        let _ = fallible::append(&mut self.list, &other.list);
+    }
+
+    /// A copy; unlike `clone` it returns an error if memory runs out.
+    pub(crate) fn try_clone(&self) -> Result<Warnings, TryReserveError> {
+        Ok(Warnings { list: fallible::copied(&self.list)?, counts: self.counts })
     }
 
     /// The listed warnings, in the order found.
@@ -189,11 +195,11 @@ impl Warnings {
     }
 
     /// Logs one line per kind.
-    pub fn log(&self, observer: &mut dyn Observer) {
+    pub fn log(&self, control: &Control) {
         for line in WarningKind::ALL.into_iter().filter_map(|kind| self.line(kind)) {
             // Without memory for a line, the line is dropped: the mesh has the warnings themselves.
             if let Ok(line) = fallible::text(format_args!("warning: {line}")) {
-                observer.log(&line);
+                control.log(&line);
             }
         }
     }

@@ -6,6 +6,7 @@
 use delotet::internals::Construction;
 use delotet::internals::Points;
 use delotet::internals::{insertion_order, Order};
+use delotet::{Control, Phase};
 use std::io::{BufRead, Read};
 use std::time::Instant;
 
@@ -78,7 +79,7 @@ fn fingerprint(delaunay: &Construction, order: &[u32]) -> (usize, u64) {
 /// The first part; a function of its own so that tools can find it.
 #[inline(never)]
 fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Order {
-    insertion_order(points, ids).expect("enough memory")
+    insertion_order(points, ids, &Control::free()).expect("enough memory")
 }
 
 /// The second part.
@@ -86,7 +87,8 @@ fn sort_all(points: &[[f64; 3]], ids: &[u32]) -> Order {
 fn insert_all(points: &Points, rounds: &[usize], threads: usize, ranges: Option<usize>) -> Construction {
     let mut delaunay = Construction { ranges, ..Construction::default() };
     let mut sequence: Vec<u32> = (0..points.len() as u32).collect();
-    delaunay.build_rounds(points, &mut sequence, rounds, threads, &mut |_| Ok(())).unwrap();
+    let control = Control::free();
+    delaunay.build_rounds(points, &mut sequence, rounds, threads, control.whole(Phase::Delaunay)).unwrap();
     delaunay
 }
 

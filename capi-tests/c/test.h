@@ -135,6 +135,23 @@ static inline DelotetPlc *cube_with_fin(void)
     return plc;
 }
 
+/* Points in the unit cube, the same in every run. */
+static inline DelotetPlc *cloud(size_t count)
+{
+    double *xyz = (double *)malloc(count * 3 * sizeof *xyz);
+    uint64_t state = 1;
+    DelotetPlc *plc = NULL;
+    size_t i;
+    CHECK(xyz != NULL);
+    for (i = 0; i < 3 * count; i++) {
+        state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        xyz[i] = (double)(state >> 11) / 9007199254740992.0;
+    }
+    OK(delotet_plc_new(xyz, count, &plc, &error));
+    free(xyz);
+    return plc;
+}
+
 static inline DelotetMesh *mesh_with(const DelotetPlc *plc, const DelotetOptions *options)
 {
     DelotetMesh *mesh = NULL;

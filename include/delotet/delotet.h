@@ -122,7 +122,7 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_NOTHING_ENCLOSED = 19,
     /**
-     * The caller's callback asked to stop.
+     * The caller asked to stop, by its callback or its token.
      */
     DELOTET_STATUS_CANCELLED = 30,
     /**
@@ -133,6 +133,14 @@ typedef enum DelotetStatus {
      * The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
      */
     DELOTET_STATUS_ROUNDING = 33,
+    /**
+     * The caller's limit on time was reached.
+     */
+    DELOTET_STATUS_TIME_LIMIT = 34,
+    /**
+     * The caller's limit on memory was reached.
+     */
+    DELOTET_STATUS_MEMORY_LIMIT = 35,
     /**
      * Memory ran out.
      */
@@ -388,6 +396,12 @@ typedef enum DelotetWarningKind {
      */
     DELOTET_WARNING_KIND_LOST_VALUE = 10,
 } DelotetWarningKind;
+
+/**
+ * Cancels runs from any thread: one token may be given to the options of any number of runs. Functions that take `const` tokens may be
+ * called at any time, concurrently with the runs and with each other. Options keep the token alive: it may be freed while they use it.
+ */
+typedef struct DelotetCancelToken DelotetCancelToken;
 
 /**
  * A failure: its status, a readable message, and all elements at fault. Created by the failing call, owned by the caller.
@@ -1361,7 +1375,8 @@ enum DelotetStatus delotet_options_set_threads(struct DelotetOptions *options,
                                                struct DelotetError **out_error);
 
 /**
- * Fail with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX, the default: 100,000 plus 100 per segment.
+ * Fail with DELOTET_STATUS_STEINER_LIMIT if the mesh needs more Steiner points than this; those that DELOTET_MODE_PRESERVE removes again
+ * count where it starts from the constrained Delaunay tetrahedralization. UINT64_MAX, the default: 100,000 plus 100 per segment.
  * Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
@@ -1498,6 +1513,85 @@ DELOTET_API DelotetLogFn delotet_options_log(const struct DelotetOptions *option
  * Frees options. NULL is ignored. No run may be using them.
  */
 DELOTET_API void delotet_options_free(struct DelotetOptions *options);
+
+/**
+ * A new token, not cancelled. The caller owns it; free it with delotet_cancel_token_free(). NULL only if memory ran out.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+struct DelotetCancelToken *delotet_cancel_token_new(void);
+
+/**
+ * Cancels all runs that use the token, also those that begin later: they fail with DELOTET_STATUS_CANCELLED within a fraction of a second.
+ * Returns at once; takes no lock and allocates nothing, so that signal handlers may call it. NULL is ignored.
+ */
+DELOTET_API
+void delotet_cancel_token_cancel(const struct DelotetCancelToken *token);
+
+/**
+ * Whether the token is cancelled; false for NULL.
+ */
+DELOTET_API bool delotet_cancel_token_is_cancelled(const struct DelotetCancelToken *token);
+
+/**
+ * Makes the token usable again. A run that has not yet seen that it was cancelled goes on. NULL is ignored.
+ */
+DELOTET_API void delotet_cancel_token_reset(const struct DelotetCancelToken *token);
+
+/**
+ * Gives up the caller's part in a token, which must not be used by the caller any more. Options that have it keep it until they are freed
+ * or get another one. NULL is ignored.
+ */
+DELOTET_API
+void delotet_cancel_token_free(struct DelotetCancelToken *token);
+
+/**
+ * Sets the token that cancels runs with these options. NULL, the default: none. Errors: INVALID_ARGUMENT (options is NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_cancel_token(struct DelotetOptions *options,
+                                                    const struct DelotetCancelToken *token,
+                                                    struct DelotetError **out_error);
+
+/**
+ * The token, NULL if there is none, as set by delotet_options_set_cancel_token(). Borrowed from `options`: valid until they get another
+ * one or are freed.
+ */
+DELOTET_API
+const struct DelotetCancelToken *delotet_options_cancel_token(const struct DelotetOptions *options);
+
+/**
+ * Fail with DELOTET_STATUS_TIME_LIMIT this many seconds after the beginning of a call. 0, the default: no limit. Errors: INVALID_ARGUMENT
+ * (negative or not finite).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_time_limit(struct DelotetOptions *options,
+                                                  double seconds,
+                                                  struct DelotetError **out_error);
+
+/**
+ * The limit on time in seconds, 0 if there is none, as set by delotet_options_set_time_limit().
+ */
+DELOTET_API double delotet_options_time_limit(const struct DelotetOptions *options);
+
+/**
+ * Fail with DELOTET_STATUS_MEMORY_LIMIT before the resident memory of the process has grown by more than this many bytes since the
+ * beginning of a call. Concurrent calls and the host's other threads count, since only the whole process is measured. What is
+ * taken between two readings may exceed it. Linux only: other systems count only the large tables of the engine. 0, the default: no limit.
+ * Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_memory_limit(struct DelotetOptions *options,
+                                                    uint64_t bytes,
+                                                    struct DelotetError **out_error);
+
+/**
+ * The limit on memory in bytes, 0 if there is none, as set by delotet_options_set_memory_limit().
+ */
+DELOTET_API uint64_t delotet_options_memory_limit(const struct DelotetOptions *options);
 
 /**
  * Creates a PLC with these points and nothing else.
@@ -1719,7 +1813,7 @@ enum DelotetStatus delotet_plc_add_region(struct DelotetPlc *plc,
  * the maximum of `options`, which may be NULL (the defaults). The callbacks of `options` receive progress and may cancel. A surface that
  * encloses nothing fails too, with its open edges listed, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; if only part of
  * the surface encloses nothing, the log gets a warning.
- * Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, OUT_OF_MEMORY.
+ * Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, TIME_LIMIT, MEMORY_LIMIT, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2170,6 +2264,17 @@ enum DelotetStatus delotet_plc_read(const char *path,
                                     struct DelotetError **out_error);
 
 /**
+ * Reads a PLC like delotet_plc_read(), under the limits of `options` (NULL: none), of which the others have no effect.
+ * Errors: as delotet_plc_read(); CANCELLED, TIME_LIMIT, MEMORY_LIMIT.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_read_with(const char *path,
+                                         const struct DelotetOptions *options,
+                                         struct DelotetPlc **out_plc,
+                                         struct DelotetError **out_error);
+
+/**
  * Writes a PLC to a file; the extension determines the format (src/doc/formats.md lists the surface formats). Values that the format
  * cannot hold are lost without a warning; delotet_plc_write_with() reports them.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
@@ -2267,6 +2372,25 @@ enum DelotetStatus delotet_write_options_set_log(struct DelotetWriteOptions *opt
                                                  struct DelotetError **out_error);
 
 /**
+ * Sets the token that cancels writing: nothing is left behind then. NULL, the default: none. Errors: INVALID_ARGUMENT (options is NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_cancel_token(struct DelotetWriteOptions *options,
+                                                          const struct DelotetCancelToken *token,
+                                                          struct DelotetError **out_error);
+
+/**
+ * Fail with DELOTET_STATUS_TIME_LIMIT this many seconds after the beginning of a call; nothing is left behind then. 0, the default: no
+ * limit. Errors: INVALID_ARGUMENT (negative or not finite).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_time_limit(struct DelotetWriteOptions *options,
+                                                        double seconds,
+                                                        struct DelotetError **out_error);
+
+/**
  * Whether arrays are compressed, as set by delotet_write_options_set_compress(). All getters return the default for NULL.
  */
 DELOTET_API
@@ -2304,6 +2428,18 @@ DelotetLogFn delotet_write_options_log(const struct DelotetWriteOptions *options
                                        void **out_user_data);
 
 /**
+ * The token, NULL if there is none, as set by delotet_write_options_set_cancel_token(). Borrowed from `options`: valid until they get
+ * another one or are freed.
+ */
+DELOTET_API
+const struct DelotetCancelToken *delotet_write_options_cancel_token(const struct DelotetWriteOptions *options);
+
+/**
+ * The limit on time in seconds, 0 if there is none, as set by delotet_write_options_set_time_limit().
+ */
+DELOTET_API double delotet_write_options_time_limit(const struct DelotetWriteOptions *options);
+
+/**
  * Frees options. NULL is ignored. No call may be using them.
  */
 DELOTET_API void delotet_write_options_free(struct DelotetWriteOptions *options);
@@ -2312,7 +2448,7 @@ DELOTET_API void delotet_write_options_free(struct DelotetWriteOptions *options)
  * Writes a mesh to a file like delotet_mesh_write(), with `options` (NULL: the defaults). The log callback is told what the format cannot
  * hold; src/doc/formats.md says what each format holds.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one without second order, or the library was built without file formats), FILE,
- * TOO_LARGE, OUT_OF_MEMORY.
+ * TOO_LARGE, CANCELLED, TIME_LIMIT, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2326,7 +2462,7 @@ enum DelotetStatus delotet_mesh_write_with(const struct DelotetMesh *mesh,
  * Writes a PLC to a file like delotet_plc_write(), and reports values that the format cannot hold to the log callback of `options` (NULL:
  * no callback). The other options have no effect on surface formats; the log names those that are set.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
- * file formats), NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+ * file formats), NON_FINITE_POINT, FILE, CANCELLED, TIME_LIMIT, OUT_OF_MEMORY.
  */
 DELOTET_API
 DELOTET_MUST_USE

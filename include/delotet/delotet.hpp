@@ -540,6 +540,23 @@ class Running {
 
 } // namespace detail
 
+/// Cancels runs from any thread: const methods may be called at any time. Move-only; options that have it keep its state alive.
+class CancelToken {
+  public:
+    CancelToken() noexcept : handle_(delotet_cancel_token_new()) {}
+
+    /// All runs that use the token fail with DELOTET_STATUS_CANCELLED within a fraction of a second.
+    void cancel() const noexcept { delotet_cancel_token_cancel(get()); }
+    bool is_cancelled() const noexcept { return delotet_cancel_token_is_cancelled(get()); }
+    /// Makes the token usable again.
+    void reset() const noexcept { delotet_cancel_token_reset(get()); }
+    /// NULL if memory ran out when the token was created, and after a move.
+    DelotetCancelToken *get() const noexcept { return handle_.get(); }
+
+  private:
+    std::unique_ptr<DelotetCancelToken, detail::Free<DelotetCancelToken, delotet_cancel_token_free>> handle_;
+};
+
 /// Settings of a run. The throwing setters return *this for chaining; a refused value leaves the setting unchanged.
 class Options {
   public:
@@ -590,6 +607,28 @@ class Options {
         return change(error, [&](DelotetError **e) { return delotet_options_set_steiner_limit(get(), limit, e); });
     }
     std::uint64_t steiner_limit() const noexcept { return delotet_options_steiner_limit(get()); }
+    /// `seconds`: 0 for no limit.
+    Status time_limit(double seconds, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_time_limit(get(), seconds, e); });
+    }
+    double time_limit() const noexcept { return delotet_options_time_limit(get()); }
+    /// `bytes`: 0 for no limit.
+    Status memory_limit(std::uint64_t bytes, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_memory_limit(get(), bytes, e); });
+    }
+    std::uint64_t memory_limit() const noexcept { return delotet_options_memory_limit(get()); }
+    Status cancel_token(const CancelToken &token, Error &error) noexcept
+    {
+        return token.get() ? change(error,
+                                    [&](DelotetError **e) {
+                                        return delotet_options_set_cancel_token(get(), token.get(), e);
+                                    })
+                           : detail::out_of_memory(error);
+    }
+    /// NULL if there is none.
+    const DelotetCancelToken *cancel_token() const noexcept { return delotet_options_cancel_token(get()); }
     Status exact_form(bool on, Error &error) noexcept
     {
         return change(error, [&](DelotetError **e) { return delotet_options_set_exact_form(get(), on, e); });
@@ -648,6 +687,21 @@ class Options {
         return chain([&](Error &e) { return steiner_limit(limit, e); });
     }
     Options &&steiner_limit(std::uint64_t limit) && { return std::move(steiner_limit(limit)); }
+    Options &time_limit(double seconds) &
+    {
+        return chain([&](Error &e) { return time_limit(seconds, e); });
+    }
+    Options &&time_limit(double seconds) && { return std::move(time_limit(seconds)); }
+    Options &memory_limit(std::uint64_t bytes) &
+    {
+        return chain([&](Error &e) { return memory_limit(bytes, e); });
+    }
+    Options &&memory_limit(std::uint64_t bytes) && { return std::move(memory_limit(bytes)); }
+    Options &cancel_token(const CancelToken &token) &
+    {
+        return chain([&](Error &e) { return cancel_token(token, e); });
+    }
+    Options &&cancel_token(const CancelToken &token) && { return std::move(cancel_token(token)); }
     Options &exact_form(bool on) &
     {
         return chain([&](Error &e) { return exact_form(on, e); });
@@ -734,6 +788,23 @@ class WriteOptions {
         });
     }
     MshVersion msh_version() const noexcept { return static_cast<MshVersion>(delotet_write_options_msh_version(get())); }
+    /// `seconds`: 0 for no limit.
+    Status time_limit(double seconds, Error &error) noexcept
+    {
+        return change(error,
+                      [&](DelotetError **e) { return delotet_write_options_set_time_limit(get(), seconds, e); });
+    }
+    double time_limit() const noexcept { return delotet_write_options_time_limit(get()); }
+    Status cancel_token(const CancelToken &token, Error &error) noexcept
+    {
+        return token.get() ? change(error,
+                                    [&](DelotetError **e) {
+                                        return delotet_write_options_set_cancel_token(get(), token.get(), e);
+                                    })
+                           : detail::out_of_memory(error);
+    }
+    /// NULL if there is none.
+    const DelotetCancelToken *cancel_token() const noexcept { return delotet_write_options_cancel_token(get()); }
     /// Names the regions with an attribute; an empty name removes theirs.
     Status region_name(double attribute, const Text &name, Error &error) noexcept
     {
@@ -765,6 +836,16 @@ class WriteOptions {
         return chain([&](Error &e) { return msh_version(version, e); });
     }
     WriteOptions &&msh_version(MshVersion version) && { return std::move(msh_version(version)); }
+    WriteOptions &time_limit(double seconds) &
+    {
+        return chain([&](Error &e) { return time_limit(seconds, e); });
+    }
+    WriteOptions &&time_limit(double seconds) && { return std::move(time_limit(seconds)); }
+    WriteOptions &cancel_token(const CancelToken &token) &
+    {
+        return chain([&](Error &e) { return cancel_token(token, e); });
+    }
+    WriteOptions &&cancel_token(const CancelToken &token) && { return std::move(cancel_token(token)); }
     WriteOptions &region_name(double attribute, const Text &name) &
     {
         return chain([&](Error &e) { return region_name(attribute, name, e); });
@@ -844,6 +925,16 @@ class Plc {
         DelotetPlc *handle = nullptr;
         const Status status =
             detail::run(error, [&](DelotetError **e) { return delotet_plc_read(path.c_str(), &handle, e); });
+        plc.handle_.reset(handle);
+        return status;
+    }
+    /// Under the limits of `options`, of which the others have no effect.
+    static Status read(const Path &path, const Options &options, Plc &plc, Error &error)
+    {
+        DelotetPlc *handle = nullptr;
+        const Status status = detail::run(options, error, [&](DelotetError **e) {
+            return delotet_plc_read_with(path.c_str(), options.get(), &handle, e);
+        });
         plc.handle_.reset(handle);
         return status;
     }
@@ -1014,6 +1105,12 @@ class Plc {
     {
         Plc plc;
         detail::require([&](Error &e) { return read(path, plc, e); });
+        return plc;
+    }
+    static Plc read(const Path &path, const Options &options)
+    {
+        Plc plc;
+        detail::require([&](Error &e) { return read(path, options, plc, e); });
         return plc;
     }
     Plc clone() const

@@ -5,6 +5,7 @@
 //! outside is entirely outside. This holds at a corner that is no vertex of the mesh (the point check covers that corner).
 use crate::check::context::Context;
 use crate::error::Error;
+use crate::fallible;
 use crate::output::Subface;
 use crate::predicates::Sign;
 use crate::INVALID;
@@ -90,12 +91,10 @@ fn cone_meets(context: &Context, cone: [u32; 4], b: u32, c: u32) -> bool {
 pub(super) fn carved_edges(context: &Context) -> Result<Vec<[u32; 2]>, Error> {
     let mesh = context.mesh;
     let mut edges: Vec<[u32; 2]> = Vec::new();
-    edges.try_reserve(mesh.unmeshed_subsegments.len())?;
-    edges.extend(mesh.unmeshed_subsegments.iter().map(|s| s.ends));
+    fallible::extend(&mut edges, mesh.unmeshed_subsegments.iter().map(|s| s.ends))?;
     for face in mesh.unmeshed_subfaces.iter().filter(|face| is_carved(context, face)) {
         let [a, b, c] = face.corners;
-        edges.try_reserve(3)?;
-        edges.extend([[a, b], [b, c], [c, a]]);
+        fallible::extend(&mut edges, [[a, b], [b, c], [c, a]])?;
     }
     for edge in &mut edges {
         edge.sort_unstable();
@@ -103,11 +102,9 @@ pub(super) fn carved_edges(context: &Context) -> Result<Vec<[u32; 2]>, Error> {
     edges.sort_unstable();
     edges.dedup();
     edges.retain(|&[a, b]| !context.stars.has_edge(&mesh.tets, a, b) && edge_outside(context, a, b));
-    edges.try_reserve(edges.len())?;
-    edges.extend_from_within(..);
-    let half = edges.len() / 2;
-    for edge in &mut edges[half..] {
-        edge.reverse();
+    for i in 0..edges.len() {
+        let [a, b] = edges[i];
+        fallible::push(&mut edges, [b, a])?;
     }
     edges.sort_unstable();
     Ok(edges)

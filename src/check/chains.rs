@@ -6,6 +6,7 @@
 //! replaced tetrahedron need not be, and may have an edge that skips a point.
 use crate::check::context::Context;
 use crate::error::Error;
+use crate::fallible;
 
 /// The Steiner points of every input edge, ordered along it.
 pub(super) struct Chains<'a, 'b> {
@@ -24,12 +25,11 @@ struct OnEdge {
 impl<'a, 'b> Chains<'a, 'b> {
     pub(super) fn new(context: &'a Context<'b>) -> Result<Self, Error> {
         let inputs = context.plc.points.len();
-        let mut steiner = Vec::new();
-        steiner.try_reserve_exact(context.mesh.steiner.len())?;
+        let mut steiner = fallible::reserved(context.mesh.steiner.len())?;
         for (i, s) in context.mesh.steiner.iter().enumerate().filter(|(_, s)| !s.is_inside()) {
             let mut ends = s.ends.map(|v| context.alias(v));
             ends.sort_unstable();
-            steiner.push(OnEdge { ends, vertex: (inputs + i) as u32 });
+            fallible::push(&mut steiner, OnEdge { ends, vertex: (inputs + i) as u32 })?;
         }
         let along = |x: &OnEdge, y: &OnEdge| context.geometry.compare_along(x.ends, x.vertex, y.vertex);
         steiner.sort_unstable_by(|x, y| {
@@ -48,17 +48,15 @@ impl<'a, 'b> Chains<'a, 'b> {
     pub(super) fn find(&self, a: u32, b: u32, chain: &mut Vec<u32>) -> Result<bool, Error> {
         chain.clear();
         let (low, high) = (a.min(b), a.max(b));
-        chain.try_reserve(2)?;
-        chain.push(low);
+        fallible::push(chain, low)?;
         let mut joined = true;
         for s in self.of_edge(low, high) {
             joined &= self.context.has_edge(chain[chain.len() - 1], s);
-            chain.try_reserve(2)?;
-            chain.push(s);
+            fallible::push(chain, s)?;
         }
         joined &= self.context.has_edge(chain[chain.len() - 1], high);
         if joined {
-            chain.push(high);
+            fallible::push(chain, high)?;
         } else {
             chain.truncate(1);
             if !self.walk(high, chain)? {
@@ -91,8 +89,7 @@ impl<'a, 'b> Chains<'a, 'b> {
                 Some(v) => current = v,
                 None => return Ok(false),
             }
-            chain.try_reserve(1)?;
-            chain.push(current);
+            fallible::push(chain, current)?;
         }
         Ok(true)
     }

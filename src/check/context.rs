@@ -3,6 +3,7 @@ use crate::check::carved::carved_edges;
 use crate::check::faces::{FaceTable, Stars};
 use crate::check::geometry::Geometry;
 use crate::error::Error;
+use crate::fallible;
 use crate::output::{Subface, Subsegment, TetMesh};
 use crate::plc::Plc;
 use crate::INVALID;
@@ -96,23 +97,18 @@ fn joined<'a, T: Copy>(first: &'a [T], second: &[T]) -> Result<Cow<'a, [T]>, Err
     if second.is_empty() {
         return Ok(Cow::Borrowed(first));
     }
-    let mut all = Vec::new();
-    all.try_reserve_exact(first.len() + second.len())?;
-    all.extend_from_slice(first);
-    all.extend_from_slice(second);
+    let mut all = fallible::reserved(first.len() + second.len())?;
+    fallible::append(&mut all, first)?;
+    fallible::append(&mut all, second)?;
     Ok(Cow::Owned(all))
 }
 
 /// For each point the first one with equal coordinates (0 and −0 are equal).
 fn first_equal(points: &[[f64; 3]]) -> Result<Vec<u32>, Error> {
     let key = |i: u32| points[i as usize].map(|x| (x + 0.0).to_bits());
-    let mut order: Vec<u32> = Vec::new();
-    order.try_reserve_exact(points.len())?;
-    order.extend(0..points.len() as u32);
+    let mut order: Vec<u32> = fallible::collect(0..points.len() as u32)?;
     order.sort_unstable_by_key(|&i| (key(i), i));
-    let mut alias = Vec::new();
-    alias.try_reserve_exact(points.len())?;
-    alias.resize(points.len(), 0);
+    let mut alias = fallible::filled(0, points.len())?;
     for run in order.chunk_by(|&i, &j| key(i) == key(j)) {
         for &i in run {
             alias[i as usize] = run[0];

@@ -37,18 +37,15 @@ pub(super) fn check_coverage<'a>(
     report: &mut Report,
 ) -> Result<(), Error> {
     // Counting sorts would be faster, but these lists are small compared with the tetrahedra.
-    let mut members: Vec<(u32, u32)> = Vec::new();
-    members.try_reserve_exact(group.len())?;
-    members.extend(group.iter().enumerate().map(|(facet, &g)| (g, facet as u32)));
+    let mut members: Vec<(u32, u32)> =
+        fallible::collect(group.iter().enumerate().map(|(facet, &g)| (g, facet as u32)))?;
     members.sort_unstable();
-    let mut subfaces: Vec<(u32, u32)> = Vec::new();
-    subfaces.try_reserve_exact(context.subfaces.len())?;
+    let mut subfaces: Vec<(u32, u32)> = fallible::reserved(context.subfaces.len())?;
     let numbered = context.subfaces.iter().enumerate();
-    subfaces.extend(numbered.map(|(i, face)| (group[face.facet as usize], i as u32)));
+    fallible::extend(&mut subfaces, numbered.map(|(i, face)| (group[face.facet as usize], i as u32)))?;
     subfaces.sort_unstable();
-    let mut edges: Vec<(u32, Piece)> = Vec::new();
-    edges.try_reserve_exact(pieces.len())?;
-    edges.extend(pieces.iter().map(|p| (group[p.facet as usize], *p)));
+    let mut edges: Vec<(u32, Piece)> =
+        fallible::collect(pieces.iter().map(|p| (group[p.facet as usize], *p)))?;
     edges.sort_unstable();
     let (mut s, mut e) = (0, 0);
     for run in members.chunk_by(|x, y| x.0 == y.0) {
@@ -130,8 +127,7 @@ impl Group<'_> {
 
     /// The edges of all subfaces, taken counter-clockwise along `axis`; flat ones go to `wrong`.
     fn uses(&self, axis: usize, wrong: &mut Vec<(u32, [u32; 2])>) -> Result<Vec<Use>, Error> {
-        let mut uses = Vec::new();
-        uses.try_reserve_exact(3 * self.subfaces.len())?;
+        let mut uses = fallible::reserved(3 * self.subfaces.len())?;
         for &i in &self.subfaces {
             let face = &self.context.subfaces[i as usize];
             let corners = face.corners;
@@ -141,7 +137,7 @@ impl Group<'_> {
             }
             for k in 0..3 {
                 let (a, b) = (corners[k], corners[(k + 1) % 3]);
-                uses.push(([a.min(b), a.max(b)], (a > b) != (sign == Sign::Negative), i));
+                fallible::push(&mut uses, ([a.min(b), a.max(b)], (a > b) != (sign == Sign::Negative), i))?;
             }
         }
         uses.sort_unstable();

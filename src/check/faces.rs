@@ -3,6 +3,7 @@
 //! Counting sort by the smallest corner, then small sorts: linear in practice, no hashing, no order that depends on
 //! anything but the mesh.
 use crate::error::Error;
+use crate::fallible;
 
 /// Corners of face `i` (opposite vertex `i`), ordered so that the tetrahedron (face, vertex `i`) is positive if the whole one is.
 pub(super) const FACE: [[usize; 3]; 4] = [[1, 3, 2], [0, 2, 3], [0, 3, 1], [0, 1, 2]];
@@ -42,9 +43,7 @@ pub(super) fn face_corners(tet: [u32; 4], face: usize) -> [u32; 3] {
 impl FaceTable {
     /// The faces of `tets`, whose corners are less than `points`.
     pub(super) fn new(tets: &[[u32; 4]], points: usize) -> Result<Self, Error> {
-        let mut offsets = Vec::new();
-        offsets.try_reserve_exact(points + 2)?;
-        offsets.resize(points + 2, 0u32);
+        let mut offsets = fallible::filled(0u32, points + 2)?;
         let key = |tet: &[u32; 4], face: usize| sorted(face_corners(*tet, face)).0;
         for tet in tets {
             for face in 0..4 {
@@ -54,9 +53,7 @@ impl FaceTable {
         for v in 2..points + 2 {
             offsets[v] += offsets[v - 1];
         }
-        let mut entries = Vec::new();
-        entries.try_reserve_exact(4 * tets.len())?;
-        entries.resize(4 * tets.len(), Entry { rest: [0; 2], handle: 0 });
+        let mut entries = fallible::filled(Entry { rest: [0; 2], handle: 0 }, 4 * tets.len())?;
         for (t, tet) in tets.iter().enumerate() {
             for face in 0..4 {
                 let [a, b, c] = key(tet, face);
@@ -105,18 +102,14 @@ pub(super) struct Stars {
 impl Stars {
     /// The stars of vertices less than `points`.
     pub(super) fn new(tets: &[[u32; 4]], points: usize) -> Result<Self, Error> {
-        let mut offsets = Vec::new();
-        offsets.try_reserve_exact(points + 2)?;
-        offsets.resize(points + 2, 0u32);
+        let mut offsets = fallible::filled(0u32, points + 2)?;
         for &v in tets.iter().flatten() {
             offsets[v as usize + 2] += 1;
         }
         for v in 2..points + 2 {
             offsets[v] += offsets[v - 1];
         }
-        let mut list = Vec::new();
-        list.try_reserve_exact(4 * tets.len())?;
-        list.resize(4 * tets.len(), 0u32);
+        let mut list = fallible::filled(0u32, 4 * tets.len())?;
         for (t, tet) in tets.iter().enumerate() {
             for &v in tet {
                 let slot = &mut offsets[v as usize + 1];

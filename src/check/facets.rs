@@ -44,23 +44,21 @@ pub(super) struct Piece {
 pub(super) fn facets(context: &Context, report: &mut Report) -> Result<Vec<Facet>, Error> {
     let plc = context.plc;
     let triangles = flipped_triangles(context, report)?;
-    let mut out = Vec::new();
-    out.try_reserve_exact(plc.facet_count())?;
+    let mut out = fallible::reserved(plc.facet_count())?;
     for (i, corners) in triangles.into_iter().enumerate() {
         let polygons = fallible::collect([fallible::copied(&corners)?])?;
-        out.push(facet(context, polygons, false, false, plc.facet_marker(i))?);
+        fallible::push(&mut out, facet(context, polygons, false, false, plc.facet_marker(i))?)?;
     }
     for (i, general) in plc.facets.iter().enumerate() {
-        let mut polygons = Vec::new();
-        polygons.try_reserve_exact(general.polygons.len())?;
+        let mut polygons = fallible::reserved(general.polygons.len())?;
         for polygon in &general.polygons {
             let mut corners = fallible::collect(polygon.iter().map(|&v| context.alias(v)))?;
             corners.dedup();
-            polygons.push(corners);
+            fallible::push(&mut polygons, corners)?;
         }
         let enclosed = general.interior == Interior::Seeds;
         let marker = plc.facet_marker(plc.triangles.len() + i);
-        out.push(facet(context, polygons, enclosed, !general.holes.is_empty(), marker)?);
+        fallible::push(&mut out, facet(context, polygons, enclosed, !general.holes.is_empty(), marker)?)?;
     }
     Ok(out)
 }
@@ -95,9 +93,8 @@ fn facet(
 /// The input triangles after the flips of facet merging: each flip replaces two triangles with a common edge by the two others of the same
 /// quadrilateral. The triangle with the first end of the old edge keeps the first facet's number.
 pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Result<Vec<[u32; 3]>, Error> {
-    let mut triangles: Vec<[u32; 3]> = Vec::new();
-    triangles.try_reserve_exact(context.plc.triangles.len())?;
-    triangles.extend(context.plc.triangles.iter().map(|t| t.map(|v| context.alias(v))));
+    let mut triangles: Vec<[u32; 3]> =
+        fallible::collect(context.plc.triangles.iter().map(|t| t.map(|v| context.alias(v))))?;
     let key = |mut c: [u32; 3]| {
         c.sort_unstable();
         c
@@ -105,8 +102,7 @@ pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Resul
     // Only looked up, never iterated, so its order decides nothing.
     let mut numbers: FxHashMap<[u32; 3], usize> = FxHashMap::default();
     if !context.mesh.facet_flips.is_empty() {
-        numbers.try_reserve(triangles.len())?;
-        numbers.extend(triangles.iter().enumerate().map(|(i, &c)| (key(c), i)));
+        fallible::insert_all(&mut numbers, triangles.iter().enumerate().map(|(i, &c)| (key(c), i)))?;
     }
     for flip in &context.mesh.facet_flips {
         let [a, b] = flip.old.map(|v| context.alias(v));
@@ -122,9 +118,7 @@ pub(super) fn flipped_triangles(context: &Context, report: &mut Report) -> Resul
         }
         for (slot, corners) in [(f, [a, c, d]), (g, [b, c, d])] {
             triangles[slot] = corners;
-            // Two entries were removed, so there is room, but the table may need to move its elements.
-            numbers.try_reserve(1)?;
-            numbers.insert(key(corners), slot);
+            fallible::insert(&mut numbers, key(corners), slot)?;
         }
     }
     Ok(triangles)
@@ -142,7 +136,7 @@ pub(super) fn pieces(context: &Context, facets: &[Facet], chains: &Chains) -> Re
             for (k, &a) in polygon.iter().enumerate() {
                 let b = polygon[(k + 1) % polygon.len()];
                 if a != b {
-                    edges.push(([a.min(b), a.max(b)], i as u32));
+                    fallible::push(&mut edges, ([a.min(b), a.max(b)], i as u32))?;
                 }
             }
         }
@@ -159,8 +153,7 @@ pub(super) fn pieces(context: &Context, facets: &[Facet], chains: &Chains) -> Re
         } else if matches!(run, [(_, f), (_, g)] if may_merge(context, facets, *f, *g, false)) {
             add_pieces(&mut out, run, &ends, false)?;
         } else {
-            open.try_reserve(1)?;
-            open.push(ends);
+            fallible::push(&mut open, ends)?;
         }
     }
     for corners in overlaps::split_at_each_other(context, open)? {
@@ -187,16 +180,14 @@ fn add_pieces(
     out.try_reserve(run.len() * chain.len())?;
     for &(_, facet) in run {
         let piece = |w: &[u32]| Piece { ends: [w[0].min(w[1]), w[0].max(w[1])], facet, found };
-        out.extend(chain.windows(2).map(piece));
+        fallible::extend(out, chain.windows(2).map(piece))?;
     }
     Ok(())
 }
 
 /// For each facet the group it belongs to, named by the smallest facet in it.
 pub(super) fn groups(context: &Context, facets: &[Facet], pieces: &[Piece]) -> Result<Vec<u32>, Error> {
-    let mut group: Vec<u32> = Vec::new();
-    group.try_reserve_exact(facets.len())?;
-    group.extend(0..facets.len() as u32);
+    let mut group: Vec<u32> = fallible::collect(0..facets.len() as u32)?;
     for run in pieces.chunk_by(|x, y| x.ends == y.ends) {
         for (i, p) in run.iter().enumerate() {
             for q in &run[i + 1..] {

@@ -3,6 +3,7 @@
 //! Both are scaled by one power of two into the range in which all signs are exact. Points without parents (in meshes from files) are taken
 //! to lie at their doubles.
 use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::fallible;
 use crate::output::TetMesh;
 use crate::plc::Plc;
 use crate::predicates;
@@ -21,13 +22,10 @@ impl Geometry {
     /// input's, or for none.
     pub(super) fn new(plc: &Plc, mesh: &TetMesh) -> Result<Self, Error> {
         let k = predicates::range_scale(&mesh.points).map_err(|i| out_of_range(mesh, i))?;
-        let mut rounded = Vec::new();
-        rounded.try_reserve_exact(mesh.points.len())?;
-        rounded.extend(mesh.points.iter().map(|p| p.map(|x| predicates::scale(x, k))));
+        let rounded = fallible::collect(mesh.points.iter().map(|p| p.map(|x| predicates::scale(x, k))))?;
         let explicit = mesh.points.len() - mesh.steiner.len();
-        let mut xyz = Vec::new();
-        xyz.try_reserve_exact(mesh.points.len())?;
-        xyz.extend_from_slice(&rounded[..explicit]);
+        let mut xyz = fallible::reserved(mesh.points.len())?;
+        fallible::append(&mut xyz, &rounded[..explicit])?;
         let mut exact = Points::new(xyz);
         for ((s, t), at) in mesh.steiner.iter().zip(parameters(mesh)).zip(&rounded[explicit..]) {
             match s.is_inside() {

@@ -47,6 +47,7 @@ pub use audit::audit;
 pub use promise::{audit_promise, Promise};
 
 use crate::error::Error;
+use crate::fallible;
 use crate::options::Preserve;
 use crate::output::{Guarantee, TetMesh};
 use crate::plc::Plc;
@@ -122,7 +123,7 @@ fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<()
     let plc = match mesh.guarantee {
         Guarantee::Delaunay if wish.preserved.is_none() => {
             points_only.points.try_reserve_exact(plc.points.len())?;
-            points_only.points.extend_from_slice(&plc.points);
+            fallible::append(&mut points_only.points, &plc.points)?;
             &points_only
         }
         _ => plc,

@@ -1,6 +1,7 @@
 //! Splits input edges that overlap along a line without being equal (T-junctions inside a plane) at each other's ends.
 use crate::check::context::Context;
 use crate::error::Error;
+use crate::fallible;
 
 /// For each edge its ends and the ends of other edges strictly inside it, ordered along it.
 ///
@@ -26,8 +27,7 @@ pub(super) fn split_at_each_other(
             for (edge, ends, other) in [(i, e, f), (j, f, e)] {
                 for &v in other {
                     if context.geometry.strictly_between(v, ends[0], ends[1]) {
-                        inside.try_reserve(1)?;
-                        inside.push((edge, v));
+                        fallible::push(&mut inside, (edge, v))?;
                     }
                 }
             }
@@ -35,21 +35,19 @@ pub(super) fn split_at_each_other(
     }
     inside.sort_unstable();
     inside.dedup();
-    let mut out = Vec::new();
-    out.try_reserve_exact(edges.len())?;
+    let mut out = fallible::reserved(edges.len())?;
     for (i, e) in edges.iter().enumerate() {
         let from = inside.partition_point(|x| x.0 < i);
         let to = inside.partition_point(|x| x.0 <= i);
-        let mut corners = Vec::new();
-        corners.try_reserve_exact(to - from + 2)?;
-        corners.push(e[0]);
-        corners.extend(inside[from..to].iter().map(|x| x.1));
+        let mut corners = fallible::reserved(to - from + 2)?;
+        fallible::push(&mut corners, e[0])?;
+        fallible::extend(&mut corners, inside[from..to].iter().map(|x| x.1))?;
         corners[1..].sort_unstable_by(|&v, &w| {
             let before = |v, w| context.geometry.strictly_between(v, e[0], w);
             before(w, v).cmp(&before(v, w)).then(v.cmp(&w))
         });
-        corners.push(e[1]);
-        out.push(corners);
+        fallible::push(&mut corners, e[1])?;
+        fallible::push(&mut out, corners)?;
     }
     Ok(out)
 }

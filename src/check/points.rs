@@ -3,6 +3,7 @@
 use crate::check::context::Context;
 use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
+use crate::fallible;
 use crate::predicates::Sign;
 
 /// Reports input points that were moved, wrongly mapped or lost.
@@ -41,8 +42,7 @@ fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
     let mut unused: Vec<u32> = Vec::new();
     for i in 0..context.mesh.points.len() as u32 {
         if context.alias(i) == i && !context.stars.used(i) {
-            unused.try_reserve(1)?;
-            unused.push(i);
+            fallible::push(&mut unused, i)?;
         }
     }
     unused.sort_unstable_by(|&i, &j| near(i)[0].total_cmp(&near(j)[0]).then(i.cmp(&j)));
@@ -60,8 +60,7 @@ fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
         for &i in unused[from..].iter().take_while(|&&i| near(i)[0] <= high[0]) {
             let p = near(i);
             if (1..3).all(|k| low[k] <= p[k] && p[k] <= high[k]) && in_tet(context, *tet, i) {
-                inside.try_reserve(1)?;
-                inside.push((i, t as u32));
+                fallible::push(&mut inside, (i, t as u32))?;
             }
         }
     }

@@ -14,6 +14,7 @@ use crate::check::faces::sorted;
 use crate::check::facets::flipped_triangles;
 use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
+use crate::fallible;
 use crate::predicates::Sign;
 
 /// Reports added points on the surface, and input triangles that are not faces.
@@ -45,9 +46,7 @@ pub(super) fn check_preserved(context: &Context, report: &mut Report) -> Result<
 /// Reports added points on the outer boundary, and faces there that are not input triangles.
 pub(super) fn check_outer(context: &Context, report: &mut Report) -> Result<(), Error> {
     let triangles = flipped_triangles(context, report)?;
-    let mut keys: Vec<[u32; 3]> = Vec::new();
-    keys.try_reserve_exact(triangles.len())?;
-    keys.extend(triangles.iter().map(|&t| sorted(t).0));
+    let mut keys: Vec<[u32; 3]> = fallible::collect(triangles.iter().map(|&t| sorted(t).0))?;
     keys.sort_unstable();
     for face in context.subfaces.iter() {
         if context.faces.find(face.corners).len() != 1 {
@@ -103,9 +102,8 @@ fn check_added_points(context: &Context, report: &mut Report) {
 /// Pairs (facet, subface), sorted.
 fn subfaces_by_facet(context: &Context) -> Result<Vec<(u32, u32)>, Error> {
     let subfaces = &context.subfaces;
-    let mut by_facet = Vec::new();
-    by_facet.try_reserve_exact(subfaces.len())?;
-    by_facet.extend(subfaces.iter().enumerate().map(|(i, face)| (face.facet, i as u32)));
+    let mut by_facet =
+        fallible::collect(subfaces.iter().enumerate().map(|(i, face)| (face.facet, i as u32)))?;
     by_facet.sort_unstable();
     Ok(by_facet)
 }

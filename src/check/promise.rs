@@ -5,11 +5,13 @@
 //! faces of the tetrahedra they name has been audited before. So triangles are looked up in a sorted list of these pieces: the cost depends
 //! on the size of the surface, not of the mesh.
 use crate::check::report::Report;
+use crate::control::Control;
 use crate::error::{DefectKind, Element, Error};
+use crate::fallible;
 use crate::output::TetMesh;
 
 /// What must be found in the mesh, in its point indices.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Debug, Default, PartialEq, Eq)]
 pub struct Promise {
     /// Triangles of the surface, and the facet of each.
     pub triangles: Vec<([u32; 3], u32)>,
@@ -31,11 +33,17 @@ fn sorted<const N: usize>(mut corners: [u32; N]) -> [u32; N] {
 /// # Errors
 /// [`Status::CheckFailed`](crate::Status::CheckFailed) with what is missing, of which at most `max_defects` are listed;
 /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
-pub fn audit_promise(mesh: &TetMesh, promise: &Promise, max_defects: usize) -> Result<(), Error> {
+pub fn audit_promise(
+    mesh: &TetMesh,
+    promise: &Promise,
+    max_defects: usize,
+    control: &Control,
+) -> Result<(), Error> {
     let mut report = Report::new(max_defects);
     audit_triangles(mesh, promise, &mut report)?;
+    control.look()?;
     audit_polygons(mesh, promise, &mut report)?;
-    audit_segments(mesh, promise, &mut report)?;
+    audit_segments(mesh, promise, &mut report, control)?;
     report.finish()
 }
 
@@ -46,16 +54,13 @@ fn audit_triangles(mesh: &TetMesh, promise: &Promise, report: &mut Report) -> Re
     for &(corners, facet) in &promise.triangles {
         let corners = sorted(corners);
         if next.next_if_eq(&corners).is_none() {
-            rest.try_reserve(1)?;
-            rest.push((corners, facet));
+            fallible::push(&mut rest, (corners, facet))?;
         }
     }
     if rest.is_empty() {
         return Ok(());
     }
-    let mut faces: Vec<[u32; 3]> = Vec::new();
-    faces.try_reserve_exact(mesh.subfaces.len())?;
-    faces.extend(mesh.subfaces.iter().map(|face| sorted(face.corners)));
+    let mut faces: Vec<[u32; 3]> = fallible::collect(mesh.subfaces.iter().map(|face| sorted(face.corners)))?;
     faces.sort_unstable();
     for (corners, facet) in rest {
         if faces.binary_search(&corners).is_err() {
@@ -71,16 +76,13 @@ fn audit_polygons(mesh: &TetMesh, promise: &Promise, report: &mut Report) -> Res
         return Ok(());
     }
     let is_known = |facet: u32| promise.polygons.binary_search_by_key(&facet, |x| x.0);
-    let mut counts: Vec<u32> = Vec::new();
-    counts.try_reserve_exact(promise.polygons.len())?;
-    counts.resize(promise.polygons.len(), 0);
+    let mut counts: Vec<u32> = fallible::filled(0, promise.polygons.len())?;
     let mut edges: Vec<[u32; 2]> = Vec::new();
     for face in &mesh.subfaces {
         let Ok(i) = is_known(face.facet) else { continue };
         counts[i] += 1;
         let [a, b, c] = face.corners;
-        edges.try_reserve(3)?;
-        edges.extend([sorted([a, b]), sorted([b, c]), sorted([c, a])]);
+        fallible::extend(&mut edges, [sorted([a, b]), sorted([b, c]), sorted([c, a])])?;
     }
     edges.sort_unstable();
     for (&(facet, count), found) in promise.polygons.iter().zip(counts) {
@@ -97,22 +99,23 @@ fn audit_polygons(mesh: &TetMesh, promise: &Promise, report: &mut Report) -> Res
     Ok(())
 }
 
-fn audit_segments(mesh: &TetMesh, promise: &Promise, report: &mut Report) -> Result<(), Error> {
+fn audit_segments(
+    mesh: &TetMesh,
+    promise: &Promise,
+    report: &mut Report,
+    control: &Control,
+) -> Result<(), Error> {
     if promise.segments.is_empty() {
         return Ok(());
     }
-    let mut missing: Vec<([u32; 2], u32)> = Vec::new();
-    missing.try_reserve_exact(promise.segments.len())?;
-    missing.extend(promise.segments.iter().map(|&(ends, segment)| (sorted(ends), segment)));
+    let mut missing: Vec<([u32; 2], u32)> =
+        fallible::collect(promise.segments.iter().map(|&(ends, segment)| (sorted(ends), segment)))?;
     missing.sort_unstable();
-    let mut found: Vec<bool> = Vec::new();
-    found.try_reserve_exact(missing.len())?;
-    found.resize(missing.len(), false);
-    let mut is_end: Vec<bool> = Vec::new();
-    is_end.try_reserve_exact(mesh.points.len())?;
-    is_end.resize(mesh.points.len(), false);
+    let mut found: Vec<bool> = fallible::filled(false, missing.len())?;
+    let mut is_end: Vec<bool> = fallible::filled(false, mesh.points.len())?;
     missing.iter().flat_map(|x| x.0).for_each(|v| is_end[v as usize] = true);
     for tet in &mesh.tets {
+        control.step()?;
         for i in 0..4 {
             for j in (i + 1..4).filter(|&j| is_end[tet[i] as usize] && is_end[tet[j] as usize]) {
                 let edge = sorted([tet[i], tet[j]]);
@@ -158,7 +161,7 @@ mod tests {
     }
 
     fn missing(mesh: &TetMesh, promise: &Promise) -> Vec<(DefectKind, Element)> {
-        match audit_promise(mesh, promise, 10) {
+        match audit_promise(mesh, promise, 10, &Control::free()) {
             Ok(()) => Vec::new(),
             Err(e) => {
                 assert_eq!(e.status, Status::CheckFailed);

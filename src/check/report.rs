@@ -1,5 +1,5 @@
 //! Collects defects: all are counted, at most a given number is kept.
-use crate::error::{Defect, DefectKind, Element, Error, KindCounts, Status};
+use crate::error::{Defect, DefectKind, Element, Error, KindCounts, Message, Status};
 use crate::fallible;
 use std::fmt;
 
@@ -38,8 +38,8 @@ impl Report {
     ) {
         self.count += 1;
         self.kinds.add(kind);
-        if self.defects.len() < self.limit && self.defects.try_reserve(1).is_ok() {
-            self.defects.push(Defect { kind, first, second, point });
+        if self.defects.len() < self.limit {
+            let _ = fallible::push(&mut self.defects, Defect { kind, first, second, point });
         }
     }
 
@@ -47,7 +47,7 @@ impl Report {
     pub(super) fn note(&mut self, text: fmt::Arguments<'_>) {
         match fallible::text(format_args!("{}; {text}", self.notes)) {
             Ok(notes) => self.notes = notes,
-            Err(error) => self.short = Some(error.into()),
+            Err(error) => self.short = Some(Error::from(error)),
         }
     }
 
@@ -63,8 +63,8 @@ impl Report {
         if self.count == 0 {
             return Ok(());
         }
-        let message =
-            format_args!("the mesh failed its check: {}{}", self.kinds.shown(" × "), self.notes).into();
+        let kinds = self.kinds.shown(" × ");
+        let message = Message::from(format_args!("the mesh failed its check: {kinds}{}", self.notes));
         Err(Error::with_defects(Status::CheckFailed, message, self.defects, self.count))
     }
 }

@@ -4,6 +4,7 @@ use crate::check::chains::Chains;
 use crate::check::context::Context;
 use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
+use crate::fallible;
 use crate::INVALID;
 
 /// Reports segments that are not unions of edges, and wrong subsegments.
@@ -17,8 +18,10 @@ pub(super) fn check_segments(context: &Context, chains: &Chains, report: &mut Re
             continue;
         }
         if chains.find(a, b, &mut chain)? {
-            pieces.try_reserve(chain.len())?;
-            pieces.extend(chain.windows(2).map(|w| [w[0].min(w[1]), w[0].max(w[1]), i as u32]));
+            fallible::extend(
+                &mut pieces,
+                chain.windows(2).map(|w| [w[0].min(w[1]), w[0].max(w[1]), i as u32]),
+            )?;
         } else if !excused(context, a, b) {
             let at = context.position(a);
             report.add(DefectKind::SegmentMissing, Element::Segment(i as u32), None, at);
@@ -37,14 +40,13 @@ fn excused(context: &Context, a: u32, b: u32) -> bool {
 /// Checks that each subsegment is an edge of the mesh; that a subsegment naming a segment is a piece of it and has its marker; and that
 /// every piece of a segment is a subsegment of it or of an equal one.
 fn check_subsegments(context: &Context, pieces: &[[u32; 3]], report: &mut Report) -> Result<(), Error> {
-    let mut given: Vec<[u32; 2]> = Vec::new();
-    given.try_reserve_exact(context.subsegments.len())?;
+    let mut given: Vec<[u32; 2]> = fallible::reserved(context.subsegments.len())?;
     let meshed = context.mesh.subsegments.len();
     for (i, edge) in context.subsegments.iter().enumerate() {
         let [a, b] = edge.ends;
         let listed_right = context.stars.has_edge(&context.mesh.tets, a, b) == (i < meshed);
         let key = [a.min(b), a.max(b)];
-        given.push(key);
+        fallible::push(&mut given, key)?;
         let named = edge.segment == INVALID
             || pieces.binary_search(&[key[0], key[1], edge.segment]).is_ok()
                 && context.plc.segments[edge.segment as usize].marker == edge.marker;

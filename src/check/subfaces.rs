@@ -5,14 +5,13 @@ use crate::check::context::Context;
 use crate::check::faces::{face_corners, sorted};
 use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
+use crate::fallible;
 use crate::output::{Region, Subface};
 use crate::INVALID;
 
 /// Checks the subfaces; returns for each tetrahedron one bit per face that lies on a facet.
 pub(super) fn check_subfaces(context: &Context, report: &mut Report) -> Result<Vec<u8>, Error> {
-    let mut flags = Vec::new();
-    flags.try_reserve_exact(context.mesh.tets.len())?;
-    flags.resize(context.mesh.tets.len(), 0u8);
+    let mut flags = fallible::filled(0u8, context.mesh.tets.len())?;
     if !context.subfaces_known() {
         flag_known_faces(context, &mut flags);
         return Ok(flags);

@@ -4,6 +4,7 @@ use crate::check::context::Context;
 use crate::check::faces::{face_corners, sorted, Entry};
 use crate::check::report::Report;
 use crate::error::{DefectKind, Element, Error};
+use crate::fallible;
 use crate::output::TetMesh;
 use crate::INVALID;
 
@@ -16,9 +17,7 @@ pub(super) fn check_topology(context: &Context, report: &mut Report) -> Result<V
             not_conforming(context, t as u32, None, report);
         }
     }
-    let mut adjacency = Vec::new();
-    adjacency.try_reserve_exact(tets.len())?;
-    adjacency.resize(tets.len(), [INVALID; 4]);
+    let mut adjacency = fallible::filled([INVALID; 4], tets.len())?;
     for (_, run) in context.faces.runs() {
         match run {
             [_] => {}

@@ -2,6 +2,7 @@
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use delotet::io::RegionName;
 use std::path::PathBuf;
+use std::time::Duration;
 
 /// Exact 3D constrained Delaunay tetrahedralization.
 #[derive(Debug, Parser)]
@@ -83,6 +84,15 @@ pub struct MeshArgs {
     /// Worker threads, 0 for one per processor; the mesh is the same for any number
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub threads: usize,
+    /// Stop after this time
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time_limit: Option<Duration>,
+    /// Stop before memory has grown by this much; K, M, G (1000s) and Ki, Mi, Gi (1024s) may follow
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    pub memory_limit: Option<u64>,
+    /// Stop if more Steiner points than this are needed
+    #[arg(long, value_name = "N")]
+    pub steiner_limit: Option<u64>,
     /// With .vtu: compress the arrays
     #[arg(long)]
     pub compress: bool,
@@ -143,6 +153,35 @@ pub struct ConvertArgs {
     /// The file to write: .off .stl .obj .ply .poly .smesh .node
     #[arg(short, long)]
     pub output: PathBuf,
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let limit = text.parse::<f64>().ok().filter(|&seconds| seconds > 0.0);
+    let limit = limit.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    limit.ok_or_else(|| "expected a number of seconds above 0".to_string())
+}
+
+/// `1.5G`: a number and a unit.
+fn bytes(text: &str) -> Result<u64, String> {
+    let (number, unit) = text.split_at(text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len()));
+    let unit = match unit {
+        "" => 1.0,
+        "K" => 1e3,
+        "M" => 1e6,
+        "G" => 1e9,
+        "Ki" => 1024.0,
+        "Mi" => 1024.0 * 1024.0,
+        "Gi" => 1024.0 * 1024.0 * 1024.0,
+        _ => f64::NAN,
+    };
+    match number.parse::<f64>().map(|number| number * unit) {
+        // A saturating conversion: more than there are addresses is no limit.
+        Ok(bytes) if bytes >= 1.0 && bytes.is_finite() => Ok(bytes as u64),
+        _ => {
+            Err("expected a number of bytes above 0, with K, M, G, Ki, Mi, Gi or nothing behind it"
+                .to_string())
+        }
+    }
 }
 
 fn region_name(text: &str) -> Result<RegionName, String> {

@@ -20,7 +20,8 @@ fn info(args: &InfoArgs) -> Result<Warnings, Failure> {
     let mut console = Console::new(false);
     let max_defects = if args.report.is_some() { 10_000_000 } else { 1000 };
     // Open surfaces count as valid, since it is not known here whether the hull will be kept.
-    let options = Options { max_defects, keep_hull: true, ..Options::default() };
+    let cancel = Some(console.token());
+    let options = Options { max_defects, keep_hull: true, cancel, ..Options::default() };
     let verdict = delotet::plc::check(&plc, &options, &mut console);
     console.finish();
     if let Ok(warnings) = &verdict {

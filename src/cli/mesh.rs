@@ -4,8 +4,7 @@ use super::observer::Console;
 use super::page::{self, Page};
 use super::{paths, report, summary, Failure};
 use delotet::io::{Format, MshVersion, UnusedOption, WriteOptions};
-use delotet::progress::report as tell;
-use delotet::{Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
+use delotet::{controlled, Control, Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
 use serde_json::{json, Map, Value};
 use std::path::PathBuf;
 use std::time::Instant;
@@ -26,22 +25,12 @@ fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
     let start = Instant::now();
     let write_options = write_options(args);
     check_files(args, &write_options)?;
-    let options = options(args)?;
+    let options = Options { cancel: Some(console.token()), ..options(args)? };
     if !args.quiet {
         tell_unused(args, options.mode, &write_options);
     }
-    tell(console, Phase::Read, 0.0)?;
-    let mut plc = delotet::io::read(&args.input)?;
-    add_seeds(&mut plc, args);
-    let read = start.elapsed().as_secs_f64();
-    let mut mesh = delotet::tetrahedralize(&plc, &options, console)?;
-    tell(console, Phase::Write, 0.0)?;
-    let write_start = Instant::now();
-    let lost = delotet::io::write(&args.output, &mesh, &plc, &write_options).map_err(Failure::usage)?;
-    mesh.warnings.append(&lost);
-    let seconds = &mut mesh.statistics.seconds;
-    seconds[Phase::Read as usize] = read;
-    seconds[Phase::Write as usize] = write_start.elapsed().as_secs_f64();
+    let make = |control: &Control| read_mesh_and_write(args, &options, &write_options, control);
+    let mesh = controlled(options.limits(), console, make)?;
     let total = start.elapsed().as_secs_f64();
     if let Some(path) = &args.stats {
         report::write(path, &statistics(&mesh, total)).map_err(Failure::usage)?;
@@ -53,6 +42,29 @@ fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
         summary::describe_mesh(&mut page, &args.output, &mesh, total);
         page.print()?;
     }
+    Ok(mesh)
+}
+
+/// What the limits count for.
+fn read_mesh_and_write(
+    args: &MeshArgs,
+    options: &Options,
+    write_options: &WriteOptions,
+    control: &Control,
+) -> Result<TetMesh, Failure> {
+    let start = Instant::now();
+    control.progress(Phase::Read, 0.0)?;
+    let mut plc = delotet::io::read_with(&args.input, control)?;
+    add_seeds(&mut plc, args);
+    let read = start.elapsed().as_secs_f64();
+    let mut mesh = delotet::tetrahedralize_with(&plc, options, control)?;
+    control.progress(Phase::Write, 0.0)?;
+    let start = Instant::now();
+    let lost = delotet::io::write_with(&args.output, &mesh, &plc, write_options, control);
+    mesh.warnings.append(&lost.map_err(Failure::usage)?);
+    let seconds = &mut mesh.statistics.seconds;
+    seconds[Phase::Read as usize] = read;
+    seconds[Phase::Write as usize] = start.elapsed().as_secs_f64();
     Ok(mesh)
 }
 
@@ -84,6 +96,9 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         drop_unmeshed_points: args.drop_points,
         merge_facets: args.merge_facets,
         threads: args.threads,
+        time_limit: args.time_limit,
+        memory_limit: args.memory_limit,
+        steiner_limit: args.steiner_limit,
         // A report lists everything, but memory stays bounded.
         max_defects: if args.report.is_some() { 10_000_000 } else { 1000 },
         ..Options::default()

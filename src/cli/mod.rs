@@ -69,7 +69,7 @@ impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let code = match error.status {
             Status::InvalidArgument | Status::Unsupported => 2,
-            Status::Cancelled | Status::SteinerLimit => 3,
+            Status::Cancelled | Status::SteinerLimit | Status::TimeLimit | Status::MemoryLimit => 3,
             Status::OutOfMemory | Status::TooLarge => 3,
             Status::Rounding | Status::CheckFailed | Status::Internal => 4,
             _ => 1,
@@ -81,7 +81,10 @@ impl From<Error> for Failure {
 impl Failure {
     /// An error about the arguments or OUTPUT.
     pub fn usage(error: Error) -> Self {
-        let code = if error.status == Status::OutOfMemory { 3 } else { 2 };
+        let code = match error.status {
+            Status::Cancelled | Status::TimeLimit | Status::MemoryLimit | Status::OutOfMemory => 3,
+            _ => 2,
+        };
         Failure { error, code }
     }
 

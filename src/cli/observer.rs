@@ -1,13 +1,11 @@
 //! Ctrl-C and the progress bar.
-use delotet::{Observer, Phase};
+use delotet::{CancelToken, Observer, Phase};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::Arc;
 
-/// Shows progress on a terminal and cancels on Ctrl-C.
+/// Shows progress on a terminal and cancels its token on Ctrl-C.
 pub struct Console {
-    interrupted: Arc<AtomicBool>,
+    token: CancelToken,
     bar: ProgressBar,
     phase: Option<Phase>,
 }
@@ -17,17 +15,22 @@ const STEPS: u64 = 1000;
 impl Console {
     /// Shows nothing with `quiet`, or if stderr is not a terminal.
     pub fn new(quiet: bool) -> Self {
-        let interrupted = Arc::new(AtomicBool::new(false));
-        let flag = interrupted.clone();
+        let token = CancelToken::new();
+        let interrupted = token.clone();
         // Without a handler Ctrl-C ends the program at once, which is also fine.
-        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+        let _ = ctrlc::set_handler(move || interrupted.cancel());
         let target =
             if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(20) };
         let bar = ProgressBar::with_draw_target(Some(STEPS), target);
         if let Ok(style) = ProgressStyle::with_template("{msg:10} {bar:40} {percent:>3} % {elapsed:>4}") {
             bar.set_style(style);
         }
-        Console { interrupted, bar, phase: None }
+        Console { token, bar, phase: None }
+    }
+
+    /// Cancelled by Ctrl-C.
+    pub fn token(&self) -> CancelToken {
+        self.token.clone()
     }
 
     /// Removes the bar.
@@ -43,10 +46,7 @@ impl Observer for Console {
             self.bar.set_message(phase.name());
         }
         self.bar.set_position((fraction * STEPS as f64) as u64);
-        match self.interrupted.load(Ordering::Relaxed) {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        }
+        ControlFlow::Continue(())
     }
 }
 

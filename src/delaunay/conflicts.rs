@@ -5,6 +5,7 @@
 //! of this list depends on the outcome: the processor mispredicts branches only at the ends of loops. No tetrahedron is tested twice,
 //! although most share several faces with the region.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::slots::Slots;
 use crate::kernel::{flag, GHOST};
 use crate::predicates::{Points, Sign};
@@ -13,8 +14,11 @@ use std::hint::black_box;
 /// The vertices of each face, oriented as in [`FACE`](crate::kernel::tables::FACE), with slot 3, the ghost's, last.
 const GHOST_LAST: [[usize; 3]; 4] = [[1, 2, 3], [2, 0, 3], [0, 1, 3], [0, 2, 1]];
 
+/// A region of more tetrahedra takes milliseconds: vertices on a sphere and one near its centre, for example.
+const MANY: usize = 1 << 13;
+
 /// The result of the last [`collect`](Conflicts::collect).
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(super) struct Conflicts {
     /// The tetrahedra in conflict are the first `dead_count`.
     dead: Vec<u32>,
@@ -40,7 +44,7 @@ fn lengthen<T: Copy + Default>(list: &mut Vec<T>, length: usize) -> Result<(), E
 #[inline(never)]
 fn lengthen_slowly<T: Copy + Default>(list: &mut Vec<T>, length: usize) -> Result<(), Error> {
     list.try_reserve_exact(length - list.len())?;
-    list.resize(length, T::default());
+    fallible::resize(list, length, T::default())?;
     Ok(())
 }
 
@@ -60,7 +64,8 @@ pub(super) fn ghost_in_conflict(slots: &Slots, points: &Points, t: u32, p: u32) 
 
 impl Conflicts {
     /// Finds the tetrahedra in conflict with `p`, of which `t` is one, and marks them. With `SHARED` all must belong to the range `owner`:
-    /// if another one is in conflict, nothing is marked and the result is false.
+    /// if another one is in conflict, nothing is marked and the result is false. `may_go_on` is asked where the region becomes large; if it
+    /// fails, the mesh is useless.
     pub(super) fn collect<const SHARED: bool>(
         &mut self,
         slots: &Slots,
@@ -68,6 +73,7 @@ impl Conflicts {
         points: &Points,
         p: u32,
         t: u32,
+        may_go_on: &impl Fn() -> Result<(), Error>,
     ) -> Result<bool, Error> {
         let at = *points.xyz(p);
         let Conflicts { dead, met, .. } = self;
@@ -78,6 +84,9 @@ impl Conflicts {
         slots.set_flags(t, slots.flags(t) | flag::MET | flag::MARK);
         let (mut dead_count, mut expanded, mut met_count, mut tested) = (1, 0, 1, 1);
         while expanded < dead_count {
+            if dead_count > MANY {
+                may_go_on()?;
+            }
             lengthen(met, met_count + 4 * (dead_count - expanded))?;
             for &t in &dead[expanded..dead_count] {
                 for across in slots.adj(t) {

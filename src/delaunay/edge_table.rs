@@ -3,9 +3,10 @@
 //! Open addressing with linear probing, at most half full. Only looked up by key, so the internal order does not matter.
 
 use crate::error::Error;
+use crate::fallible;
 
 /// Corner codes of directed edges.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(super) struct EdgeTable {
     /// Edge and code; the edge from the ghost to itself marks free entries.
     entries: Vec<(u64, u32)>,
@@ -24,8 +25,7 @@ impl EdgeTable {
     pub(super) fn clear(&mut self, count: usize) -> Result<(), Error> {
         let places = (2 * count).next_power_of_two().max(2);
         self.entries.clear();
-        self.entries.try_reserve(places)?;
-        self.entries.resize(places, (FREE, 0));
+        fallible::resize(&mut self.entries, places, (FREE, 0))?;
         self.shift = u64::BITS - places.ilog2();
         Ok(())
     }

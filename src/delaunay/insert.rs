@@ -8,9 +8,11 @@
 //! New tetrahedra reuse the slots of the dead ones, which are in the processor's caches. Not so with `CONSTRAINED`, where the subsegment
 //! flags of dead tetrahedra are carried over: a flagged edge either lies on the boundary of the cavity, where new tetrahedra inherit the
 //! flag, or is lost and reported in `lost_edges`.
+use crate::control::Control;
 use crate::delaunay::conflicts::Conflicts;
 use crate::delaunay::edge_table::EdgeTable;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::slots::Slots;
 use crate::kernel::tables::{EDGE, EDGE_OF};
 use crate::kernel::{Mesh, GHOST};
@@ -38,7 +40,6 @@ pub struct Inserter {
 }
 
 /// Corner codes of directed edges by the local numbers of their ends.
-#[derive(Clone)]
 struct HalfEdges([u32; ENTRIES]);
 
 impl Default for HalfEdges {
@@ -60,7 +61,7 @@ impl HalfEdges {
 }
 
 /// Numbers, from 0, for the vertices of one cavity's boundary.
-#[derive(Clone, Default)]
+#[derive(Default)]
 struct LocalNumbers {
     /// For each vertex (the ghost first): the stamp of the last cavity in which it was numbered, with its number in the low bits.
     of_vertex: Vec<u32>,
@@ -107,10 +108,8 @@ impl Inserter {
     /// Makes room for vertices with ids below `vertex_count`.
     pub fn prepare(&mut self, vertex_count: usize) -> Result<(), Error> {
         let numbers = &mut self.numbers.of_vertex;
-        let more = (vertex_count + 1).saturating_sub(numbers.len());
-        numbers.try_reserve(more)?;
-        numbers.resize(numbers.len() + more, 0);
-        Ok(())
+        let count = numbers.len().max(vertex_count + 1);
+        Ok(fallible::resize(numbers, count, 0)?)
     }
 
     /// Bytes held.
@@ -127,8 +126,7 @@ impl Inserter {
         let dead = self.conflicts.dead();
         let count = dead.len().min(self.conflicts.face_count());
         self.fresh.clear();
-        self.fresh.try_reserve(count)?;
-        self.fresh.extend_from_slice(&dead[..count]);
+        fallible::append(&mut self.fresh, &dead[..count])?;
         Ok(())
     }
 
@@ -178,15 +176,17 @@ impl Inserter {
 }
 
 impl Inserter {
-    /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`.
+    /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`. If the run is ended
+    /// within, the mesh is useless.
     pub fn insert<const CONSTRAINED: bool>(
         &mut self,
         mesh: &mut Mesh,
         points: &Points,
         p: u32,
         t: u32,
+        control: &Control,
     ) -> Result<u32, Error> {
-        self.conflicts.collect::<false>(&mesh.exclusive(), 0, points, p, t)?;
+        self.conflicts.collect::<false>(&mesh.exclusive(), 0, points, p, t, &|| control.look())?;
         if CONSTRAINED {
             self.fresh.clear();
         } else {
@@ -202,10 +202,10 @@ impl Inserter {
                 }
             }
             mesh.vertex_tet[p as usize] = self.fresh[0];
-            self.carry_edge_flags(mesh, p);
+            self.carry_edge_flags(mesh, p, control)?;
         }
         for &t in &self.conflicts.dead()[reused..] {
-            mesh.release(t);
+            mesh.release(t)?;
         }
         Ok(self.fresh[0])
     }
@@ -213,7 +213,7 @@ impl Inserter {
     /// Makes the boundary's subsegments those of the new tetrahedra and lists the subsegments that were destroyed.
     ///
     /// The half-edges of the boundary tell which edges of dead tetrahedra are on it, and which new tetrahedra have them: one per direction.
-    fn carry_edge_flags(&mut self, mesh: &mut Mesh, p: u32) {
+    fn carry_edge_flags(&mut self, mesh: &mut Mesh, p: u32, control: &Control) -> Result<(), Error> {
         self.lost_edges.clear();
         for i in 0..self.conflicts.dead().len() {
             let t = self.conflicts.dead()[i];
@@ -227,8 +227,9 @@ impl Inserter {
                     (self.half_edge(mesh, p, a, b), self.half_edge(mesh, p, b, a))
                 else {
                     let edge = [a.min(b), a.max(b)];
+                    control.steps(1 + self.lost_edges.len() as u32 / 256)?;
                     if !self.lost_edges.contains(&edge) {
-                        self.lost_edges.push(edge);
+                        fallible::push(&mut self.lost_edges, edge)?;
                     }
                     continue;
                 };
@@ -238,6 +239,7 @@ impl Inserter {
                 }
             }
         }
+        Ok(())
     }
 
     /// The corner code of the boundary's half-edge from `a` to `b` in the tetrahedron that joins it to `p`, if it is on the boundary.

@@ -16,6 +16,7 @@ mod parallel;
 mod ranges;
 mod workers;
 
+use crate::control::{Control, Part};
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::kernel::{Mesh, GHOST};
@@ -23,7 +24,7 @@ use crate::predicates::{Points, Sign};
 use insert::Inserter;
 use locate::{walk, Walk};
 use order::Frame;
-use parallel::{Pass, FEWEST_VERTICES};
+use parallel::{Pass, Workers, FEWEST_VERTICES};
 use ranges::{range_count, Division};
 #[cfg(test)]
 pub(crate) use workers::STARTED as HELPERS_STARTED;
@@ -52,7 +53,7 @@ pub struct Construction {
 
 /// A round of insertions by ranges.
 #[cfg_attr(not(any(test, feature = "internals")), expect(dead_code, reason = "for tests"))]
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Round {
     /// Vertices inserted in it.
     pub vertices: usize,
@@ -73,7 +74,7 @@ impl Construction {
     pub fn of(points: &Points) -> Mesh {
         let mut construction = Construction::default();
         let mut order: Vec<u32> = (0..points.len() as u32).collect();
-        construction.build(points, &mut order, &mut |_| Ok(())).unwrap();
+        construction.build(points, &mut order, &Control::free()).unwrap();
         construction.mesh.index_vertices(points.len()).unwrap();
         construction.mesh
     }
@@ -85,28 +86,35 @@ impl Construction {
     }
 
     /// Starts with the first four vertices of `order` that are not coplanar and moves them to its front. Fails if all are coplanar.
-    pub fn start(&mut self, points: &Points, order: &mut [u32]) -> Result<(), Error> {
+    pub fn start(&mut self, points: &Points, order: &mut [u32], control: &Control) -> Result<(), Error> {
         self.mesh.clear();
         let flat = || Error::new(Status::DegenerateInput, "all points lie in one plane");
         if order.len() < 4 {
             return Err(flat());
         }
-        let third =
-            (2..order.len()).find(|&i| !points.collinear(order[0], order[1], order[i])).ok_or_else(flat)?;
+        let first = |from: usize, order: &[u32], test: &dyn Fn(u32) -> bool| {
+            for (i, &v) in (from..).zip(&order[from..]) {
+                control.step()?;
+                if test(v) {
+                    return Ok(i);
+                }
+            }
+            Err(flat())
+        };
+        let third = first(2, order, &|v| !points.collinear(order[0], order[1], v))?;
         order[2..=third].rotate_right(1);
         let [a, b, c] = [order[0], order[1], order[2]];
-        let fourth =
-            (3..order.len()).find(|&i| points.orient3d(a, b, c, order[i]) != Sign::Zero).ok_or_else(flat)?;
+        let fourth = first(3, order, &|v| points.orient3d(a, b, c, v) != Sign::Zero)?;
         order[3..=fourth].rotate_right(1);
         let d = order[3];
         let v = if points.orient3d(a, b, c, d) == Sign::Positive { [a, b, c, d] } else { [a, c, b, d] };
         self.mesh.reserve(5)?;
-        let t = self.mesh.allocate(v);
+        let t = self.mesh.allocate(v)?;
         let mut ghosts = [0; 4];
         for f in 0..4 {
             // (apex, x, y, z) is positive, and so is (x, y, z, p) for p beyond the face.
             let [x, y, z] = self.mesh.face(4 * t + f);
-            let g = self.mesh.allocate([x, y, z, GHOST]);
+            let g = self.mesh.allocate([x, y, z, GHOST])?;
             ghosts[f as usize] = g;
             self.mesh.link(4 * t + f, 4 * g + 3);
         }
@@ -128,11 +136,11 @@ impl Construction {
     }
 
     /// Inserts one vertex by a walk from a tetrahedron; returns the number of steps.
-    fn insert_from(&mut self, points: &Points, p: u32, start: u32) -> Result<u32, Error> {
+    fn insert_from(&mut self, points: &Points, p: u32, start: u32, control: &Control) -> Result<u32, Error> {
         let Walk::Found(t, steps) = walk::<false, false>(&self.mesh.slots(), 0, points, p, start) else {
             return Err(Error::internal("point location did not terminate"));
         };
-        self.hint = self.inserter.insert::<false>(&mut self.mesh, points, p, t)?;
+        self.hint = self.inserter.insert::<false>(&mut self.mesh, points, p, t, control)?;
         Ok(steps)
     }
 
@@ -157,15 +165,17 @@ impl Construction {
         best.1
     }
 
-    /// Builds the triangulation of the given vertices, in this order of insertion (the first four may be swapped with later ones). `tick`
-    /// is called from time to time with the number of vertices done.
-    pub fn build(
-        &mut self,
-        points: &Points,
-        order: &mut [u32],
-        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        self.build_rounds(points, order, &[], 1, tick)
+    /// Builds the triangulation of the given vertices, in this order of insertion (the first four may be swapped with later ones).
+    pub fn build(&mut self, points: &Points, order: &mut [u32], control: &Control) -> Result<(), Error> {
+        self.begin(points, order, control)?;
+        self.insert_in_order(points, &order[4..], control, None)
+    }
+
+    /// Makes the first tetrahedron.
+    fn begin(&mut self, points: &Points, order: &mut [u32], control: &Control) -> Result<(), Error> {
+        self.inserter.prepare(points.len())?;
+        self.rounds.clear();
+        self.start(points, order, control)
     }
 
     /// Like [`build`](Self::build), for vertices in rounds that end at `rounds`, each sorted along the curve. Large rounds are inserted by
@@ -176,11 +186,10 @@ impl Construction {
         order: &mut [u32],
         rounds: &[usize],
         threads: usize,
-        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+        part: Part,
     ) -> Result<(), Error> {
-        self.inserter.prepare(points.len())?;
-        self.start(points, order)?;
-        self.rounds.clear();
+        self.begin(points, order, &part)?;
+        let at = |done: usize| done as f64 / order.len() as f64;
         let mut begin = 4;
         let mut shared = false;
         for &end in rounds.iter().chain([&order.len()]) {
@@ -191,6 +200,7 @@ impl Construction {
                 (1, _) | (_, None) => range_count(begin),
                 (_, Some(ranges)) => ranges,
             };
+            let part = part.part(at(begin), at(end));
             if !rounds.is_empty() && ranges > 1 && end - begin >= FEWEST_VERTICES {
                 if !shared {
                     // The number of present vertices predicts the number of tetrahedra (slightly too low, since the hull's share shrinks).
@@ -200,13 +210,13 @@ impl Construction {
                     self.mesh.expect(expected.saturating_sub(self.mesh.slot_count()));
                 }
                 shared = true;
-                let done = self.insert_round(points, order, begin..end, ranges, threads, tick);
+                let done = self.insert_round(points, order, begin..end, ranges, Workers { threads, part });
                 if done.is_err() {
                     self.mesh.clear();
                 }
                 done?;
             } else {
-                self.insert_in_order(points, &order[begin..end], &mut |done| tick(begin + done))?;
+                self.insert_in_order(points, &order[begin..end], &part, Some(part))?;
             }
             begin = end;
         }
@@ -221,15 +231,18 @@ impl Construction {
         &mut self,
         points: &Points,
         vertices: &[u32],
-        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+        control: &Control,
+        part: Option<Part>,
     ) -> Result<(), Error> {
         let mut careful = 0;
         for (i, &p) in vertices.iter().enumerate() {
-            if i % 8192 == 0 {
-                tick(i)?;
+            if let (Some(part), 0) = (part, i % 8192) {
+                part.progress(i as f64 / vertices.len() as f64)?;
             }
+            control.step()?;
             let start = if careful > 0 { self.nearest_made(points, p) } else { self.hint };
-            let steps = self.insert_from(points, p, start)?;
+            let steps = self.insert_from(points, p, start, control)?;
+            control.worked(steps as usize + self.inserter.conflicts.dead().len());
             careful = if steps > LONG_WALK { CAREFUL } else { careful.saturating_sub(1) };
         }
         Ok(())
@@ -242,20 +255,14 @@ impl Construction {
         order: &[u32],
         round: std::ops::Range<usize>,
         ranges: usize,
-        threads: usize,
-        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
+        workers: Workers,
     ) -> Result<(), Error> {
         let frame = Frame::of(points.coordinates(), order);
-        let mut best = 0;
-        // Deferred vertices are counted again, so never show less than before.
-        let mut ahead = |done: usize| {
-            best = done.max(best);
-            tick(best)
-        };
         let mut present = &order[..round.start];
-        let division = Division::along_curve(points, &frame, present, &order[round.clone()], ranges)?;
-        let pass = Pass { points, present, reserve: 0.97, threads };
-        let mut left = self.insert_pass(&pass, division, &mut |done| ahead(round.start + done))?;
+        let division =
+            Division::along_curve(points, &frame, present, &order[round.start..round.end], ranges)?;
+        let pass = Pass { points, present, reserve: 0.97, workers };
+        let mut left = self.insert_pass(&pass, division)?;
         let mut report = Round { vertices: round.len(), ranges, deferred: fallible::collect([left.len()])? };
         present = &order[..round.end];
         for turn in 0..MOST_PASSES {
@@ -265,17 +272,18 @@ impl Construction {
             if hopeless || left.len() < FEWEST_VERTICES.max(present.len() / 32) {
                 break;
             }
-            let done_before = round.end - left.len();
+            // The deferred vertices are counted once more, in the part that they have of the round.
+            let part = workers.part.part(1.0 - left.len() as f64 / round.len() as f64, 1.0);
+            let workers = Workers { part, ..workers };
             let division = Division::slabs(points, present, &left, ranges.div_ceil(2).max(2), turn)?;
-            let pass = Pass { points, present, reserve: 1.05, threads };
-            left = self.insert_pass(&pass, division, &mut |done| ahead(done_before + done))?;
+            let pass = Pass { points, present, reserve: 1.05, workers };
+            left = self.insert_pass(&pass, division)?;
             fallible::push(&mut report.deferred, left.len())?;
         }
-        self.rounds.try_reserve(1)?;
-        self.rounds.push(report);
+        fallible::push(&mut self.rounds, report)?;
         self.hint = (0..self.mesh.slot_count() as u32).find(|&t| self.mesh.is_live(t)).unwrap_or(0);
-        let done_before = round.end - left.len();
-        self.insert_in_order(points, &left, &mut |done| ahead(done_before + done))
+        let part = workers.part.part(1.0 - left.len() as f64 / round.len() as f64, 1.0);
+        self.insert_in_order(points, &left, &part, Some(part))
     }
 }
 

@@ -5,6 +5,7 @@
 //!
 //! One sort does both: a point's key is its round, then its curve index. The leading digits are sorted from the last to the first, in
 //! linear time; the few points that agree in them are sorted by comparison.
+use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
 
@@ -22,7 +23,7 @@ const DIGIT: u32 = 11;
 const FEW: usize = 2000;
 
 /// Points in an order of insertion.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Order {
     /// The points' ids.
     pub ids: Vec<u32>,
@@ -31,26 +32,31 @@ pub struct Order {
 }
 
 /// A permutation of `ids` in which the points should be inserted. Depends only on the coordinates and the order of the ids.
-pub fn insertion_order(points: &[[f64; 3]], ids: &[u32]) -> Result<Order, Error> {
+pub fn insertion_order(points: &[[f64; 3]], ids: &[u32], control: &Control) -> Result<Order, Error> {
+    control.look()?;
     let Frame { low, scale } = Frame::of(points, ids);
     let (limits, count) = round_limits(ids.len());
     let rounds = &limits[..count];
-    let mut keyed: Vec<(u64, u32)> = Vec::new();
-    keyed.try_reserve_exact(ids.len())?;
+    let mut keyed: Vec<(u64, u32)> = fallible::reserved(ids.len())?;
     for (block, chunk) in ids.chunks(BLOCK).enumerate() {
+        control.step()?;
         let mut coordinates = [[0.0; 3]; BLOCK];
         for (to, &id) in coordinates.iter_mut().zip(chunk) {
             *to = points[id as usize];
         }
         let indices = hilbert_indices(&coordinates, low, scale);
-        keyed.extend(chunk.iter().zip(indices).enumerate().map(|(i, (&id, index))| {
-            // Only the membership in rounds is random: by a hash of the position.
-            let hash = splitmix((block * BLOCK + i) as u64);
-            let round = rounds.iter().take_while(|&&limit| hash < limit).count();
-            (((rounds.len() - round) as u64) << (3 * BITS) | index, id)
-        }));
+        fallible::extend(
+            &mut keyed,
+            chunk.iter().zip(indices).enumerate().map(|(i, (&id, index))| {
+                // Only the membership in rounds is random: by a hash of the position.
+                let hash = splitmix((block * BLOCK + i) as u64);
+                let round = rounds.iter().take_while(|&&limit| hash < limit).count();
+                (((rounds.len() - round) as u64) << (3 * BITS) | index, id)
+            }),
+        )?;
     }
-    sort(&mut keyed)?;
+    sort(&mut keyed, control)?;
+    control.look()?;
     let ends =
         (0..=rounds.len() as u64).map(|round| keyed.partition_point(|&(key, _)| key >> (3 * BITS) <= round));
     let rounds = fallible::collect(ends)?;
@@ -81,7 +87,7 @@ fn round_limits(count: usize) -> ([u64; 15], usize) {
 }
 
 /// Sorts by key.
-fn sort(keyed: &mut Vec<(u64, u32)>) -> Result<(), Error> {
+fn sort(keyed: &mut Vec<(u64, u32)>, control: &Control) -> Result<(), Error> {
     let count = keyed.len();
     if count < FEW {
         keyed.sort_unstable();
@@ -93,6 +99,7 @@ fn sort(keyed: &mut Vec<(u64, u32)>) -> Result<(), Error> {
     let lowest = u64::BITS - passes * DIGIT;
     let mut other = fallible::filled((0u64, 0u32), count)?;
     for pass in 0..passes {
+        control.look()?;
         let digit = |key: u64| (key >> (lowest + pass * DIGIT)) as usize % (1 << DIGIT);
         let mut places = [0u32; 1 << DIGIT];
         for &(key, _) in keyed.iter() {
@@ -114,6 +121,7 @@ fn sort(keyed: &mut Vec<(u64, u32)>) -> Result<(), Error> {
         let leading = keyed[begin].0 >> lowest;
         let end = begin + keyed[begin..].iter().take_while(|entry| entry.0 >> lowest == leading).count();
         if end - begin > 1 {
+            control.step()?;
             keyed[begin..end].sort_unstable();
         }
         begin = end;
@@ -215,7 +223,7 @@ mod tests {
             let mut keyed: Vec<(u64, u32)> = (0..count).map(|i| (splitmix(i) & mask, i as u32)).collect();
             let mut expected = keyed.clone();
             expected.sort_unstable();
-            sort(&mut keyed).unwrap();
+            sort(&mut keyed, &Control::free()).unwrap();
             assert_eq!(keyed, expected);
         }
     }
@@ -241,7 +249,7 @@ mod tests {
             }
         }
         let ids: Vec<u32> = (0..points.len() as u32).collect();
-        let mut order = insertion_order(&points, &ids).unwrap().ids;
+        let mut order = insertion_order(&points, &ids, &Control::free()).unwrap().ids;
         order.sort_unstable();
         assert_eq!(order, ids);
         // One round along the curve over a full grid of 2^4: consecutive points are grid neighbours.

@@ -35,6 +35,7 @@
 //!
 //! So 8 threads need 10^7 points and 16 a few 10^7; 64 ranges, by the law above fitted to the rows of 8, defer 7 % in the first pass at
 //! 8·10^7 points. Ordering and division are sequential; each pass visits all tetrahedra once, in parallel.
+use crate::control::{Control, Part};
 use crate::delaunay::insert::Inserter;
 use crate::delaunay::locate::{walk, Walk};
 use crate::delaunay::ranges::{Division, FEWEST};
@@ -43,9 +44,8 @@ use crate::delaunay::Construction;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::kernel::slots::Slots;
-use crate::kernel::{flag, NONE};
+use crate::kernel::{flag, Mesh, NONE};
 use crate::predicates::Points;
-use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -56,8 +56,10 @@ pub(super) const FEWEST_VERTICES: usize = 4096;
 const TRIAL: usize = 1024;
 /// After this many deferred vertices in a row a walk starts elsewhere.
 const PATIENCE: usize = 16;
-/// Number of vertices between two calls of the observer.
+/// Number of vertices between two reports of progress.
 const TICK: usize = 2048;
+/// Number of vertices after which a helper asks whether it should stop.
+const ASK: usize = 64;
 
 /// The work of one range in a pass.
 struct Task {
@@ -83,54 +85,96 @@ struct Shop<'a> {
     points: &'a Points,
     tasks: Mutex<std::iter::Enumerate<std::vec::IntoIter<Task>>>,
     outcomes: Mutex<Vec<(usize, Outcome)>>,
-    /// Set by a failure or a cancel: all workers stop.
+    /// Set by a failure or the end of the run: all workers stop.
     stop: AtomicBool,
-    /// Vertices done, inserted or deferred.
+    /// Vertices done, inserted or deferred, and all.
     done: AtomicUsize,
+    all: f64,
+}
+
+/// What may end a worker's work, and what it tells of it.
+trait Watch {
+    /// Before each vertex.
+    fn step(&self, index: usize) -> Result<(), Error>;
+
+    /// Within a vertex that takes long.
+    fn look(&self) -> Result<(), Error>;
+
+    /// So much of the pass is done by all together.
+    fn progress(&self, fraction: f64) -> Result<(), Error>;
+}
+
+/// The calling thread's: the control of the run.
+impl Watch for Part<'_> {
+    #[inline(always)]
+    fn step(&self, _: usize) -> Result<(), Error> {
+        Control::step(self)
+    }
+
+    fn look(&self) -> Result<(), Error> {
+        Control::look(self)
+    }
+
+    fn progress(&self, fraction: f64) -> Result<(), Error> {
+        Part::progress(*self, fraction)
+    }
+}
+
+/// A helper's: the flag of all workers.
+struct Helper<'a>(&'a AtomicBool);
+
+impl Watch for Helper<'_> {
+    #[inline(always)]
+    fn step(&self, index: usize) -> Result<(), Error> {
+        if index % ASK == 0 {
+            self.look()?;
+        }
+        Ok(())
+    }
+
+    fn look(&self) -> Result<(), Error> {
+        match self.0.load(Ordering::Relaxed) {
+            // The reason is that of whoever set it.
+            true => Err(Error::new(Status::Cancelled, "cancelled")),
+            false => Ok(()),
+        }
+    }
+
+    fn progress(&self, _: f64) -> Result<(), Error> {
+        Ok(())
+    }
 }
 
 impl Shop<'_> {
     /// Processes tasks until there are none.
-    fn work(
-        &self,
-        inserter: &mut Inserter,
-        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+    fn work(&self, inserter: &mut Inserter, watch: &impl Watch) -> Result<(), Error> {
         inserter.prepare(self.points.len())?;
         loop {
             let next = self.tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
             let Some((index, task)) = next else { return Ok(()) };
-            let outcome = self.run(task, inserter, tick)?;
+            let outcome = self.run(task, inserter, watch)?;
             let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
-            outcomes.try_reserve(1)?;
-            outcomes.push((index, outcome));
+            fallible::push(&mut outcomes, (index, outcome))?;
         }
     }
 
-    /// The same on the calling thread and `threads − 1` helpers. Only the calling thread calls `tick`.
-    fn work_together(
-        &self,
-        inserter: &mut Inserter,
-        threads: usize,
-        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        let tick = RefCell::new(tick);
+    /// The same on the calling thread and `threads − 1` helpers. Only the calling thread reports progress and looks at the control.
+    fn work_together(&self, inserter: &mut Inserter, workers: Workers) -> Result<(), Error> {
+        let Workers { threads, part } = workers;
         together(
             threads,
-            &|| self.work(&mut Inserter::default(), &mut |_| Ok(())),
+            &|| self.work(&mut Inserter::default(), &Helper(&self.stop)),
             &|| self.stop.store(true, Ordering::Relaxed),
-            || self.work(inserter, &mut |done| (tick.borrow_mut())(done)),
-            &mut || (tick.borrow_mut())(self.done.load(Ordering::Relaxed)),
+            || self.work(inserter, &part),
+            &mut || {
+                part.look()?;
+                part.progress(self.done.load(Ordering::Relaxed) as f64 / self.all)
+            },
         )
     }
 
     /// Inserts the vertices of one range that can be inserted.
-    fn run(
-        &self,
-        mut task: Task,
-        inserter: &mut Inserter,
-        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
-    ) -> Result<Outcome, Error> {
+    fn run(&self, mut task: Task, inserter: &mut Inserter, watch: &impl Watch) -> Result<Outcome, Error> {
         let vertices = std::mem::take(&mut task.vertices);
         let mut deferred = Vec::new();
         let mut hint = task.starts.first().copied().unwrap_or(NONE);
@@ -138,14 +182,12 @@ impl Shop<'_> {
         for (i, &p) in vertices.iter().enumerate() {
             if i % TICK == TICK - 1 {
                 let done = self.done.fetch_add(TICK, Ordering::Relaxed) + TICK;
-                tick(done)?;
-                if self.stop.load(Ordering::Relaxed) {
-                    return Err(Error::new(Status::Cancelled, "cancelled"));
-                }
+                watch.progress(done as f64 / self.all)?;
             }
+            watch.step(i)?;
             if i == TRIAL && 4 * deferred.len() > 3 * TRIAL {
                 deferred.try_reserve(vertices.len() - i)?;
-                deferred.extend_from_slice(&vertices[i..]);
+                fallible::append(&mut deferred, &vertices[i..])?;
                 break;
             }
             if row == PATIENCE {
@@ -154,21 +196,17 @@ impl Shop<'_> {
             }
             let inserted = match hint {
                 NONE => None,
-                _ => self.insert(&mut task, inserter, p, hint)?,
+                _ => self.insert(&mut task, inserter, p, hint, watch)?,
             };
             row = if inserted.is_some() { 0 } else { row + 1 };
             match inserted {
                 Some(t) => hint = t,
-                None => {
-                    deferred.try_reserve(1)?;
-                    deferred.push(p);
-                }
+                None => fallible::push(&mut deferred, p)?,
             }
         }
         self.done.fetch_add(vertices.len() % TICK, Ordering::Relaxed);
         // The rest of the block is part of the mesh as well.
-        task.free.try_reserve(task.block.len())?;
-        task.free.extend(task.block.rev());
+        fallible::extend(&mut task.free, task.block.rev())?;
         Ok(Outcome { deferred, free: task.free })
     }
 
@@ -194,6 +232,7 @@ impl Shop<'_> {
         inserter: &mut Inserter,
         p: u32,
         hint: u32,
+        watch: &impl Watch,
     ) -> Result<Option<u32>, Error> {
         let slots = &self.slots;
         let t = match walk::<true, false>(slots, task.owner, self.points, p, hint) {
@@ -201,7 +240,7 @@ impl Shop<'_> {
             Walk::Left => return Ok(None),
             Walk::Lost => return Err(Error::internal("point location did not terminate")),
         };
-        if !inserter.conflicts.collect::<true>(slots, task.owner, self.points, p, t)? {
+        if !inserter.conflicts.collect::<true>(slots, task.owner, self.points, p, t, &|| watch.look())? {
             return Ok(None);
         }
         let (dead, fresh) = (inserter.conflicts.dead().len(), inserter.conflicts.face_count());
@@ -216,20 +255,27 @@ impl Shop<'_> {
         inserter.reuse_slots()?;
         if more > 0 {
             inserter.fresh.try_reserve(more)?;
-            inserter.fresh.extend(task.free.drain(task.free.len() - recycled..));
+            fallible::extend(&mut inserter.fresh, task.free.drain(task.free.len() - recycled..))?;
             let end = task.block.start + (more - recycled) as u32;
-            inserter.fresh.extend(task.block.start..end);
+            fallible::extend(&mut inserter.fresh, task.block.start..end)?;
             task.block.start = end;
         } else {
             task.free.try_reserve(dead - fresh)?;
             for &t in &inserter.conflicts.dead()[fresh..] {
                 slots.set_flags(t, flag::DEAD);
-                task.free.push(t);
+                fallible::push(&mut task.free, t)?;
             }
         }
         inserter.fill(slots, task.owner, p)?;
         Ok(Some(inserter.fresh[0]))
     }
+}
+
+/// Who works, and what may end it.
+#[derive(Clone, Copy)]
+pub(super) struct Workers<'a> {
+    pub(super) threads: usize,
+    pub(super) part: Part<'a>,
 }
 
 /// Insertions of one pass.
@@ -239,23 +285,18 @@ pub(super) struct Pass<'a> {
     pub(super) present: &'a [u32],
     /// Slots reserved, as a fraction of the number expected if no vertex is deferred. (If they do not suffice, vertices are deferred.)
     pub(super) reserve: f64,
-    pub(super) threads: usize,
+    pub(super) workers: Workers<'a>,
 }
 
 impl Construction {
     /// Inserts vertices of a round, given by range; returns those that were deferred, in the same order.
-    pub(super) fn insert_pass(
-        &mut self,
-        pass: &Pass,
-        division: Division,
-        tick: &mut dyn FnMut(usize) -> Result<(), Error>,
-    ) -> Result<Vec<u32>, Error> {
-        let threads = pass.threads.min(division.parts.len()).max(1);
+    pub(super) fn insert_pass(&mut self, pass: &Pass, division: Division) -> Result<Vec<u32>, Error> {
+        let threads = pass.workers.threads.min(division.parts.len()).max(1);
+        let workers = Workers { threads, ..pass.workers };
         let starts = self.assign(&division, threads)?;
         let vertices: usize = division.parts.iter().map(Vec::len).sum();
         let each = self.mesh.live_count() as f64 / pass.present.len().max(1) as f64 * pass.reserve;
-        let mut tasks = Vec::new();
-        tasks.try_reserve(division.parts.len())?;
+        let mut tasks = fallible::reserved(division.parts.len())?;
         // Free slots are distributed first; blocks cover the rest.
         let mut free = self.mesh.take_free();
         let first = self.mesh.slot_count() as u32;
@@ -270,9 +311,13 @@ impl Construction {
             let more = (part * each) as usize + 64;
             let block = end..end.saturating_add(more.saturating_sub(own.len()) as u32);
             end = block.end;
-            tasks.push(Task { owner: i as u16 + 1, vertices: vertices_of, starts, free: own, block });
+            fallible::push(
+                &mut tasks,
+                Task { owner: i as u16 + 1, vertices: vertices_of, starts, free: own, block },
+            )?;
         }
         let more = (end - first) as usize;
+        workers.part.control().room(more * Mesh::SLOT_BYTES)?;
         let shop = Shop {
             slots: self.mesh.share(more)?,
             points: pass.points,
@@ -280,16 +325,15 @@ impl Construction {
             tasks: Mutex::new(tasks.into_iter().enumerate()),
             stop: AtomicBool::new(false),
             done: AtomicUsize::new(0),
+            all: vertices.max(1) as f64,
         };
-        shop.work_together(&mut self.inserter, threads, tick)?;
+        shop.work_together(&mut self.inserter, workers)?;
         let mut outcomes = shop.outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
         outcomes.sort_unstable_by_key(|&(index, _)| index);
         let mut deferred = Vec::new();
         for (_, outcome) in outcomes {
-            free.try_reserve(outcome.free.len())?;
-            free.extend(outcome.free);
-            deferred.try_reserve(outcome.deferred.len())?;
-            deferred.extend(outcome.deferred);
+            fallible::extend(&mut free, outcome.free)?;
+            fallible::extend(&mut deferred, outcome.deferred)?;
         }
         self.mesh.give_free(free);
         Ok(deferred)
@@ -312,8 +356,7 @@ impl Construction {
             let owner = flags[t] & flag::OWNER;
             if owner != 0 && flags[t] & flag::DEAD == 0 {
                 let list = &mut starts[owner as usize - 1];
-                list.try_reserve(1)?;
-                list.push(t as u32);
+                fallible::push(list, t as u32)?;
             }
         }
         Ok(starts)

@@ -39,15 +39,10 @@ pub(super) fn range_count(present: usize) -> usize {
 
 impl Division {
     fn new(points: &Points, count: usize, each: usize) -> Result<Self, Error> {
-        let mut owner_of = Vec::new();
-        owner_of.try_reserve_exact(points.len())?;
-        owner_of.resize(points.len(), 0);
-        let mut parts: Vec<Vec<u32>> = Vec::new();
-        parts.try_reserve(count)?;
+        let owner_of = fallible::filled(0, points.len())?;
+        let mut parts: Vec<Vec<u32>> = fallible::reserved(count)?;
         for _ in 0..count {
-            let mut part = Vec::new();
-            part.try_reserve(each)?;
-            parts.push(part);
+            fallible::push(&mut parts, fallible::reserved(each)?)?;
         }
         Ok(Division { owner_of, parts })
     }
@@ -64,9 +59,7 @@ impl Division {
         let each = round.len().div_ceil(count);
         let mut borders = Vec::new();
         for piece in round.chunks(each) {
-            let mut part = Vec::new();
-            part.try_reserve_exact(piece.len())?;
-            part.extend_from_slice(piece);
+            let part = fallible::copied(piece)?;
             if !division.parts.is_empty() {
                 fallible::push(&mut borders, curve_indices(points.coordinates(), &piece[..1], frame)[0])?;
             }
@@ -99,8 +92,10 @@ impl Division {
             p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2]
         };
         let mut sample = Vec::new();
-        sample.try_reserve(SAMPLE + 1)?;
-        sample.extend(round.iter().step_by(round.len().div_ceil(SAMPLE).max(1)).map(|&v| height(v)));
+        fallible::extend(
+            &mut sample,
+            round.iter().step_by(round.len().div_ceil(SAMPLE).max(1)).map(|&v| height(v)),
+        )?;
         sample.sort_unstable_by(f64::total_cmp);
         let borders =
             fallible::collect((1..count).filter_map(|i| sample.get(i * sample.len() / count).copied()))?;
@@ -114,8 +109,7 @@ impl Division {
         }
         for &v in round {
             let part = &mut division.parts[slab(v)];
-            part.try_reserve(1)?;
-            part.push(v);
+            fallible::push(part, v)?;
         }
         Ok(division)
     }

@@ -1,8 +1,13 @@
 //! The Delaunay invariants on random and degenerate point sets.
+use crate::control::{controlled, CancelToken, Control, Limits};
 use crate::delaunay::check::check_delaunay;
+use crate::delaunay::locate::locate;
 use crate::delaunay::order::insertion_order;
 use crate::delaunay::{Construction, HELPERS_STARTED};
+use crate::error::Status;
 use crate::predicates::Points;
+use crate::progress::{Observer, Phase, Silent};
+use std::ops::ControlFlow;
 
 /// Deterministic numbers in [0, 1).
 struct Lcg(u64);
@@ -16,10 +21,10 @@ impl Lcg {
 
 fn build(xyz: Vec<[f64; 3]>) -> (Construction, Points) {
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
-    let mut order = insertion_order(&xyz, &ids).unwrap().ids;
+    let mut order = insertion_order(&xyz, &ids, &Control::free()).unwrap().ids;
     let points = Points::new(xyz);
     let mut delaunay = Construction::default();
-    delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
+    delaunay.build(&points, &mut order, &Control::free()).unwrap();
     check_delaunay(&delaunay.mesh, &points).unwrap();
     slots_are_accounted_for(&delaunay);
     (delaunay, points)
@@ -107,7 +112,7 @@ fn the_result_does_not_depend_on_the_order() {
     let points = Points::new(xyz);
     let sorted_tets = |mut order: Vec<u32>| {
         let mut delaunay = Construction::default();
-        delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap();
+        delaunay.build(&points, &mut order, &Control::free()).unwrap();
         let mesh = &delaunay.mesh;
         let mut tets: Vec<[u32; 4]> = (0..mesh.slot_count() as u32)
             .filter(|&t| mesh.is_live(t) && !mesh.is_ghost(t))
@@ -133,7 +138,7 @@ fn coplanar_points_are_refused() {
     let points = Points::new((0..10).map(|i| [i as f64, (i * i % 7) as f64, 0.0]).collect());
     let mut delaunay = Construction::default();
     let mut order: Vec<u32> = (0..10).collect();
-    let error = delaunay.build(&points, &mut order, &mut |_| Ok(())).unwrap_err();
+    let error = delaunay.build(&points, &mut order, &Control::free()).unwrap_err();
     assert_eq!(error.status, crate::Status::DegenerateInput);
 }
 
@@ -142,17 +147,13 @@ type Bytes = (Vec<([u32; 4], [u32; 4], bool)>, Vec<u32>);
 
 fn build_by(threads: usize, xyz: &[[f64; 3]]) -> (Construction, Points, Bytes) {
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
-    let order = insertion_order(xyz, &ids).unwrap();
+    let order = insertion_order(xyz, &ids, &Control::free()).unwrap();
     let points = Points::new(order.ids.iter().map(|&i| xyz[i as usize]).collect());
     let mut sequence = ids;
     let mut delaunay = Construction::default();
-    let mut last = 0;
-    let mut tick = |done| {
-        assert!(done >= last && done <= xyz.len());
-        last = done;
-        Ok(())
-    };
-    delaunay.build_rounds(&points, &mut sequence, &order.rounds, threads, &mut tick).unwrap();
+    let free = Control::free();
+    let part = free.whole(Phase::Delaunay);
+    delaunay.build_rounds(&points, &mut sequence, &order.rounds, threads, part).unwrap();
     let mesh = &delaunay.mesh;
     let bytes = (mesh.slots_as_they_are(), mesh.free().to_vec());
     (delaunay, points, bytes)
@@ -225,7 +226,7 @@ fn ranges_make_the_tetrahedra_that_one_by_one_insertion_makes() {
         let (by_ranges, points, _) = build_by(2, &xyz);
         let mut one_by_one = Construction::default();
         let mut order: Vec<u32> = (0..xyz.len() as u32).collect();
-        one_by_one.build(&points, &mut order, &mut |_| Ok(())).unwrap();
+        one_by_one.build(&points, &mut order, &Control::free()).unwrap();
         let set = |delaunay: &Construction| {
             let mesh = &delaunay.mesh;
             let live = (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t));
@@ -242,17 +243,48 @@ fn ranges_make_the_tetrahedra_that_one_by_one_insertion_makes() {
 fn a_cancel_reaches_all_workers() {
     let xyz = large_sets().swap_remove(2).1;
     let ids: Vec<u32> = (0..xyz.len() as u32).collect();
-    let order = insertion_order(&xyz, &ids).unwrap();
+    let order = insertion_order(&xyz, &ids, &Control::free()).unwrap();
     let points = Points::new(order.ids.iter().map(|&i| xyz[i as usize]).collect());
     for threads in [1, 3] {
         let mut delaunay = Construction::default();
-        let mut tick = |done| match done {
-            0..30_000 => Ok(()),
-            _ => Err(crate::Error::new(crate::Status::Cancelled, "enough")),
-        };
-        let error =
-            delaunay.build_rounds(&points, &mut ids.clone(), &order.rounds, threads, &mut tick).unwrap_err();
-        assert_eq!((error.status, &*error.message), (crate::Status::Cancelled, "enough"));
+        let error = controlled(Limits::default(), &mut Enough, |control| {
+            let part = control.whole(Phase::Delaunay);
+            delaunay.build_rounds(&points, &mut ids.clone(), &order.rounds, threads, part).unwrap_err()
+        });
+        assert_eq!((error.status, &*error.message), (Status::Cancelled, "cancelled by the caller"));
         assert_eq!(delaunay.mesh.slot_count(), 0);
     }
+}
+
+/// Cancels in the last round.
+struct Enough;
+
+impl Observer for Enough {
+    fn progress(&mut self, phase: Phase, fraction: f64) -> ControlFlow<()> {
+        assert_eq!(phase, Phase::Delaunay);
+        if fraction > 0.4 {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// One insertion may take as long as all others: a vertex near the centre of a sphere with all others on it.
+#[test]
+fn a_large_cavity_can_be_left() {
+    let xyz = large_sets().swap_remove(0).1;
+    let mut order: Vec<u32> = (0..xyz.len() as u32).collect();
+    let points = Points::new(xyz.into_iter().chain([[0.01, 0.02, 0.03]]).collect());
+    let mut delaunay = Construction::default();
+    delaunay.build(&points, &mut order, &Control::free()).unwrap();
+    let Construction { mesh, inserter, hint, .. } = &mut delaunay;
+    inserter.prepare(points.len()).unwrap();
+    let token = CancelToken::new();
+    controlled(Limits { cancel: Some(token.flag()), ..Limits::default() }, &mut Silent, |control| {
+        let t = locate(mesh, &points, order.len() as u32, *hint).unwrap();
+        control.look().unwrap();
+        token.cancel();
+        let error = inserter.insert::<false>(mesh, &points, order.len() as u32, t, control).unwrap_err();
+        assert_eq!(error.status, Status::Cancelled);
+    });
 }

@@ -1,11 +1,10 @@
-//! Threads that help the calling one.
+//! The calling thread and helpers at the same work.
 //!
-//! Their work does not depend on their number, so a thread that cannot be started is no error: fewer do the same work. A panic in one is an
+//! The work does not depend on their number, so a thread that cannot be started is no error: fewer do the same work. A panic in one is an
 //! error of the run; nothing is printed about it during a call from C. No thread outlives the call: a host may unload the library after it.
 use crate::error::Error;
-use crate::panics;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use crate::{panics, threads};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 #[cfg(test)]
@@ -18,15 +17,35 @@ thread_local! {
 #[derive(Default)]
 struct Office {
     failure: Mutex<Option<Error>>,
-    /// Number of threads working besides the calling one.
-    helpers: AtomicUsize,
+    /// Number of helpers that have ended.
+    ended: Mutex<usize>,
+    news: Condvar,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Office {
     fn fail(&self, error: Error) {
-        self.failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+        lock(&self.failure).get_or_insert(error);
+    }
+
+    /// A helper has ended.
+    fn leave(&self) {
+        *lock(&self.ended) += 1;
+        self.news.notify_one();
+    }
+
+    /// Waits a moment for helpers to end; true if all have.
+    fn closes(&self, helpers: usize) -> bool {
+        let waited = self.news.wait_timeout_while(lock(&self.ended), PAUSE, |ended| *ended < helpers);
+        *waited.unwrap_or_else(PoisonError::into_inner).0 == helpers
     }
 }
+
+/// The time between two calls of `wait`.
+const PAUSE: Duration = Duration::from_millis(20);
 
 /// Runs `own` on this thread, and at the same time `help` on up to `threads − 1` others; then waits until these have ended, calling `wait`
 /// from time to time. `stop` is called at the first failure of any of them, to ask the others to end soon.
@@ -40,44 +59,24 @@ pub(super) fn together(
     if threads <= 1 {
         return own();
     }
-    let office = Office::default();
-    let (caller, silent) = (std::thread::current(), panics::is_silent());
+    let (office, silent) = (Office::default(), panics::is_silent());
     let outcome = |result: Result<(), Error>| {
         if let Err(error) = result {
             office.fail(error);
             stop();
         }
     };
-    std::thread::scope(|scope| {
-        let mut started = Vec::new();
-        for _ in 1..threads {
-            if started.try_reserve(1).is_err() {
-                break;
-            }
-            office.helpers.fetch_add(1, Ordering::Relaxed);
-            let helper = || {
-                outcome(panics::work(silent, help).and_then(|result| result));
-                office.helpers.fetch_sub(1, Ordering::Release);
-                caller.unpark();
-            };
-            match std::thread::Builder::new().spawn_scoped(scope, helper) {
-                Ok(handle) => started.push(handle),
-                Err(_) => {
-                    office.helpers.fetch_sub(1, Ordering::Relaxed);
-                    break;
-                }
-            }
-            #[cfg(test)]
-            STARTED.set(STARTED.get() + 1);
-        }
-        // The helpers borrow data of this thread, so it must not unwind before they have ended; `scope` waits for them.
+    let helper = || {
+        outcome(panics::work(silent, help).and_then(|result| result));
+        office.leave();
+    };
+    threads::beside(threads - 1, &helper, |helpers| {
+        #[cfg(test)]
+        STARTED.set(STARTED.get() + helpers);
         outcome(own());
-        while office.helpers.load(Ordering::Acquire) > 0 {
+        while !office.closes(helpers) {
             outcome(wait());
-            std::thread::park_timeout(Duration::from_millis(20));
         }
-        // `scope` waits only for their work, not for the end of the threads. A panic is already recorded in `office`.
-        started.into_iter().for_each(|handle| drop(handle.join()));
     });
     match office.failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
         Some(error) => Err(error),
@@ -89,7 +88,7 @@ pub(super) fn together(
 mod tests {
     use super::*;
     use crate::error::Status;
-    use std::sync::atomic::AtomicBool;
+    use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
     #[test]
     fn all_take_part_and_the_caller_waits() {

@@ -2,6 +2,7 @@
 //!
 //! Tetrahedra connected through faces that are not subfaces form a component. The component of the ghosts is the outside, those with a hole
 //! seed are holes, the others are regions.
+use crate::control::Control;
 use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
 use crate::fallible;
 use crate::kernel::{Mesh, NONE};
@@ -15,7 +16,7 @@ mod seeds;
 mod tests;
 
 /// The components of a constrained mesh.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Components {
     /// Component of each slot; NONE for free slots.
     pub of: Vec<u32>,
@@ -24,14 +25,12 @@ pub struct Components {
 }
 
 /// Finds the components by flood fill.
-pub fn components(mesh: &Mesh) -> Result<Components, Error> {
-    let mut of: Vec<u32> = Vec::new();
-    of.try_reserve(mesh.slot_count())?;
-    of.resize(mesh.slot_count(), NONE);
+pub fn components(mesh: &Mesh, control: &Control) -> Result<Components, Error> {
+    let mut of: Vec<u32> = fallible::filled(NONE, mesh.slot_count())?;
     let mut stack: Vec<u32> = Vec::new();
     let mut count = 0;
-    let slots = 0..mesh.slot_count() as u32;
-    let ghosts_first = slots.clone().filter(|&t| mesh.is_ghost(t)).chain(slots);
+    let slots = || 0..mesh.slot_count() as u32;
+    let ghosts_first = slots().filter(|&t| mesh.is_ghost(t)).chain(slots());
     for seed in ghosts_first {
         if !mesh.is_live(seed) || of[seed as usize] != NONE {
             continue;
@@ -42,7 +41,7 @@ pub fn components(mesh: &Mesh) -> Result<Components, Error> {
         count = count.max(label + 1);
         fallible::push(&mut stack, seed)?;
         while let Some(t) = stack.pop() {
-            stack.try_reserve(4)?;
+            control.step()?;
             for f in 0..4 {
                 if mesh.is_subface(4 * t + f) {
                     continue;
@@ -50,7 +49,7 @@ pub fn components(mesh: &Mesh) -> Result<Components, Error> {
                 let n = mesh.beyond(t, f);
                 if of[n as usize] == NONE {
                     of[n as usize] = label;
-                    stack.push(n);
+                    fallible::push(&mut stack, n)?;
                 }
             }
         }
@@ -59,8 +58,8 @@ pub fn components(mesh: &Mesh) -> Result<Components, Error> {
 }
 
 /// Which components stay, and the region of each.
-#[derive(Clone, Debug, Default)]
-pub struct Regions {
+#[derive(Debug, Default)]
+pub struct Domain {
     /// Region of each component; NONE if carved.
     pub of_component: Vec<u32>,
     /// The regions.
@@ -88,20 +87,21 @@ impl Seeds<'_> {
         mesh: &Mesh,
         points: &mut Points,
         components: &Components,
+        control: &Control,
     ) -> Result<Vec<Option<u32>>, Error> {
         let (count, holes) = (self.holes.len() + self.regions.len(), self.holes.len());
-        let mut all = Vec::new();
-        all.try_reserve_exact(count)?;
-        all.extend_from_slice(self.holes);
-        all.extend(self.regions.iter().map(|seed| seed.point));
-        let mut component = Vec::new();
-        component.try_reserve_exact(count)?;
-        for (i, place) in locate(mesh, points, components, &all, self.exponent)?.into_iter().enumerate() {
+        let mut all = fallible::reserved(count)?;
+        fallible::append(&mut all, self.holes)?;
+        fallible::extend(&mut all, self.regions.iter().map(|seed| seed.point))?;
+        let mut component = fallible::reserved(count)?;
+        for (i, place) in
+            locate(mesh, points, components, &all, self.exponent, control)?.into_iter().enumerate()
+        {
             let element = match i.checked_sub(holes) {
                 None => Element::Hole(i as u32),
                 Some(region) => Element::Region(region as u32),
             };
-            component.push(match place {
+            let inside = match place {
                 Place::Outside => None,
                 Place::In(component) => Some(component),
                 Place::OnFacet => {
@@ -109,10 +109,11 @@ impl Seeds<'_> {
                         DefectKind::SeedOnFacet,
                         element,
                         all[i],
-                        format_args!("{element} lies exactly on a facet").into(),
+                        Message::from(format_args!("{element} lies exactly on a facet")),
                     ));
                 }
-            });
+            };
+            fallible::push(&mut component, inside)?;
         }
         Ok(component)
     }
@@ -130,21 +131,19 @@ pub fn label(
     components: &Components,
     seeds: &Seeds,
     keep_hull: bool,
-) -> Result<Regions, Error> {
+    control: &Control,
+) -> Result<Domain, Error> {
     let count = components.count as usize;
-    let mut carved = Vec::new();
-    carved.try_reserve_exact(count)?;
-    carved.resize(count, false);
+    let mut carved = fallible::filled(false, count)?;
     carved[0] = !keep_hull;
-    let component_of = seeds.locate(mesh, points, components)?;
+    let component_of = seeds.locate(mesh, points, components, control)?;
     let (of_holes, of_seeds) = component_of.split_at(seeds.holes.len());
-    let mut found = Regions::default();
+    let mut found = Domain::default();
     for (i, component) in (0..).zip(of_holes) {
         match component {
             Some(component) if *component != 0 || keep_hull => carved[*component as usize] = true,
             _ => {
-                found.holes_outside.try_reserve(1)?;
-                found.holes_outside.push(i);
+                fallible::push(&mut found.holes_outside, i)?;
             }
         }
     }
@@ -156,9 +155,9 @@ pub fn label(
             "the surface encloses nothing (keep the convex hull to mesh around it)",
         ));
     }
-    let Regions { of_component, regions, repeated_seeds, .. } = &mut found;
+    let Domain { of_component, regions, repeated_seeds, .. } = &mut found;
     of_component.try_reserve_exact(count)?;
-    of_component.resize(count, NONE);
+    fallible::resize(of_component, count, NONE)?;
     regions.try_reserve(seeds.regions.len())?;
     for ((i, seed), component) in (0..).zip(seeds.regions).zip(of_seeds) {
         let element = Element::Region(i);
@@ -167,18 +166,16 @@ pub fn label(
                 DefectKind::SeedOutside,
                 element,
                 seed.point,
-                format_args!("{element} lies outside the domain").into(),
+                Message::from(format_args!("{element} lies outside the domain")),
             ));
         };
         match of_component[component as usize] {
             NONE => {
                 of_component[component as usize] = regions.len() as u32;
-                regions.push(Region { attribute: seed.attribute, seed: i, max_volume: seed.max_volume });
+                let region = Region { attribute: seed.attribute, seed: i, max_volume: seed.max_volume };
+                fallible::push(regions, region)?;
             }
-            first => {
-                repeated_seeds.try_reserve(1)?;
-                repeated_seeds.push([i, regions[first as usize].seed]);
-            }
+            first => fallible::push(repeated_seeds, [i, regions[first as usize].seed])?,
         }
     }
     number_unseeded(mesh, components, &carved, seeds.regions, &mut found)?;
@@ -191,11 +188,10 @@ fn number_unseeded(
     components: &Components,
     carved: &[bool],
     seeds: &[RegionSeed],
-    found: &mut Regions,
+    found: &mut Domain,
 ) -> Result<(), Error> {
-    let mut used: Vec<f64> = Vec::new();
-    used.try_reserve_exact(seeds.len())?;
-    used.extend(seeds.iter().map(|seed| seed.attribute).filter(|&a| a >= 1.0));
+    let mut used: Vec<f64> = fallible::reserved(seeds.len())?;
+    fallible::extend(&mut used, seeds.iter().map(|seed| seed.attribute).filter(|&a| a >= 1.0))?;
     used.sort_unstable_by(f64::total_cmp);
     let mut used = used.into_iter().peekable();
     let mut next = 0.0;
@@ -212,8 +208,7 @@ fn number_unseeded(
             next += f64::from(attribute == next);
         }
         found.of_component[c] = found.regions.len() as u32;
-        found.regions.try_reserve(1)?;
-        found.regions.push(Region { attribute: next, seed: NONE, max_volume: None });
+        fallible::push(&mut found.regions, Region { attribute: next, seed: NONE, max_volume: None })?;
     }
     Ok(())
 }

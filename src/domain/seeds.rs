@@ -6,9 +6,11 @@
 //! pass over the tetrahedra queries the tree for the seeds in each one's box: a few comparisons per tetrahedron regardless of the number of
 //! seeds. A seed strictly inside a tetrahedron is done and removed from the tree; others wait for all tetrahedra there. Memory is
 //! proportional to the number of seeds.
+use crate::control::Control;
 use crate::domain::Components;
 use crate::error::Error;
-use crate::kernel::Mesh;
+use crate::fallible;
+use crate::kernel::{Mesh, NONE};
 use crate::predicates::{in_range, scale, Points, Sign};
 
 /// Where a seed lies.
@@ -20,14 +22,6 @@ pub(super) enum Place {
     In(u32),
     /// On a facet between two components.
     OnFacet,
-}
-
-/// The position of a seed for evaluating signs.
-enum Position {
-    /// A vertex of the store.
-    Vertex(u32),
-    /// Outside the exact range of coordinates: the caller's coordinates.
-    Fine([f64; 3]),
 }
 
 /// Seeds in a leaf. Fewer make the tree larger, more make leaves slower; from 4 to 16 there is no measurable difference.
@@ -68,19 +62,14 @@ struct Tree {
 impl Tree {
     fn new(points: &[[f64; 3]]) -> Result<Tree, Error> {
         let count = points.len();
-        let (mut nodes, mut order, mut leaf, mut stack): (Vec<Node>, Vec<u32>, Vec<u32>, Vec<u32>) =
-            Default::default();
-        order.try_reserve_exact(count)?;
-        order.extend(0..count as u32);
-        leaf.try_reserve_exact(count)?;
-        leaf.resize(count, 0);
+        let mut order: Vec<u32> = fallible::collect(0..count as u32)?;
+        let mut leaf: Vec<u32> = fallible::filled(0, count)?;
         // Halving ends with more than LEAF / 2 points per leaf. A path down has no more than 64 pending halves.
-        nodes.try_reserve_exact(4 * count / LEAF + 2)?;
-        stack.try_reserve_exact(64)?;
+        let mut nodes: Vec<Node> = fallible::reserved(4 * count / LEAF + 2)?;
+        let stack = fallible::reserved(64)?;
         // Ranges that become nodes, with the parent and whether it is a right half; right halves wait.
-        let mut pending: Vec<(usize, usize, u32, bool)> = Vec::new();
-        pending.try_reserve_exact(64)?;
-        pending.push((0, count, 0, false));
+        let mut pending: Vec<(usize, usize, u32, bool)> = fallible::reserved(64)?;
+        fallible::push(&mut pending, (0, count, 0, false))?;
         while let Some((from, to, parent, is_right)) = pending.pop() {
             let node = nodes.len() as u32;
             if is_right {
@@ -94,8 +83,10 @@ impl Tree {
                 }
             }
             let seeds = [from as u32, to as u32];
-            nodes.try_reserve(1)?;
-            nodes.push(Node { low, high, seeds, waiting: (to - from) as u32, right: 0, parent });
+            fallible::push(
+                &mut nodes,
+                Node { low, high, seeds, waiting: (to - from) as u32, right: 0, parent },
+            )?;
             if to - from <= LEAF {
                 order[from..to].iter().for_each(|&i| leaf[i as usize] = node);
                 continue;
@@ -108,9 +99,8 @@ impl Tree {
                 let x = |i: u32| points[i as usize][axis];
                 x(i).total_cmp(&x(j)).then(i.cmp(&j))
             });
-            pending.try_reserve(2)?;
-            pending.push((from + middle, to, node, true));
-            pending.push((from, from + middle, node, false));
+            fallible::push(&mut pending, (from + middle, to, node, true))?;
+            fallible::push(&mut pending, (from, from + middle, node, false))?;
         }
         Ok(Tree { nodes, order, leaf, stack })
     }
@@ -123,18 +113,16 @@ impl Tree {
     /// Sets `found` to the leaves that may contain points in the box.
     fn leaves(&mut self, low: &[f64; 3], high: &[f64; 3], found: &mut Vec<u32>) -> Result<(), Error> {
         found.clear();
-        self.stack.push(0);
+        fallible::push(&mut self.stack, 0)?;
         while let Some(n) = self.stack.pop() {
             let node = &self.nodes[n as usize];
             if node.waiting == 0 || !node.meets(low, high) {
                 continue;
             }
             if node.right == 0 {
-                found.try_reserve(1)?;
-                found.push(n);
+                fallible::push(found, n)?;
             } else {
-                self.stack.try_reserve(2)?;
-                self.stack.extend([node.right, n + 1]);
+                fallible::extend(&mut self.stack, [node.right, n + 1])?;
             }
         }
         Ok(())
@@ -163,19 +151,17 @@ pub(super) fn locate(
     components: &Components,
     seeds: &[[f64; 3]],
     exponent: i32,
+    control: &Control,
 ) -> Result<Vec<Place>, Error> {
-    let mut places = Vec::new();
-    places.try_reserve_exact(seeds.len())?;
-    places.resize(seeds.len(), Place::Outside);
+    let mut places = fallible::filled(Place::Outside, seeds.len())?;
     if seeds.is_empty() {
         return Ok(places);
     }
     // Rounded if they are no doubles. Rounding is monotone: what is outside a box afterwards was outside before.
-    let mut scaled: Vec<[f64; 3]> = Vec::new();
-    scaled.try_reserve_exact(seeds.len())?;
-    scaled.extend(seeds.iter().map(|p| p.map(|x| scale(x, exponent))));
+    let scaled: Vec<[f64; 3]> = fallible::collect(seeds.iter().map(|p| p.map(|x| scale(x, exponent))))?;
     let mark = points.len();
-    let found = Search { mesh, points, components, exponent, seeds, scaled: &scaled }.run(&mut places);
+    let found =
+        Search { mesh, points, components, exponent, seeds, scaled: &scaled, control }.run(&mut places);
     points.truncate(mark);
     found.map(|()| places)
 }
@@ -187,32 +173,32 @@ struct Search<'a> {
     exponent: i32,
     seeds: &'a [[f64; 3]],
     scaled: &'a [[f64; 3]],
+    control: &'a Control<'a>,
 }
 
 impl Search<'_> {
     fn run(&mut self, places: &mut [Place]) -> Result<(), Error> {
         let mut tree = Tree::new(self.scaled)?;
-        let mut positions: Vec<Option<Position>> = Vec::new();
-        positions.try_reserve_exact(self.seeds.len())?;
-        positions.resize_with(self.seeds.len(), || None);
-        let order = {
-            let mut order = Vec::new();
-            order.try_reserve_exact(tree.order.len())?;
-            order.extend_from_slice(&tree.order);
-            order
-        };
+        // The seeds' vertices. An array of plain numbers: optimizers move the comparison of an enum's contents before that of its kind, which
+        // memory checkers report.
+        let mut vertices = fallible::filled(NONE, self.seeds.len())?;
+        let order = fallible::copied(&tree.order)?;
         let (low, high) = self.whole_box();
         let mut from = (0..self.mesh.slot_count() as u32).find(|&t| self.is_solid(t));
         for seed in order {
             let Some(start) = from else { break };
+            self.control.look()?;
             // Only a seed inside the box of the mesh becomes a vertex, since the bounds of the filters hold there.
             let at = self.scaled[seed as usize];
             if (0..3).any(|k| at[k] < low[k] || at[k] > high[k]) {
                 tree.take_out(seed);
                 continue;
             }
-            let Position::Vertex(p) = self.position(seed)? else { continue };
-            positions[seed as usize] = Some(Position::Vertex(p));
+            let p = self.vertex(seed)?;
+            if p == NONE {
+                continue;
+            }
+            vertices[seed as usize] = p;
             let (end, place) = self.walk(start, p);
             from = Some(end);
             if let Some(place) = place {
@@ -228,6 +214,7 @@ impl Search<'_> {
             if !self.is_solid(t) {
                 continue;
             }
+            self.control.step()?;
             let (low, high) = self.box_of(t);
             tree.leaves(&low, &high, &mut leaves)?;
             for &leaf in &leaves {
@@ -239,15 +226,7 @@ impl Search<'_> {
                     if outside || tree.leaf[seed as usize] == u32::MAX {
                         continue;
                     }
-                    let position = match &mut positions[seed as usize] {
-                        Some(known) => known,
-                        unknown => unknown.insert(self.position(seed)?),
-                    };
-                    let position = match position {
-                        Position::Vertex(v) => Position::Vertex(*v),
-                        Position::Fine(p) => Position::Fine(*p),
-                    };
-                    if self.visit(t, &position, &mut places[seed as usize]) {
+                    if self.visit(t, seed, vertices[seed as usize], &mut places[seed as usize]) {
                         tree.take_out(seed);
                     }
                 }
@@ -309,26 +288,26 @@ impl Search<'_> {
         ([0, 1, 2].map(low), [0, 1, 2].map(high))
     }
 
-    /// The position of a seed; only one in the exact range becomes a vertex.
-    fn position(&mut self, seed: u32) -> Result<Position, Error> {
+    /// A vertex of the store where the seed is; [`NONE`] if that is outside the exact range.
+    fn vertex(&mut self, seed: u32) -> Result<u32, Error> {
         let (given, p) = (self.seeds[seed as usize], self.scaled[seed as usize]);
         let exact = p.map(|x| scale(x, -self.exponent)) == given;
         if exact && p.iter().all(|&x| in_range(x)) {
-            return self.points.push(p).map(Position::Vertex);
+            return self.points.push(p);
         }
-        Ok(Position::Fine(given))
+        Ok(NONE)
     }
 
     /// Tests whether the closed tetrahedron contains the seed; returns true if the seed is done.
-    fn visit(&self, t: u32, position: &Position, place: &mut Place) -> bool {
+    fn visit(&self, t: u32, seed: u32, vertex: u32, place: &mut Place) -> bool {
         let own = self.components.of[t as usize];
         let mut strictly = true;
         let mut on_facet = false;
         for code in 4 * t..4 * t + 4 {
             let [x, y, z] = self.mesh.face(code);
-            let sign = match position {
-                Position::Vertex(p) => self.points.orient3d(*p, x, y, z),
-                Position::Fine(p) => self.points.orient3d_of(p, self.exponent, [x, y, z]),
+            let sign = match vertex {
+                NONE => self.points.orient3d_of(&self.seeds[seed as usize], self.exponent, [x, y, z]),
+                p => self.points.orient3d(p, x, y, z),
             };
             match sign {
                 Sign::Negative => return false,

@@ -3,7 +3,9 @@
 //! A region is a set of coplanar triangles whose boundary edges are edges of the mesh. Two facts keep the search combinatorial: the section
 //! of a tetrahedron with the plane then lies entirely inside or outside the region; and the tetrahedra that the region crosses are
 //! connected through faces with vertices on both sides of the plane.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::around::{EdgeRing, StarSearch};
 use crate::kernel::visited::Visited;
 use crate::kernel::{Mesh, NONE};
@@ -36,9 +38,8 @@ pub struct RegionCavity {
 impl RegionCavity {
     /// Sets the region, whose triangles must all be oriented alike.
     pub fn begin(&mut self, points: &Points, region: &[[u32; 3]]) -> Result<(), Error> {
-        let missing = points.len().saturating_sub(self.sides.len());
-        self.sides.try_reserve(missing)?;
-        self.sides.resize(self.sides.len() + missing, (0, Sign::Zero));
+        let room = points.len().max(self.sides.len());
+        fallible::resize(&mut self.sides, room, (0, Sign::Zero))?;
         self.stamp += 1;
         self.plane = region[0];
         // Coplanar by construction, so no arithmetic is needed.
@@ -59,18 +60,25 @@ impl RegionCavity {
     }
 
     /// Collects the tetrahedra that the region, given to [`begin`](Self::begin), crosses.
-    pub fn collect(&mut self, mesh: &Mesh, points: &Points, region: &[[u32; 3]]) -> Result<Opening, Error> {
+    pub fn collect(
+        &mut self,
+        mesh: &Mesh,
+        points: &Points,
+        region: &[[u32; 3]],
+        control: &Control,
+    ) -> Result<Opening, Error> {
         self.tets.clear();
-        let Some(first) = self.find_first(mesh, points, region)? else { return Ok(Opening::Nothing) };
-        self.tets.try_reserve(1)?;
-        self.tets.push(first);
+        let Some(first) = self.find_first(mesh, points, region, control)? else {
+            return Ok(Opening::Nothing);
+        };
+        fallible::push(&mut self.tets, first)?;
         self.visited.begin();
         self.visited.insert(first)?;
         let mut next = 0;
         while next < self.tets.len() {
             let t = self.tets[next];
             next += 1;
-            self.tets.try_reserve(4)?;
+            control.step()?;
             for f in 0..4u32 {
                 let n = mesh.beyond(t, f);
                 if self.visited.contains(n) {
@@ -85,7 +93,7 @@ impl RegionCavity {
                     return Ok(Opening::Blocked(face));
                 }
                 self.visited.insert(n)?;
-                self.tets.push(n);
+                fallible::push(&mut self.tets, n)?;
             }
         }
         Ok(Opening::Found)
@@ -102,6 +110,7 @@ impl RegionCavity {
         mesh: &Mesh,
         points: &Points,
         region: &[[u32; 3]],
+        control: &Control,
     ) -> Result<Option<u32>, Error> {
         for corners in region {
             for k in 0..3 {
@@ -110,7 +119,9 @@ impl RegionCavity {
                 if start == NONE {
                     continue;
                 }
-                let Some(t) = self.search.find_edge(mesh, a, b, start)? else { continue };
+                let found = self.search.find_edge(mesh, a, b, start)?;
+                control.worked(self.search.tets.len());
+                let Some(t) = found else { continue };
                 // Looking along a → b, the region lies at angle 0; the positive tetrahedron (a, b, x, y) spans the angles from x to y, and
                 // contains angle 0 exactly if x is below the plane and y above.
                 for (t, _, _, k, l) in EdgeRing::new(mesh, t, a, b) {

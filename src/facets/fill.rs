@@ -3,16 +3,18 @@
 //! First the Delaunay tetrahedralization of the half's vertices, under the same perturbation: if it has all boundary faces, the tetrahedra
 //! inside are the result (Si & Gärtner 2011, section 6). Their lemma 8 does not cover a boundary face whose circumspheres contain a vertex
 //! of the half that a facet hides; constrained gift wrapping then decides by visibility.
+use crate::control::Control;
 use crate::delaunay::Construction;
 use crate::error::Error;
 use crate::facets::gift_wrap::gift_wrap;
+use crate::fallible;
 use crate::kernel::face_key;
 use crate::kernel::visited::Visited;
 use crate::predicates::Points;
 use rustc_hash::FxHashMap;
 
 /// The boundary of a polyhedron to fill.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Half {
     /// Triangles `(x, y, z)` such that `(p, x, y, z)` is positive for `p` inside. A triangle with the inside on both sides is listed twice,
     /// once per orientation.
@@ -36,23 +38,28 @@ pub struct Filler {
 
 impl Filler {
     /// Appends the tetrahedra of the half to `tets`.
-    pub fn fill(&mut self, points: &Points, mut half: Half, tets: &mut Vec<[u32; 4]>) -> Result<(), Error> {
+    pub fn fill(
+        &mut self,
+        points: &Points,
+        mut half: Half,
+        tets: &mut Vec<[u32; 4]>,
+        control: &Control,
+    ) -> Result<(), Error> {
         half.vertices.sort_unstable();
         half.vertices.dedup();
         if let ([a, b, c, d], 4) = (&half.vertices[..], half.faces.len()) {
             let apex = [*a, *b, *c, *d].into_iter().find(|v| !half.faces[0].contains(v));
             if let Some(apex) = apex {
                 let [x, y, z] = half.faces[0];
-                tets.try_reserve(1)?;
-                tets.push([apex, x, y, z]);
+                fallible::push(tets, [apex, x, y, z])?;
                 return Ok(());
             }
         }
-        if self.fill_by_delaunay(points, &half, tets)? {
+        if self.fill_by_delaunay(points, &half, tets, control)? {
             return Ok(());
         }
         self.wrapped += 1;
-        gift_wrap(points, &half, tets)
+        gift_wrap(points, &half, tets, control)
     }
 
     /// Fills by the Delaunay tetrahedralization of the vertices; returns false and appends nothing if a boundary face is missing from it.
@@ -61,12 +68,12 @@ impl Filler {
         points: &Points,
         half: &Half,
         tets: &mut Vec<[u32; 4]>,
+        control: &Control,
     ) -> Result<bool, Error> {
         self.order.clear();
-        self.order.try_reserve(half.vertices.len())?;
-        self.order.extend_from_slice(&half.vertices);
-        self.local.build(points, &mut self.order, &mut |_| Ok(()))?;
-        self.find_faces(half)?;
+        fallible::append(&mut self.order, &half.vertices)?;
+        self.local.build(points, &mut self.order, control)?;
+        self.find_faces(half, control)?;
         if self.inner.len() < half.faces.len() {
             return Ok(false);
         }
@@ -79,24 +86,24 @@ impl Filler {
         self.inside.try_reserve(self.inner.len())?;
         for &code in &self.inner {
             if self.visited.insert(code >> 2)? {
-                self.inside.push(code >> 2);
+                fallible::push(&mut self.inside, code >> 2)?;
             }
         }
         let mut next = 0;
         while next < self.inside.len() {
             let t = self.inside[next];
             next += 1;
+            control.step()?;
             if mesh.is_ghost(t) {
                 return Ok(false);
             }
-            self.inside.try_reserve(4)?;
             for f in 0..4u32 {
                 if mesh.is_subface(4 * t + f) {
                     continue;
                 }
                 let n = mesh.beyond(t, f);
                 if self.visited.insert(n)? {
-                    self.inside.push(n);
+                    fallible::push(&mut self.inside, n)?;
                 }
             }
         }
@@ -108,22 +115,22 @@ impl Filler {
                 return Ok(false);
             }
         }
-        tets.try_reserve(self.inside.len())?;
-        tets.extend(self.inside.iter().map(|&t| mesh.verts(t)));
+        fallible::extend(tets, self.inside.iter().map(|&t| mesh.verts(t)))?;
         Ok(true)
     }
 
     /// Sets `inner` to the corner codes of the half's faces as seen from inside, as far as they exist.
-    fn find_faces(&mut self, half: &Half) -> Result<(), Error> {
+    fn find_faces(&mut self, half: &Half, control: &Control) -> Result<(), Error> {
         self.face_codes.clear();
         self.inner.clear();
         self.inner.try_reserve(half.faces.len())?;
         let mesh = &self.local.mesh;
         for t in 0..mesh.slot_count() as u32 {
+            control.step()?;
             if mesh.is_live(t) && !mesh.is_ghost(t) {
                 for f in 0..4 {
                     let code = 4 * t + f;
-                    self.face_codes.insert(face_key(mesh.face(code)), code);
+                    fallible::insert(&mut self.face_codes, face_key(mesh.face(code)), code)?;
                 }
             }
         }
@@ -131,7 +138,7 @@ impl Filler {
             let Some(&code) = self.face_codes.get(&face_key(*face)) else { return Ok(()) };
             let found = mesh.face(code);
             let same = (0..3).any(|k| found[0] == face[k] && found[1] == face[(k + 1) % 3]);
-            self.inner.push(if same { code } else { mesh.across(code) });
+            fallible::push(&mut self.inner, if same { code } else { mesh.across(code) })?;
         }
         Ok(())
     }

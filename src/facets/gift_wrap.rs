@@ -5,9 +5,11 @@
 //! tetrahedron does not cross the boundary. Any earlier vertex with a free tetrahedron would be visible from the face and inside the
 //! circumsphere of the correct one, so the first is the correct one; ties are broken by the global perturbation. The result is therefore
 //! consistent with everything else made under it.
+use crate::control::Control;
 use crate::error::Error;
 use crate::facets::fill::Half;
 use crate::facets::overlap::overlaps;
+use crate::fallible;
 use crate::kernel::face_key;
 use crate::predicates::{Points, Sign};
 use rustc_hash::FxHashMap;
@@ -20,16 +22,20 @@ struct Obstacle {
 }
 
 /// Appends the tetrahedra of `half` to `tets`. Fails if an invariant does or memory runs out.
-pub fn gift_wrap(points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Result<(), Error> {
+pub fn gift_wrap(
+    points: &Points,
+    half: &Half,
+    tets: &mut Vec<[u32; 4]>,
+    control: &Control,
+) -> Result<(), Error> {
     let vertices = &half.vertices;
     let obstacles = obstacles(points, half)?;
     // Open faces by key, one entry per side; the stack gives the order.
     let mut open: FxHashMap<[u32; 3], Vec<[u32; 3]>> = FxHashMap::default();
-    let mut stack = Vec::new();
-    stack.try_reserve(half.faces.len())?;
+    let mut stack = fallible::reserved(half.faces.len())?;
     for &face in &half.faces {
-        open.entry(face_key(face)).or_default().push(face);
-        stack.push(face);
+        fallible::push(fallible::entry(&mut open, face_key(face))?.or_default(), face)?;
+        fallible::push(&mut stack, face)?;
     }
     let mut candidates = Vec::new();
     // Each tetrahedron uses up at least one of finitely many (face, side) pairs; more than this is a failed invariant.
@@ -39,10 +45,9 @@ pub fn gift_wrap(points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Resu
         if !close(&mut open, face) {
             continue;
         }
-        let apex = find_apex(points, face, vertices, &obstacles, &mut candidates)?;
+        let apex = find_apex(points, face, vertices, &obstacles, &mut candidates, control)?;
         let [x, y, z] = face;
-        tets.try_reserve(1)?;
-        tets.push([apex, x, y, z]);
+        fallible::push(tets, [apex, x, y, z])?;
         made += 1;
         if made > limit {
             return Err(Error::internal("gift wrapping did not terminate"));
@@ -52,9 +57,8 @@ pub fn gift_wrap(points: &Points, half: &Half, tets: &mut Vec<[u32; 4]>) -> Resu
             // `inner` as seen from inside this tetrahedron; the opposite vertex is on its positive side.
             if !close(&mut open, inner) {
                 let far = [inner[0], inner[2], inner[1]];
-                open.entry(face_key(far)).or_default().push(far);
-                stack.try_reserve(1)?;
-                stack.push(far);
+                fallible::push(fallible::entry(&mut open, face_key(far))?.or_default(), far)?;
+                fallible::push(&mut stack, far)?;
             }
         }
     }
@@ -71,16 +75,13 @@ fn close(open: &mut FxHashMap<[u32; 3], Vec<[u32; 3]>>, face: [u32; 3]) -> bool 
 }
 
 fn obstacles(points: &Points, half: &Half) -> Result<Vec<Obstacle>, Error> {
-    let mut keys: Vec<[u32; 3]> = Vec::new();
-    keys.try_reserve(half.faces.len())?;
-    keys.extend(half.faces.iter().map(|&f| face_key(f)));
+    let mut keys: Vec<[u32; 3]> = fallible::collect(half.faces.iter().map(|&f| face_key(f)))?;
     keys.sort_unstable();
     keys.dedup();
-    let mut list = Vec::new();
-    list.try_reserve(keys.len())?;
+    let mut list = fallible::reserved(keys.len())?;
     for corners in keys {
         let (low, high) = bounds(points, &corners);
-        list.push(Obstacle { corners, low, high });
+        fallible::push(&mut list, Obstacle { corners, low, high })?;
     }
     Ok(list)
 }
@@ -105,26 +106,29 @@ fn find_apex(
     vertices: &[u32],
     obstacles: &[Obstacle],
     candidates: &mut Vec<u32>,
+    control: &Control,
 ) -> Result<u32, Error> {
     let [x, y, z] = face;
     candidates.clear();
     candidates.try_reserve(vertices.len())?;
-    candidates.extend(
+    fallible::extend(
+        candidates,
         vertices
             .iter()
             .copied()
             .filter(|v| !face.contains(v) && points.orient3d(*v, x, y, z) == Sign::Positive),
-    );
+    )?;
     while !candidates.is_empty() {
         let mut first = 0;
         for i in 1..candidates.len() {
+            control.step()?;
             // Inside the sphere of the best so far: earlier.
             if points.insphere_perturbed(candidates[first], x, y, z, candidates[i]) == Sign::Positive {
                 first = i;
             }
         }
         let apex = candidates.swap_remove(first);
-        if is_free(points, [apex, x, y, z], obstacles) {
+        if is_free(points, [apex, x, y, z], obstacles, control)? {
             return Ok(apex);
         }
     }
@@ -132,9 +136,14 @@ fn find_apex(
 }
 
 /// Whether no boundary triangle meets the interior of the tetrahedron.
-fn is_free(points: &Points, tet: [u32; 4], obstacles: &[Obstacle]) -> bool {
+fn is_free(points: &Points, tet: [u32; 4], obstacles: &[Obstacle], control: &Control) -> Result<bool, Error> {
     let (low, high) = bounds(points, &tet);
-    obstacles.iter().all(|o| {
-        (0..3).any(|k| o.high[k] < low[k] || o.low[k] > high[k]) || !overlaps(points, tet, o.corners)
-    })
+    for o in obstacles {
+        control.step()?;
+        let apart = (0..3).any(|k| o.high[k] < low[k] || o.low[k] > high[k]);
+        if !apart && overlaps(points, tet, o.corners) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }

@@ -9,8 +9,10 @@
 //!
 //! Nothing here can make a mesh invalid. Triangles that are faces of one tetrahedralization do not cross each other; if a polygon lies so
 //! close to another element that its new triangles cross it, facet recovery reports that, and the caller keeps the old ones.
-use crate::error::{Error, Status};
+use crate::control::Control;
+use crate::error::Error;
 use crate::facets::subface::{Subfaces, Triangles};
+use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::kernel::edge_key;
 use crate::kernel::Mesh;
@@ -18,6 +20,7 @@ use crate::kernel::{GHOST, NONE};
 use crate::plc::polygon::metric::is_inside_circle;
 use crate::predicates::{Points, Sign};
 use crate::segments::recovery::Segments;
+use crate::vector::by_size;
 use rustc_hash::FxHashMap;
 use std::collections::VecDeque;
 
@@ -32,7 +35,7 @@ pub struct Polygons<'a> {
 }
 
 /// Triangles that replace those of some facets.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Retriangulated {
     /// The facets, in ascending order.
     pub facets: Vec<u32>,
@@ -60,45 +63,47 @@ pub fn retriangulate(
     segments: &Segments,
     polygons: &Polygons,
     wanted: &[u32],
+    control: &Control,
 ) -> Result<(Retriangulated, Vec<u32>), Error> {
     // (place in `wanted`, triangle)
     let mut picked: Vec<(u32, u32)> = Vec::new();
     for (t, f) in (0..).zip(polygons.facet) {
         if let Ok(place) = wanted.binary_search(f) {
-            picked.try_reserve(1)?;
-            picked.push((place as u32, t));
+            fallible::push(&mut picked, (place as u32, t))?;
         }
     }
     picked.sort_unstable();
-    let (mut corners, mut facet, mut patch): (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) = Default::default();
-    corners.try_reserve_exact(picked.len())?;
-    facet.try_reserve_exact(picked.len())?;
-    patch.try_reserve_exact(picked.len())?;
-    let mut axis: Vec<u8> = Vec::new();
-    axis.try_reserve_exact(wanted.len())?;
-    axis.resize(wanted.len(), 0);
-    let mut failed: Vec<bool> = Vec::new();
-    failed.try_reserve_exact(wanted.len())?;
-    failed.resize(wanted.len(), false);
+    let mut corners: Vec<[u32; 3]> = fallible::reserved(picked.len())?;
+    let mut facet: Vec<u32> = fallible::reserved(picked.len())?;
+    let mut patch: Vec<u32> = fallible::reserved(picked.len())?;
+    let mut axis: Vec<u8> = fallible::filled(0, wanted.len())?;
+    let mut failed: Vec<bool> = fallible::filled(false, wanted.len())?;
     for run in picked.chunk_by(|x, y| x.0 == y.0) {
-        let (place, triangles) = (run[0].0, run.iter().map(|x| polygons.corners[x.1 as usize]));
-        let Some(found) = common_axis(points, triangles.clone()) else {
+        control.step()?;
+        let (place, triangles) = (run[0].0, || run.iter().map(|x| polygons.corners[x.1 as usize]));
+        let Some(found) = common_axis(points, triangles) else {
             failed[place as usize] = true;
             continue;
         };
         axis[place as usize] = found;
-        corners.extend(triangles);
-        facet.resize(corners.len(), wanted[place as usize]);
-        patch.resize(corners.len(), place);
+        fallible::extend(&mut corners, triangles())?;
+        fallible::resize(&mut facet, corners.len(), wanted[place as usize])?;
+        fallible::resize(&mut patch, corners.len(), place)?;
     }
     let triangles = Triangles { corners: &corners, facet: &facet, patch: &patch, patch_count: wanted.len() };
-    let (subfaces, entangled) = Subfaces::of_polygons(points, &triangles, axis, segments, polygons.soft)?;
+    let (subfaces, entangled) =
+        Subfaces::of_polygons(points, &triangles, axis, segments, polygons.soft, control)?;
     entangled.into_iter().for_each(|p| failed[p as usize] = true);
-    let mut work =
-        Work { mesh, points, subfaces, search: StarSearch::default(), triangle_of: FxHashMap::default() };
-    let mut members: Vec<(u32, u32)> = Vec::new();
-    members.try_reserve_exact(work.subfaces.verts.len())?;
-    members.extend((0..).zip(&work.subfaces.patch).map(|(t, &p)| (p, t)));
+    let mut work = Work {
+        mesh,
+        points,
+        subfaces,
+        control,
+        search: StarSearch::default(),
+        triangle_of: FxHashMap::default(),
+    };
+    let mut members: Vec<(u32, u32)> =
+        fallible::collect((0..).zip(&work.subfaces.patch).map(|(t, &p)| (p, t)))?;
     members.sort_unstable();
     let mut done = Retriangulated::default();
     let mut own: Vec<u32> = Vec::new();
@@ -108,42 +113,37 @@ pub fn retriangulate(
             continue;
         }
         own.clear();
-        own.try_reserve(run.len())?;
-        own.extend(run.iter().map(|x| x.1));
+        fallible::extend(&mut own, run.iter().map(|x| x.1))?;
         work.make_delaunay(&own)?;
         if !work.conform(&own)? {
             failed[number] = true;
             continue;
         }
-        done.facets.try_reserve(1)?;
-        done.facets.push(wanted[number]);
+        fallible::push(&mut done.facets, wanted[number])?;
         done.corners.try_reserve(own.len())?;
         done.facet.try_reserve(own.len())?;
-        done.corners.extend(own.iter().map(|&t| work.subfaces.verts[t as usize]));
-        done.facet.extend(own.iter().map(|_| wanted[number]));
+        fallible::extend(&mut done.corners, own.iter().map(|&t| work.subfaces.verts[t as usize]))?;
+        fallible::extend(&mut done.facet, own.iter().map(|_| wanted[number]))?;
     }
-    let mut left: Vec<u32> = Vec::new();
-    left.try_reserve_exact(wanted.len() - done.facets.len())?;
-    left.extend(wanted.iter().zip(&failed).filter(|x| *x.1).map(|x| *x.0));
+    let mut left: Vec<u32> = fallible::reserved(wanted.len() - done.facets.len())?;
+    fallible::extend(&mut left, wanted.iter().zip(&failed).filter(|x| *x.1).map(|x| *x.0))?;
     Ok((done, left))
 }
 
 /// The axis along which all triangles have the same orientation and their projections are largest, as far as doubles tell; `None` if there
 /// is none.
-fn common_axis(points: &Points, triangles: impl Iterator<Item = [u32; 3]> + Clone) -> Option<u8> {
+fn common_axis<I: Iterator<Item = [u32; 3]>>(points: &Points, triangles: impl Fn() -> I) -> Option<u8> {
     let mut normal = [0.0; 3];
-    for corners in triangles.clone() {
+    for corners in triangles() {
         let [p, q, r] = corners.map(|v| points.xyz(v));
         let (d, e) = ([0, 1, 2].map(|k| q[k] - p[k]), [0, 1, 2].map(|k| r[k] - p[k]));
         for k in 0..3 {
             normal[k] += d[(k + 1) % 3] * e[(k + 2) % 3] - d[(k + 2) % 3] * e[(k + 1) % 3];
         }
     }
-    let mut axes = [0u8, 1, 2];
-    axes.sort_by(|&i, &j| normal[j as usize].abs().total_cmp(&normal[i as usize].abs()));
     let turn = |axis: u8, [a, b, c]: [u32; 3]| points.orient_in_plane(axis as usize, a, b, c);
-    axes.into_iter().find(|&axis| {
-        let mut signs = triangles.clone().map(|corners| turn(axis, corners));
+    by_size(&normal, [0, 1, 2]).map(|axis| axis as u8).into_iter().find(|&axis| {
+        let mut signs = triangles().map(|corners| turn(axis, corners));
         let first = signs.next().unwrap_or(Sign::Zero);
         first != Sign::Zero && signs.all(|sign| sign == first)
     })
@@ -154,6 +154,7 @@ struct Work<'a> {
     mesh: &'a mut Mesh,
     points: &'a Points,
     subfaces: Subfaces,
+    control: &'a Control<'a>,
     search: StarSearch,
     /// A triangle at each corner of the current polygon. Only looked up, never iterated.
     triangle_of: FxHashMap<u32, u32>,
@@ -162,7 +163,9 @@ struct Work<'a> {
 impl Work<'_> {
     fn has_edge(&mut self, [a, b]: [u32; 2]) -> Result<bool, Error> {
         let start = self.mesh.vertex_tet[a as usize];
-        Ok(start != NONE && self.search.find_edge(self.mesh, a, b, start)?.is_some())
+        let found = start != NONE && self.search.find_edge(self.mesh, a, b, start)?.is_some();
+        self.control.worked(self.search.tets.len());
+        Ok(found)
     }
 
     /// The ends of the edge opposite a corner.
@@ -179,17 +182,19 @@ impl Work<'_> {
     fn make_delaunay(&mut self, own: &[u32]) -> Result<(), Error> {
         let axis = self.subfaces.axis(self.subfaces.patch[own[0] as usize]);
         let origin = *self.points.xyz(self.subfaces.verts[own[0] as usize][0]);
-        let mut stack: Vec<u32> = Vec::new();
-        stack.try_reserve(3 * own.len())?;
-        stack.extend(own.iter().flat_map(|&t| 3 * t..3 * t + 3).filter(|&code| self.is_inner(code)));
+        let mut stack: Vec<u32> = fallible::reserved(3 * own.len())?;
+        fallible::extend(
+            &mut stack,
+            own.iter().flat_map(|&t| 3 * t..3 * t + 3).filter(|&code| self.is_inner(code)),
+        )?;
         while let Some(code) = stack.pop() {
+            self.control.step()?;
             let Some([a, d]) = self.subfaces.other_diagonal(self.points, code) else { continue };
             let [b, c] = self.ends(code);
             let corners = [a, b, c, d].map(|v| self.points.xyz(v));
             if is_inside_circle(axis, &origin, corners) {
                 self.subfaces.turn(code);
-                stack.try_reserve(4)?;
-                stack.extend(self.subfaces.quadrilateral(code));
+                fallible::extend(&mut stack, self.subfaces.quadrilateral(code))?;
             }
         }
         Ok(())
@@ -206,26 +211,27 @@ impl Work<'_> {
             missing.clear();
             missing.try_reserve(3 * own.len())?;
             for code in own.iter().flat_map(|&t| 3 * t..3 * t + 3) {
+                self.control.step()?;
                 let ends = self.ends(code);
                 if !self.has_edge(ends)? {
                     if !self.is_inner(code) {
                         return Ok(false);
                     }
-                    missing.push(code);
+                    fallible::push(&mut missing, code)?;
                 }
             }
             if missing.is_empty() {
                 return Ok(true);
             }
             // A mesh edge that crosses only missing edges begins at a corner opposite one of these.
-            let mut apexes: Vec<u32> = Vec::new();
-            apexes.try_reserve(missing.len())?;
+            let mut apexes: Vec<u32> = fallible::reserved(missing.len())?;
             let apex = |&code: &u32| self.subfaces.verts[code as usize / 3][code as usize % 3];
-            apexes.extend(missing.iter().map(apex));
+            fallible::extend(&mut apexes, missing.iter().map(apex))?;
             apexes.sort_unstable();
             apexes.dedup();
             let mut changed = false;
             for (i, &p) in apexes.iter().enumerate() {
+                self.control.step()?;
                 self.neighbors(p, &mut around)?;
                 for &q in around.iter().filter(|q| apexes[i + 1..].binary_search(q).is_ok()) {
                     changed |= self.insert_edge([p, q])?;
@@ -247,7 +253,7 @@ impl Work<'_> {
         }
         self.search.vertex_star(self.mesh, v, start)?;
         around.try_reserve(4 * self.search.tets.len())?;
-        around.extend(self.search.tets.iter().flat_map(|&t| self.mesh.verts(t)));
+        fallible::extend(around, self.search.tets.iter().flat_map(|&t| self.mesh.verts(t)))?;
         around.retain(|&w| w != v && w != GHOST);
         around.sort_unstable();
         around.dedup();
@@ -258,8 +264,7 @@ impl Work<'_> {
     fn insert_edge(&mut self, [p, q]: [u32; 2]) -> Result<bool, Error> {
         let mut crossing: VecDeque<[u32; 2]> = VecDeque::new();
         self.walk([p, q], |_, ends| {
-            crossing.try_reserve(1)?;
-            crossing.push_back(ends);
+            fallible::push_back(&mut crossing, ends)?;
             Ok(false)
         })?;
         if crossing.is_empty() {
@@ -276,6 +281,7 @@ impl Work<'_> {
                 return Ok(false);
             }
             tries -= 1;
+            self.control.step()?;
             let mut found = None;
             self.walk([p, q], |code, ends| {
                 found = (ends == edge).then_some(code);
@@ -283,7 +289,7 @@ impl Work<'_> {
             })?;
             let Some(code) = found else { return Ok(false) };
             let Some([a, d]) = self.subfaces.other_diagonal(self.points, code) else {
-                crossing.push_back(edge);
+                fallible::push_back(&mut crossing, edge)?;
                 continue;
             };
             let other = self.subfaces.adj[code as usize / 3][code as usize % 3] / 3;
@@ -294,7 +300,7 @@ impl Work<'_> {
             let inner = self.subfaces.verts[code as usize / 3].iter().position(|v| *v != a && *v != d);
             let across = inner.map(|i| code / 3 * 3 + i as u32);
             if across.is_some_and(|across| self.subfaces.crosses(self.points, across, [p, q])) {
-                crossing.push_back(edge_key(a, d));
+                fallible::push_back(&mut crossing, edge_key(a, d))?;
             }
         }
         Ok(true)
@@ -354,8 +360,7 @@ impl Work<'_> {
 
     /// Records a triangle at each of its corners.
     fn note_corners(&mut self, t: u32) -> Result<(), Error> {
-        self.triangle_of.try_reserve(3).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
-        self.triangle_of.extend(self.subfaces.verts[t as usize].map(|v| (v, t)));
+        fallible::insert_all(&mut self.triangle_of, self.subfaces.verts[t as usize].map(|v| (v, t)))?;
         Ok(())
     }
 }

@@ -7,6 +7,7 @@
 //!
 //! A mesh edge in the plane is also in the patch's triangulation, because both break ties the same way. Hence regions are sets of missing
 //! subfaces connected through missing edges, and their boundaries are edges of the mesh.
+use crate::control::Control;
 use crate::error::{Element, Error};
 use crate::facets::cavity::{Opening, RegionCavity};
 use crate::facets::fill::{Filler, Half};
@@ -18,6 +19,7 @@ use crate::kernel::lookup::Lookup;
 use crate::kernel::replace::Replace;
 use crate::kernel::Mesh;
 use crate::predicates::{Points, Sign};
+use crate::progress::Phase;
 use crate::segments::crossing;
 
 /// The state of a recovery.
@@ -25,6 +27,7 @@ pub struct FacetRecovery<'a> {
     mesh: &'a mut Mesh,
     points: &'a Points,
     subfaces: &'a Subfaces,
+    control: &'a Control<'a>,
     recovered: Vec<bool>,
     in_region: Vec<bool>,
     search: StarSearch,
@@ -37,13 +40,19 @@ pub struct FacetRecovery<'a> {
 
 impl<'a> FacetRecovery<'a> {
     /// Prepares a recovery; `mesh.vertex_tet` must be up to date.
-    pub fn new(mesh: &'a mut Mesh, points: &'a Points, subfaces: &'a Subfaces) -> Result<Self, Error> {
+    pub fn new(
+        mesh: &'a mut Mesh,
+        points: &'a Points,
+        subfaces: &'a Subfaces,
+        control: &'a Control<'a>,
+    ) -> Result<Self, Error> {
         let recovered = fallible::filled(false, subfaces.verts.len())?;
         let in_region = fallible::filled(false, subfaces.verts.len())?;
         Ok(FacetRecovery {
             mesh,
             points,
             subfaces,
+            control,
             recovered,
             in_region,
             search: StarSearch::default(),
@@ -55,14 +64,15 @@ impl<'a> FacetRecovery<'a> {
     }
 
     /// Makes every subface a face of the mesh, flagged on both sides.
-    pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<(), Error> {
+    pub fn run(&mut self) -> Result<(), Error> {
         self.mark_present()?;
         let order = self.missing_by_region_size()?;
         let mut region = Vec::new();
         for (i, &s) in order.iter().enumerate() {
             if i % 256 == 0 {
-                tick(i, order.len())?;
+                self.control.progress(Phase::Facets, i as f64 / order.len() as f64)?;
             }
+            self.control.step()?;
             if self.recovered[s as usize] || self.mark_if_present(s)? {
                 continue;
             }
@@ -74,6 +84,7 @@ impl<'a> FacetRecovery<'a> {
             filled?;
             self.regions += 1;
             for &r in &region {
+                self.control.step()?;
                 if !self.mark_if_present(r)? {
                     return Err(Error::internal("a filled region has a missing subface"));
                 }
@@ -84,17 +95,19 @@ impl<'a> FacetRecovery<'a> {
 
     /// Flags the faces of the mesh that are subfaces, in one pass over the mesh, since nearly all subfaces are present.
     fn mark_present(&mut self) -> Result<(), Error> {
-        let keys = self.subfaces.verts.iter().zip(0..).map(|(&v, s)| {
+        let keyed = |(&v, s): (&[u32; 3], u32)| {
             let [a, b, c] = face_key(v);
             (a, [b, c], s)
-        });
-        let subface_of = Lookup::new(self.points.len(), keys)?;
+        };
+        let keys = || self.subfaces.verts.iter().zip(0..).map(keyed);
+        let subface_of = Lookup::new(self.points.len(), keys, self.control)?;
         self.mesh.clear_subsegments();
         let mesh = &mut self.mesh;
         for t in 0..mesh.slot_count() as u32 {
             if !mesh.is_live(t) || mesh.is_ghost(t) {
                 continue;
             }
+            self.control.step()?;
             for f in 0..4u32 {
                 // Visit each face once, from the tetrahedron with the smaller index; on the hull, from inside.
                 let other = mesh.across(4 * t + f);
@@ -121,15 +134,16 @@ impl<'a> FacetRecovery<'a> {
             if self.recovered[s as usize] || seen[s as usize] {
                 continue;
             }
+            self.control.step()?;
             self.collect_region(s, &mut region)?;
             sized.try_reserve(region.len())?;
             for &r in &region {
                 seen[r as usize] = true;
                 self.in_region[r as usize] = false;
-                sized.push((region.len() as u32, s, r));
+                fallible::push(&mut sized, (region.len() as u32, s, r))?;
             }
         }
-        sized.sort_unstable();
+        self.control.sort(&mut sized)?;
         Ok(fallible::collect(sized.into_iter().map(|x| x.2))?)
     }
 
@@ -139,6 +153,7 @@ impl<'a> FacetRecovery<'a> {
         let start = self.mesh.vertex_tet[corners[0] as usize];
         let mesh = &mut self.mesh;
         let found = self.search.find_face(mesh, corners, start)?;
+        self.control.worked(self.search.tets.len());
         if let Some(code) = found {
             mesh.set_subface(code);
             self.recovered[s as usize] = true;
@@ -148,28 +163,28 @@ impl<'a> FacetRecovery<'a> {
 
     /// Collects the missing subfaces connected to `s` through edges missing from the mesh.
     fn collect_region(&mut self, s: u32, region: &mut Vec<u32>) -> Result<(), Error> {
-        let FacetRecovery { mesh, search, subfaces, recovered, in_region, .. } = self;
-        subfaces.collect_region(s, recovered, in_region, region, |[a, b]| {
+        let FacetRecovery { mesh, search, subfaces, recovered, in_region, control, .. } = self;
+        subfaces.collect_region(s, recovered, in_region, region, control, |[a, b]| {
             let start = mesh.vertex_tet[a as usize];
-            Ok(search.find_edge(mesh, a, b, start)?.is_some())
+            let found = search.find_edge(mesh, a, b, start)?.is_some();
+            control.worked(search.tets.len());
+            Ok(found)
         })
     }
 
     /// Opens the cavity of a region and fills its halves.
     fn fill_region(&mut self, region: &[u32]) -> Result<(), Error> {
-        let mut corners = Vec::new();
-        corners.try_reserve(region.len())?;
-        corners.extend(region.iter().map(|&s| self.subfaces.verts[s as usize]));
+        let corners = fallible::collect(region.iter().map(|&s| self.subfaces.verts[s as usize]))?;
         self.cavity.begin(self.points, &corners)?;
-        match self.cavity.collect(self.mesh, self.points, &corners)? {
+        match self.cavity.collect(self.mesh, self.points, &corners, self.control)? {
             Opening::Found => {}
             Opening::Nothing => return Err(Error::internal("no tetrahedron crosses a missing region")),
             Opening::Blocked(face) => return Err(self.facet_of(face, region)),
         }
         let [upper, lower] = self.halves(&corners)?;
         let mut tets = Vec::new();
-        self.filler.fill(self.points, upper, &mut tets)?;
-        self.filler.fill(self.points, lower, &mut tets)?;
+        self.filler.fill(self.points, upper, &mut tets, self.control)?;
+        self.filler.fill(self.points, lower, &mut tets, self.control)?;
         self.replace.cavity(self.mesh, &self.cavity.tets, &tets, &corners)
     }
 
@@ -190,16 +205,15 @@ impl<'a> FacetRecovery<'a> {
         let mut lower = Half::default();
         for i in 0..self.cavity.tets.len() {
             let t = self.cavity.tets[i];
+            self.control.step()?;
             // Vertices come from the tetrahedra, not from the faces: the whole star of a vertex may be in the cavity.
-            upper.vertices.try_reserve(4)?;
-            lower.vertices.try_reserve(4)?;
             for v in self.mesh.verts(t) {
                 let side = self.cavity.side(self.points, v);
                 if side != Sign::Negative {
-                    upper.vertices.push(v);
+                    fallible::push(&mut upper.vertices, v)?;
                 }
                 if side != Sign::Positive {
-                    lower.vertices.push(v);
+                    fallible::push(&mut lower.vertices, v)?;
                 }
             }
             for f in 0..4u32 {
@@ -218,16 +232,15 @@ impl<'a> FacetRecovery<'a> {
                 } else {
                     return Err(Error::internal("a cavity has a face in the plane of its region"));
                 };
-                half.faces.try_reserve(1)?;
-                half.faces.push(face);
+                fallible::push(&mut half.faces, face)?;
             }
         }
         upper.faces.try_reserve(region.len())?;
         lower.faces.try_reserve(region.len())?;
         for &[a, b, c] in region {
             // All subfaces of a patch are oriented alike.
-            upper.faces.push([a, c, b]);
-            lower.faces.push([a, b, c]);
+            fallible::push(&mut upper.faces, [a, c, b])?;
+            fallible::push(&mut lower.faces, [a, b, c])?;
         }
         Ok([upper, lower])
     }

@@ -3,12 +3,15 @@
 //! A patch is an exactly coplanar set of triangles, so its subfaces in the final tetrahedralization are known in advance: they are the
 //! two-dimensional constrained Delaunay triangulation with ties broken as in space. Lawson's flips (1977) make it from the triangulation
 //! that comes with the PLC.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::edge_key;
 use crate::kernel::NONE;
 use crate::predicates::{Points, Sign};
 use crate::segments::placement::distance;
 use crate::segments::recovery::Segments;
+use crate::vector::{by_size, cross, sub};
 
 /// The triangulated patches.
 #[derive(Default)]
@@ -39,18 +42,23 @@ pub struct Triangles<'a> {
 
 impl Subfaces {
     /// Splits the triangles at the Steiner points of their segments and makes every patch constrained Delaunay.
-    pub fn build(points: &Points, triangles: &Triangles, segments: &Segments) -> Result<Self, Error> {
+    pub fn build(
+        points: &Points,
+        triangles: &Triangles,
+        segments: &Segments,
+        control: &Control,
+    ) -> Result<Self, Error> {
         let mut subfaces = Subfaces::default();
-        let steiner = segments.steiner_by_segment()?;
+        let steiner = segments.steiner_by_segment(control)?;
         let expected = triangles.corners.len() + 2 * steiner.len();
         subfaces.reserve(expected)?;
-        subfaces.orient(points, triangles)?;
-        let (edge_segment, lone) = subfaces.connect(segments, &[])?;
+        subfaces.orient(points, triangles, control)?;
+        let (edge_segment, lone) = subfaces.connect(segments, &[], control)?;
         if !lone.is_empty() {
             return Err(Error::internal("an edge without a segment does not have two triangles"));
         }
-        subfaces.split_edges(points, segments, &steiner, &edge_segment)?;
-        subfaces.make_delaunay(points)?;
+        subfaces.split_edges(points, segments, &steiner, &edge_segment, control)?;
+        subfaces.make_delaunay(points, control)?;
         Ok(subfaces)
     }
 
@@ -62,16 +70,15 @@ impl Subfaces {
         axis: Vec<u8>,
         segments: &Segments,
         soft: &[bool],
+        control: &Control,
     ) -> Result<(Self, Vec<u32>), Error> {
         let mut subfaces = Subfaces { axis, ..Subfaces::default() };
-        let steiner = segments.steiner_by_segment()?;
+        let steiner = segments.steiner_by_segment(control)?;
         subfaces.reserve(triangles.corners.len() + 2 * steiner.len())?;
-        subfaces.orient(points, triangles)?;
-        let (edge_segment, lone) = subfaces.connect(segments, soft)?;
-        subfaces.split_edges(points, segments, &steiner, &edge_segment)?;
-        let mut entangled: Vec<u32> = Vec::new();
-        entangled.try_reserve_exact(lone.len())?;
-        entangled.extend(lone.into_iter().map(|t| subfaces.patch[t as usize]));
+        subfaces.orient(points, triangles, control)?;
+        let (edge_segment, lone) = subfaces.connect(segments, soft, control)?;
+        subfaces.split_edges(points, segments, &steiner, &edge_segment, control)?;
+        let entangled: Vec<u32> = fallible::collect(lone.into_iter().map(|t| subfaces.patch[t as usize]))?;
         Ok((subfaces, entangled))
     }
 
@@ -81,27 +88,34 @@ impl Subfaces {
     }
 
     /// Adds triangles, each as its own patch.
-    pub fn add_single(&mut self, points: &Points, corners: &[[u32; 3]], facets: &[u32]) -> Result<(), Error> {
+    pub fn add_single(
+        &mut self,
+        points: &Points,
+        corners: &[[u32; 3]],
+        facets: &[u32],
+        control: &Control,
+    ) -> Result<(), Error> {
         self.reserve(corners.len())?;
         self.axis.try_reserve(corners.len())?;
         for (&[a, b, c], &facet) in corners.iter().zip(facets) {
+            control.step()?;
             let axis = projection_axis(points, [a, b, c])?;
             let turned = points.orient_in_plane(axis as usize, a, b, c) == Sign::Negative;
-            self.verts.push(if turned { [a, c, b] } else { [a, b, c] });
-            self.adj.push([NONE; 3]);
-            self.facet.push(facet);
-            self.patch.push(self.axis.len() as u32);
-            self.axis.push(axis);
+            fallible::push(&mut self.verts, if turned { [a, c, b] } else { [a, b, c] })?;
+            fallible::push(&mut self.adj, [NONE; 3])?;
+            fallible::push(&mut self.facet, facet)?;
+            fallible::push(&mut self.patch, self.axis.len() as u32)?;
+            fallible::push(&mut self.axis, axis)?;
         }
         Ok(())
     }
 
     /// Copies the triangles, oriented to be positive in a projection chosen per patch.
-    fn orient(&mut self, points: &Points, triangles: &Triangles) -> Result<(), Error> {
+    fn orient(&mut self, points: &Points, triangles: &Triangles, control: &Control) -> Result<(), Error> {
         const UNKNOWN: u8 = 3;
-        self.axis.try_reserve(triangles.patch_count)?;
-        self.axis.resize(triangles.patch_count, UNKNOWN);
+        fallible::resize(&mut self.axis, triangles.patch_count, UNKNOWN)?;
         for (i, &corners) in triangles.corners.iter().enumerate() {
+            control.step()?;
             let patch = triangles.patch[i];
             let axis = &mut self.axis[patch as usize];
             if *axis == UNKNOWN {
@@ -113,34 +127,41 @@ impl Subfaces {
                 Sign::Negative => [a, c, b],
                 Sign::Zero => return Err(Error::internal("a triangle of a patch is not in its plane")),
             };
-            self.verts.push(turned);
-            self.adj.push([NONE; 3]);
-            self.facet.push(triangles.facet[i]);
-            self.patch.push(patch);
+            fallible::push(&mut self.verts, turned)?;
+            fallible::push(&mut self.adj, [NONE; 3])?;
+            fallible::push(&mut self.facet, triangles.facet[i])?;
+            fallible::push(&mut self.patch, patch)?;
         }
         Ok(())
     }
 
     /// Links triangles across edges that are not segments, or are `soft` ones; returns the segment of each constrained edge, and the
     /// triangles at other edges that do not have two triangles of one patch.
-    fn connect(&mut self, segments: &Segments, soft: &[bool]) -> Result<(Vec<[u32; 3]>, Vec<u32>), Error> {
+    fn connect(
+        &mut self,
+        segments: &Segments,
+        soft: &[bool],
+        control: &Control,
+    ) -> Result<(Vec<[u32; 3]>, Vec<u32>), Error> {
         // (edge, 0, segment) sorts before (edge, 1, edge code) of the triangles with that edge.
-        let mut entries: Vec<([u32; 2], u32, u32)> = Vec::new();
-        entries.try_reserve(3 * self.verts.len() + segments.ends.len())?;
+        let mut entries: Vec<([u32; 2], u32, u32)> =
+            fallible::reserved(3 * self.verts.len() + segments.ends.len())?;
         let mut lone: Vec<u32> = Vec::new();
         for (s, e) in segments.ends.iter().enumerate().filter(|x| soft.get(x.0) != Some(&true)) {
-            entries.push((edge_key(e[0], e[1]), 0, s as u32));
+            fallible::push(&mut entries, (edge_key(e[0], e[1]), 0, s as u32))?;
         }
         for (t, v) in self.verts.iter().enumerate() {
             for e in 0..3 {
-                entries.push((edge_key(v[(e + 1) % 3], v[(e + 2) % 3]), 1, (3 * t + e) as u32));
+                fallible::push(
+                    &mut entries,
+                    (edge_key(v[(e + 1) % 3], v[(e + 2) % 3]), 1, (3 * t + e) as u32),
+                )?;
             }
         }
-        entries.sort_unstable();
-        let mut edge_segment = Vec::new();
-        edge_segment.try_reserve(self.verts.len())?;
-        edge_segment.resize(self.verts.len(), [NONE; 3]);
+        control.sort(&mut entries)?;
+        let mut edge_segment = fallible::filled([NONE; 3], self.verts.len())?;
         for group in entries.chunk_by(|x, y| x.0 == y.0) {
+            control.step()?;
             if group[0].1 == 0 {
                 for &(_, _, code) in group.iter().filter(|entry| entry.1 == 1) {
                     edge_segment[(code / 3) as usize][(code % 3) as usize] = group[0].2;
@@ -150,8 +171,7 @@ impl Subfaces {
             match group {
                 [x, y] if self.patch[x.2 as usize / 3] == self.patch[y.2 as usize / 3] => self.link(x.2, y.2),
                 _ => {
-                    lone.try_reserve(group.len())?;
-                    lone.extend(group.iter().map(|entry| entry.2 / 3));
+                    fallible::extend(&mut lone, group.iter().map(|entry| entry.2 / 3))?;
                 }
             }
         }
@@ -174,12 +194,14 @@ impl Subfaces {
         segments: &Segments,
         steiner: &[(u32, f64, u32)],
         edge_segment: &[[u32; 3]],
+        control: &Control,
     ) -> Result<(), Error> {
         if steiner.is_empty() {
             return Ok(());
         }
         let mut chains: [Vec<u32>; 3] = Default::default();
         for (t, edges) in edge_segment.iter().enumerate() {
+            control.step()?;
             for (e, chain) in chains.iter_mut().enumerate() {
                 chain.clear();
                 let s = edges[e];
@@ -188,7 +210,7 @@ impl Subfaces {
                 }
                 let first = steiner.partition_point(|x| x.0 < s);
                 let on_edge = steiner[first..].iter().take_while(|x| x.0 == s).map(|x| x.2);
-                chain.extend(on_edge);
+                fallible::extend(chain, on_edge)?;
                 if self.verts[t][(e + 1) % 3] != segments.ends[s as usize][0] {
                     chain.reverse();
                 }
@@ -210,10 +232,9 @@ impl Subfaces {
         let [a, b, c] = [k, next, last].map(|e| self.verts[t][e]);
         let [across_bc, across_ca, across_ab] = [k, next, last].map(|e| self.adj[t][e]);
         let (mut left, mut right) = (std::mem::take(&mut chains[last]), std::mem::take(&mut chains[next]));
-        left.push(b);
+        fallible::push(&mut left, b)?;
         right.reverse();
-        right.push(c);
-        self.reserve(left.len() + right.len() + chains[k].len())?;
+        fallible::push(&mut right, c)?;
         let distance = |v: u32| distance(points.xyz(a), points.xyz(v));
         self.verts[t] = [a, left[0], right[0]];
         self.adj[t] = [NONE; 3];
@@ -236,14 +257,14 @@ impl Subfaces {
             };
             i += on_left as usize;
             j += !on_left as usize;
-            let n = self.push_piece(t, corners);
+            let n = self.push_piece(t, corners)?;
             self.link(front, 3 * n + 1);
             front = 3 * n + edge;
         }
         if chains[k].is_empty() {
             self.link(front, across_bc);
         } else {
-            self.split_edge((front / 3) as usize, (front % 3) as usize, &chains[k]);
+            self.split_edge((front / 3) as usize, (front % 3) as usize, &chains[k])?;
         }
         left.clear();
         right.clear();
@@ -261,17 +282,18 @@ impl Subfaces {
     }
 
     /// Appends a triangle of the same facet as `t`, without neighbours.
-    fn push_piece(&mut self, t: usize, corners: [u32; 3]) -> u32 {
+    fn push_piece(&mut self, t: usize, corners: [u32; 3]) -> Result<u32, Error> {
         let n = self.verts.len() as u32;
-        self.verts.push(corners);
-        self.adj.push([NONE; 3]);
-        self.facet.push(self.facet[t]);
-        self.patch.push(self.patch[t]);
-        n
+        fallible::push(&mut self.verts, corners)?;
+        fallible::push(&mut self.adj, [NONE; 3])?;
+        let (facet, patch) = (self.facet[t], self.patch[t]);
+        fallible::push(&mut self.facet, facet)?;
+        fallible::push(&mut self.patch, patch)?;
+        Ok(n)
     }
 
-    /// Splits triangle `t` into a fan at points on its edge `k`, given in the edge's direction. There must be room.
-    fn split_edge(&mut self, t: usize, k: usize, chain: &[u32]) {
+    /// Splits triangle `t` into a fan at points on its edge `k`, given in the edge's direction.
+    fn split_edge(&mut self, t: usize, k: usize, chain: &[u32]) -> Result<(), Error> {
         let (start_slot, end_slot) = ((k + 1) % 3, (k + 2) % 3);
         let apex = self.verts[t][k];
         let end = self.verts[t][end_slot];
@@ -280,27 +302,28 @@ impl Subfaces {
         let mut previous = (3 * t + start_slot) as u32;
         for i in 0..chain.len() {
             let next = chain.get(i + 1).copied().unwrap_or(end);
-            let n = self.push_piece(t, [apex, chain[i], next]);
+            let n = self.push_piece(t, [apex, chain[i], next])?;
             // Edge 2 of the new piece (apex → chain[i]) faces the previous one; edge 1 (next → apex) the following one.
             self.link(previous, 3 * n + 2);
             previous = 3 * n + 1;
         }
         self.link(previous, following);
+        Ok(())
     }
 
     /// Lawson's algorithm over all edges that are not subsegments.
-    fn make_delaunay(&mut self, points: &Points) -> Result<(), Error> {
-        let mut stack: Vec<u32> = Vec::new();
-        stack.try_reserve(self.verts.len() * 2)?;
+    fn make_delaunay(&mut self, points: &Points, control: &Control) -> Result<(), Error> {
+        let mut stack: Vec<u32> = fallible::reserved(self.verts.len() * 2)?;
         for t in 0..self.verts.len() as u32 {
             for e in 0..3 {
                 let n = self.adj[t as usize][e as usize];
                 if n != NONE && n / 3 > t {
-                    stack.push(3 * t + e);
+                    fallible::push(&mut stack, 3 * t + e)?;
                 }
             }
         }
         while let Some(code) = stack.pop() {
+            control.step()?;
             let (t, i) = ((code / 3) as usize, (code % 3) as usize);
             let other = self.adj[t][i];
             if other == NONE {
@@ -315,8 +338,7 @@ impl Subfaces {
             }
             self.turn(code);
             let [ti, t2, nj, n2] = self.quadrilateral(code);
-            stack.try_reserve(4)?;
-            stack.extend([ti, t2, nj, n2]);
+            fallible::extend(&mut stack, [ti, t2, nj, n2])?;
         }
         Ok(())
     }
@@ -345,17 +367,17 @@ impl Subfaces {
         present: &[bool],
         in_region: &mut [bool],
         region: &mut Vec<u32>,
+        control: &Control,
         mut has_edge: impl FnMut([u32; 2]) -> Result<bool, Error>,
     ) -> Result<(), Error> {
         region.clear();
-        region.try_reserve(1)?;
-        region.push(s);
+        fallible::push(region, s)?;
         in_region[s as usize] = true;
         let mut next = 0;
         while next < region.len() {
             let t = region[next] as usize;
             next += 1;
-            region.try_reserve(3)?;
+            control.step()?;
             for e in 0..3 {
                 let n = self.adj[t][e];
                 if n == NONE || in_region[(n / 3) as usize] || present[(n / 3) as usize] {
@@ -364,7 +386,7 @@ impl Subfaces {
                 let v = self.verts[t];
                 if !has_edge([v[(e + 1) % 3], v[(e + 2) % 3]])? {
                     in_region[(n / 3) as usize] = true;
-                    region.push(n / 3);
+                    fallible::push(region, n / 3)?;
                 }
             }
         }
@@ -416,12 +438,10 @@ impl Subfaces {
 /// The axis along which the triangle's projection is largest, as far as doubles tell, and certainly not flat.
 fn projection_axis(points: &Points, [a, b, c]: [u32; 3]) -> Result<u8, Error> {
     let (p, q, r) = (points.xyz(a), points.xyz(b), points.xyz(c));
-    let u = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
-    let v = [r[0] - p[0], r[1] - p[1], r[2] - p[2]];
-    let normal = |k: usize| (u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]).abs();
-    let mut axes = [0u8, 1, 2];
-    axes.sort_by(|&x, &y| normal(y as usize).total_cmp(&normal(x as usize)));
-    axes.into_iter()
-        .find(|&k| points.orient_in_plane(k as usize, a, b, c) != Sign::Zero)
+    let normal = cross(&sub(q, p), &sub(r, p));
+    by_size(&normal, [0, 1, 2])
+        .into_iter()
+        .find(|&axis| points.orient_in_plane(axis, a, b, c) != Sign::Zero)
+        .map(|axis| axis as u8)
         .ok_or_else(|| Error::internal("a triangle is degenerate"))
 }

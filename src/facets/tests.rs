@@ -1,4 +1,5 @@
 //! Filling: gift wrapping and Delaunay filling give the same result.
+use crate::control::Control;
 use crate::delaunay::Construction;
 use crate::facets::fill::{Filler, Half};
 use crate::facets::gift_wrap::gift_wrap;
@@ -32,11 +33,11 @@ fn fills_the_hull(xyz: Vec<[f64; 3]>) {
     let points = Points::new(xyz);
     let (half, expected) = hull(&points);
     let mut wrapped = Vec::new();
-    gift_wrap(&points, &half, &mut wrapped).unwrap();
+    gift_wrap(&points, &half, &mut wrapped, &Control::free()).unwrap();
     assert_eq!(sorted(wrapped), sorted(expected.clone()));
     let mut filled = Vec::new();
     let mut filler = Filler::default();
-    filler.fill(&points, half, &mut filled).unwrap();
+    filler.fill(&points, half, &mut filled, &Control::free()).unwrap();
     assert_eq!(filler.wrapped, 0);
     assert_eq!(sorted(filled), sorted(expected));
 }
@@ -96,7 +97,7 @@ fn gift_wrapping_sees_what_facets_hide() {
         .collect();
     let half = Half { faces: turned, vertices: (0..6).collect() };
     let mut tets = Vec::new();
-    gift_wrap(&points, &half, &mut tets).unwrap();
+    gift_wrap(&points, &half, &mut tets, &Control::free()).unwrap();
     // Four tetrahedra round the axis 4–5, each between two neighbouring corners of the square.
     assert_eq!(tets.len(), 4);
     assert!(tets.iter().all(|t| t.contains(&4) && t.contains(&5)));

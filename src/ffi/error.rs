@@ -1,5 +1,6 @@
 //! Owned error objects that list all defects.
 use crate::error::{Defect, Error};
+use crate::fallible;
 use crate::ffi::guard::{boxed, free, read};
 use crate::ffi::status::{DelotetDefectKind, DelotetElement, DelotetStatus};
 use crate::ffi::view::records;
@@ -58,7 +59,7 @@ impl From<&Defect> for DelotetDefect {
             first,
             second_element: second_element as u32,
             second,
-            has_point: defect.point.is_some().into(),
+            has_point: u32::from(defect.point.is_some()),
             point: defect.point.unwrap_or_default(),
         }
     }
@@ -86,13 +87,10 @@ impl DelotetError {
     }
 
     fn try_new(error: Error) -> Result<DelotetError, TryReserveError> {
-        let mut defects = Vec::new();
         // When memory is short, the defects are dropped rather than the message.
-        if defects.try_reserve_exact(error.defects.len()).is_ok() {
-            defects.extend(error.defects.iter().map(DelotetDefect::from));
-        }
+        let defects = fallible::collect(error.defects.iter().map(DelotetDefect::from)).unwrap_or_default();
         Ok(DelotetError {
-            status: error.status.into(),
+            status: DelotetStatus::from(error.status),
             message: c_text(&error.message)?,
             defects,
             defect_count: error.defect_count,
@@ -100,13 +98,9 @@ impl DelotetError {
     }
 }
 
-/// A C string: zero-terminated, without embedded zero bytes.
+/// A C string: zero-terminated; zero bytes in the text become blanks.
 pub(super) fn c_text(text: &str) -> Result<Vec<u8>, TryReserveError> {
-    let mut bytes = Vec::new();
-    bytes.try_reserve_exact(text.len() + 1)?;
-    bytes.extend(text.bytes().map(|byte| if byte == 0 { b' ' } else { byte }));
-    bytes.push(0);
-    Ok(bytes)
+    fallible::collect(text.bytes().map(|byte| if byte == 0 { b' ' } else { byte }).chain([0]))
 }
 
 /// The status of `error`, the same as the failing call returned; DELOTET_STATUS_OK for NULL.

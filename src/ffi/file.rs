@@ -1,12 +1,13 @@
 //! Reading and writing files.
+use crate::control::Control;
 use crate::error::Error;
 use crate::ffi::error::DelotetError;
 use crate::ffi::guard::{get, guard, null, Out};
 use crate::ffi::mesh::DelotetMesh;
+use crate::ffi::options::{with_settings, DelotetOptions};
 use crate::ffi::plc::DelotetPlc;
 use crate::ffi::status::DelotetStatus;
 use crate::options::WriteOptions;
-use crate::progress::Silent;
 use libc::c_char;
 use std::ffi::CStr;
 use std::path::Path;
@@ -48,7 +49,28 @@ pub unsafe extern "C" fn delotet_plc_read(
     unsafe {
         guard(out_error, || {
             let out = Out::new(out_plc, "out_plc")?;
-            let plc = files::read(path_of(path)?)?;
+            let plc = files::read(path_of(path)?, &Control::free())?;
+            out.put(DelotetPlc::new(plc)?)
+        })
+    }
+}
+
+/// Reads a PLC like delotet_plc_read(), under the limits of `options` (NULL: none), of which the others have no effect.
+/// Errors: as delotet_plc_read(); CANCELLED, TIME_LIMIT, MEMORY_LIMIT.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_read_with(
+    path: *const c_char,
+    options: *const DelotetOptions,
+    out_plc: *mut *mut DelotetPlc,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a zero-terminated path, NULL or options that nothing changes meanwhile, and NULL or valid out-parameters.
+    unsafe {
+        guard(out_error, || {
+            let out = Out::new(out_plc, "out_plc")?;
+            let path = path_of(path)?;
+            let plc = with_settings(options, |_, control| files::read(path, control))?;
             out.put(DelotetPlc::new(plc)?)
         })
     }
@@ -69,7 +91,7 @@ pub unsafe extern "C" fn delotet_plc_write(
     unsafe {
         guard(out_error, || {
             let plc = &get(plc, "plc")?.plc;
-            write_surface(path_of(path)?, plc, &WriteOptions::default(), &mut Silent)
+            write_surface(path_of(path)?, plc, &WriteOptions::default(), &Control::free())
         })
     }
 }
@@ -90,7 +112,7 @@ pub unsafe extern "C" fn delotet_mesh_write(
     unsafe {
         guard(out_error, || {
             let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
-            write(path_of(path)?, mesh, plc, &WriteOptions::default(), &mut Silent)
+            write(path_of(path)?, mesh, plc, &WriteOptions::default(), &Control::free())
         })
     }
 }
@@ -100,22 +122,22 @@ pub(super) use files::{write, write_surface};
 #[cfg(feature = "io")]
 mod files {
     use crate::io::Format;
-    use crate::{error::Error, fallible, Observer, Plc, TetMesh, WriteOptions};
+    use crate::{control::Control, error::Error, fallible, Plc, TetMesh, WriteOptions};
     use std::path::Path;
 
-    pub(super) fn read(path: &Path) -> Result<Plc, Error> {
-        crate::io::read(path)
+    pub(super) fn read(path: &Path, control: &Control) -> Result<Plc, Error> {
+        crate::io::read_with(path, control)
     }
 
     pub(in crate::ffi) fn write_surface(
         path: &Path,
         plc: &Plc,
         options: &WriteOptions,
-        log: &mut dyn Observer,
+        control: &Control,
     ) -> Result<(), Error> {
-        let lost = crate::io::write_surface(path, plc)?;
-        log_unused(path, options, log)?;
-        lost.log(log);
+        let lost = crate::io::write_surface_with(path, plc, control)?;
+        log_unused(path, options, control)?;
+        lost.log(control);
         Ok(())
     }
 
@@ -124,18 +146,18 @@ mod files {
         mesh: &TetMesh,
         plc: &Plc,
         options: &WriteOptions,
-        log: &mut dyn Observer,
+        control: &Control,
     ) -> Result<(), Error> {
-        let lost = crate::io::write(path, mesh, plc, options)?;
-        log_unused(path, options, log)?;
-        lost.log(log);
+        let lost = crate::io::write_with(path, mesh, plc, options, control)?;
+        log_unused(path, options, control)?;
+        lost.log(control);
         Ok(())
     }
 
-    fn log_unused(path: &Path, options: &WriteOptions, log: &mut dyn Observer) -> Result<(), Error> {
+    fn log_unused(path: &Path, options: &WriteOptions, control: &Control) -> Result<(), Error> {
         options.unused(Format::of(path)?).try_for_each(|option| {
             let name = option.name();
-            log.log(&fallible::text(format_args!("warning: {name} has no effect in this format"))?);
+            control.log(&fallible::text(format_args!("warning: {name} has no effect in this format"))?);
             Ok(())
         })
     }
@@ -144,14 +166,14 @@ mod files {
 #[cfg(not(feature = "io"))]
 mod files {
     use crate::error::{Error, Status};
-    use crate::{Observer, Plc, TetMesh, WriteOptions};
+    use crate::{control::Control, Plc, TetMesh, WriteOptions};
     use std::path::Path;
 
     fn absent() -> Error {
         Error::new(Status::Unsupported, "this library was built without file formats")
     }
 
-    pub(super) fn read(_: &Path) -> Result<Plc, Error> {
+    pub(super) fn read(_: &Path, _: &Control) -> Result<Plc, Error> {
         Err(absent())
     }
 
@@ -159,7 +181,7 @@ mod files {
         _: &Path,
         _: &Plc,
         _: &WriteOptions,
-        _: &mut dyn Observer,
+        _: &Control,
     ) -> Result<(), Error> {
         Err(absent())
     }
@@ -169,7 +191,7 @@ mod files {
         _: &TetMesh,
         _: &Plc,
         _: &WriteOptions,
-        _: &mut dyn Observer,
+        _: &Control,
     ) -> Result<(), Error> {
         Err(absent())
     }

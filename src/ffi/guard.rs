@@ -15,7 +15,7 @@ pub(super) unsafe fn guard(
     body: impl FnOnce() -> Result<(), Error>,
 ) -> DelotetStatus {
     let error = catch_silently(body).and_then(|result| result).err();
-    let mut status = error.as_ref().map_or(DelotetStatus::Ok, |error| error.status.into());
+    let mut status = error.as_ref().map_or(DelotetStatus::Ok, |error| DelotetStatus::from(error.status));
     if !out_error.is_null() {
         let handle = match error {
             Some(error) => DelotetError::new(error, &mut status),
@@ -46,6 +46,7 @@ pub(super) unsafe fn read<'a, T: 'a, R>(handle: *const T, otherwise: R, body: im
 pub(super) fn boxed<T>(value: T) -> Result<Box<T>, T> {
     let layout = Layout::new::<T>();
     if layout.size() == 0 {
+        #[expect(clippy::disallowed_methods, reason = "a value without size takes no memory")]
         return Ok(Box::new(value));
     }
     // SAFETY: the size is not 0.

@@ -1,5 +1,6 @@
 //! The result: views of the arrays that the engine made. Derived arrays are in `query`.
 use crate::error::Error;
+use crate::fallible;
 use crate::ffi::error::DelotetError;
 use crate::ffi::guard::{free, get, guard, invalid, null, read};
 use crate::ffi::plc::DelotetPlc;
@@ -46,16 +47,12 @@ const _: () = {
 impl DelotetMesh {
     /// A handle for a finished mesh.
     pub(super) fn new(mesh: TetMesh, data: PointData) -> Result<DelotetMesh, Error> {
-        let mut regions = Vec::new();
-        regions.try_reserve_exact(mesh.regions.len())?;
-        regions.extend(mesh.regions.iter().map(|region| DelotetRegion {
+        let regions = fallible::collect(mesh.regions.iter().map(|region| DelotetRegion {
             attribute: region.attribute,
             max_volume: region.max_volume.unwrap_or(0.0),
             seed: region.seed,
-        }));
-        let mut warnings = Vec::new();
-        warnings.try_reserve_exact(mesh.warnings.list().len())?;
-        warnings.extend(mesh.warnings.list().iter().map(DelotetWarning::from));
+        }))?;
+        let warnings = fallible::collect(mesh.warnings.list().iter().map(DelotetWarning::from))?;
         let peak_resident = super::memory::peak_resident().unwrap_or(0);
         Ok(DelotetMesh { mesh, data, regions, warnings, peak_resident, derived: Derived::default() })
     }

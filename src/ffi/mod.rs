@@ -9,7 +9,7 @@
 //! * Values that C passes in are integers, never Rust enums: an unknown value must be an error, not undefined behaviour.
 //! * Output arrays are views into the handle: pointer and count, valid until the handle is freed.
 //!
-//! Layers: imports `tetrahedralize`, `plc`, `options`, `output`, `check`, `io`, `mesh_query`, `error`, `progress`, `warning`.
+//! Layers: imports `tetrahedralize`, `plc`, `control`, `options`, `output`, `check`, `io`, `mesh_query`, `error`, `progress`, `warning`.
 #![allow(unsafe_code)]
 #![allow(clippy::missing_safety_doc)]
 #![deny(clippy::undocumented_unsafe_blocks)]
@@ -17,6 +17,7 @@
 pub mod error;
 pub mod file;
 mod guard;
+pub mod limits;
 pub mod memory;
 pub mod mesh;
 pub mod options;

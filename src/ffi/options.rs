@@ -1,7 +1,9 @@
 //! The options, with setters that validate at once, and the callbacks.
+use crate::control::{controlled, Control};
 use crate::error::Error;
 use crate::ffi::error::{c_text, DelotetError};
-use crate::ffi::guard::{free, get_mut, guard, invalid, make};
+use crate::ffi::guard::{free, get_mut, guard, invalid, make, read};
+use crate::ffi::limits::{with_token, Shared};
 use crate::ffi::status::{DelotetPhase, DelotetStatus};
 use crate::options::{Mode, Options, Preserve};
 use crate::progress::{Observer, Phase};
@@ -43,6 +45,7 @@ pub type DelotetLogFn = Option<unsafe extern "C" fn(user_data: *mut c_void, mess
 pub struct DelotetOptions {
     pub(super) options: Options,
     pub(super) callbacks: Callbacks,
+    pub(super) cancel: Option<Shared>,
 }
 
 /// The caller's callbacks.
@@ -74,7 +77,7 @@ impl Observer for Callbacks {
     fn progress(&mut self, phase: Phase, fraction: f64) -> ControlFlow<()> {
         let Some(callback) = self.progress else { return ControlFlow::Continue(()) };
         // SAFETY: the caller set this function together with this pointer.
-        match unsafe { callback(self.progress_data, phase.into(), fraction) } {
+        match unsafe { callback(self.progress_data, DelotetPhase::from(phase), fraction) } {
             0 => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         }
@@ -89,16 +92,23 @@ impl Observer for Callbacks {
     }
 }
 
-/// The settings behind a handle that may be null (the defaults).
+/// Runs `body` with the settings behind a handle that may be null (the defaults), under its limits and with its callbacks.
 ///
 /// # Safety
 /// `options` is null or valid.
-pub(super) unsafe fn settings(options: *const DelotetOptions) -> (Options, Callbacks) {
+pub(super) unsafe fn with_settings<R>(
+    options: *const DelotetOptions,
+    body: impl FnOnce(&Options, &Control) -> R,
+) -> R {
     // SAFETY: the caller promises that a handle that is not null is valid.
-    match unsafe { options.as_ref() } {
-        Some(options) => (options.options.clone(), options.callbacks),
-        None => (Options::default(), Callbacks::NONE),
-    }
+    let (options, mut callbacks, cancel) = match unsafe { options.as_ref() } {
+        Some(options) => {
+            (options.options.copied(), options.callbacks, options.cancel.as_ref().map(Shared::share))
+        }
+        None => (Options::default(), Callbacks::NONE, None),
+    };
+    let limits = with_token(options.limits(), &cancel);
+    controlled(limits, &mut callbacks, |control| body(&options, control))
 }
 
 /// New options with the defaults that the setters document. The caller owns them; free them with delotet_options_free(). NULL only if
@@ -106,14 +116,14 @@ pub(super) unsafe fn settings(options: *const DelotetOptions) -> (Options, Callb
 #[no_mangle]
 #[must_use]
 pub extern "C" fn delotet_options_new() -> *mut DelotetOptions {
-    make(|| DelotetOptions { options: Options::default(), callbacks: Callbacks::NONE })
+    make(|| DelotetOptions { options: Options::default(), callbacks: Callbacks::NONE, cancel: None })
 }
 
 /// Runs the body of a setter.
 ///
 /// # Safety
 /// `options` is null or valid, and nothing else uses it; `out_error` is null or valid for one write.
-unsafe fn change(
+pub(super) unsafe fn change(
     options: *mut DelotetOptions,
     out_error: *mut *mut DelotetError,
     body: impl FnOnce(&mut DelotetOptions) -> Result<(), Error>,
@@ -269,7 +279,8 @@ pub unsafe extern "C" fn delotet_options_set_threads(
     }
 }
 
-/// Fail with DELOTET_STATUS_STEINER_LIMIT beyond this many Steiner points. UINT64_MAX, the default: 100,000 plus 100 per segment.
+/// Fail with DELOTET_STATUS_STEINER_LIMIT if the mesh needs more Steiner points than this; those that DELOTET_MODE_PRESERVE removes again
+/// count where it starts from the constrained Delaunay tetrahedralization. UINT64_MAX, the default: 100,000 plus 100 per segment.
 /// Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
@@ -386,7 +397,7 @@ pub unsafe extern "C" fn delotet_options_set_log(
 ///
 /// # Safety
 /// `options` is null or valid.
-unsafe fn setting<R>(options: *const DelotetOptions, body: impl FnOnce(&Options) -> R) -> R {
+pub(super) unsafe fn setting<R>(options: *const DelotetOptions, body: impl FnOnce(&Options) -> R) -> R {
     // SAFETY: the caller promises that a handle that is not null is valid.
     match unsafe { options.as_ref() } {
         Some(options) => body(&options.options),
@@ -491,7 +502,7 @@ pub unsafe extern "C" fn delotet_options_progress(
 ) -> DelotetProgressFn {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile, and NULL or a valid out-parameter.
     unsafe {
-        let (_, callbacks) = settings(options);
+        let callbacks = read(options, Callbacks::NONE, |options| options.callbacks);
         put(out_user_data, callbacks.progress_data);
         callbacks.progress
     }
@@ -506,7 +517,7 @@ pub unsafe extern "C" fn delotet_options_log(
 ) -> DelotetLogFn {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile, and NULL or a valid out-parameter.
     unsafe {
-        let (_, callbacks) = settings(options);
+        let callbacks = read(options, Callbacks::NONE, |options| options.callbacks);
         put(out_user_data, callbacks.log_data);
         callbacks.log
     }

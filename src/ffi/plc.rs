@@ -1,15 +1,16 @@
 //! The input: a PLC built by calls. Arrays are copied.
 use crate::error::Error;
+use crate::fallible;
 use crate::ffi::error::DelotetError;
 use crate::ffi::guard::{free, get, get_mut, guard, invalid, set, Out};
-use crate::ffi::options::{settings, DelotetOptions};
+use crate::ffi::options::{with_settings, DelotetOptions};
 use crate::ffi::plc_edit::times;
 use crate::ffi::slice::{array, optional};
 use crate::ffi::status::DelotetStatus;
 use crate::ffi::view::DelotetRegionSeed;
-use crate::plc::{copied, Facet, Interior, Plc, RegionSeed};
+use crate::plc::{check_with, Facet, Interior, Plc, RegionSeed};
 use libc::c_char;
-use std::ffi::{CStr, CString};
+use std::ffi::CStr;
 
 /// A piecewise linear complex: points, segments, facets, hole seeds and region seeds. Indices of points, segments and facets
 /// are 0-based, in the order of addition.
@@ -18,7 +19,7 @@ pub struct DelotetPlc {
     /// The region seeds as C sees them.
     pub(super) seeds: Vec<DelotetRegionSeed>,
     /// The names of facet markers as C sees them, in the order of the PLC's.
-    pub(super) names: Vec<CString>,
+    pub(super) names: Vec<Vec<u8>>,
 }
 
 /// The corner list for a list of polygon ends. Fails if the ends do not ascend.
@@ -120,7 +121,7 @@ pub unsafe extern "C" fn delotet_plc_set_point_attributes(
         guard(out_error, || {
             let plc = &mut get_mut(plc, "plc")?.plc;
             let list = array(attributes, times(plc.points.len(), attribute_count)?, "attributes")?;
-            plc.point_attributes = copied(list)?;
+            plc.point_attributes = fallible::copied(list)?;
             plc.point_attribute_count = attribute_count;
             Ok(())
         })
@@ -140,7 +141,8 @@ pub unsafe extern "C" fn delotet_plc_set_point_markers(
     unsafe {
         guard(out_error, || {
             let plc = &mut get_mut(plc, "plc")?.plc;
-            plc.point_markers = copied(optional(markers, plc.points.len(), "markers")?.unwrap_or(&[]))?;
+            plc.point_markers =
+                fallible::copied(optional(markers, plc.points.len(), "markers")?.unwrap_or(&[]))?;
             Ok(())
         })
     }
@@ -351,8 +353,12 @@ pub unsafe extern "C" fn delotet_plc_add_facet_with_hole_seeds(
             let ends = array(polygon_ends, polygon_count, "polygon_ends")?;
             let corners = corner_list(corners, ends)?;
             let seeds = array(hole_seeds.cast::<[f64; 3]>(), hole_count, "hole_seeds")?;
-            let (holes, interior) = (copied(seeds)?, Interior::Seeds);
-            get_mut(plc, "plc")?.add_facet(corners, ends, Facet { polygons: vec![], holes, interior, marker })
+            let (holes, interior) = (fallible::copied(seeds)?, Interior::Seeds);
+            get_mut(plc, "plc")?.add_facet(
+                corners,
+                ends,
+                Facet { polygons: Vec::new(), holes, interior, marker },
+            )
         })
     }
 }
@@ -370,10 +376,7 @@ pub unsafe extern "C" fn delotet_plc_add_hole(
     unsafe {
         guard(out_error, || {
             let seed = array(seed.cast::<[f64; 3]>(), 1, "seed")?[0];
-            let holes = &mut get_mut(plc, "plc")?.plc.holes;
-            holes.try_reserve(1)?;
-            holes.push(seed);
-            Ok(())
+            Ok(fallible::push(&mut get_mut(plc, "plc")?.plc.holes, seed)?)
         })
     }
 }
@@ -407,7 +410,7 @@ pub unsafe extern "C" fn delotet_plc_add_region(
 /// the maximum of `options`, which may be NULL (the defaults). The callbacks of `options` receive progress and may cancel. A surface that
 /// encloses nothing fails too, with its open edges listed, unless `options` keep the hull or ask for DELOTET_MODE_DELAUNAY; if only part of
 /// the surface encloses nothing, the log gets a warning.
-/// Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, OUT_OF_MEMORY.
+/// Errors: INVALID_ARGUMENT, the statuses from 10 to 29, CANCELLED, TIME_LIMIT, MEMORY_LIMIT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_check(
@@ -418,9 +421,11 @@ pub unsafe extern "C" fn delotet_plc_check(
     // SAFETY: the caller passes handles that nothing changes meanwhile.
     unsafe {
         guard(out_error, || {
-            let (options, mut callbacks) = settings(options);
-            crate::plc::check(&get(plc, "plc")?.plc, &options, &mut callbacks)?.log(&mut callbacks);
-            Ok(())
+            let plc = &get(plc, "plc")?.plc;
+            with_settings(options, |options, control| {
+                check_with(plc, options, control)?.log(control);
+                Ok(())
+            })
         })
     }
 }

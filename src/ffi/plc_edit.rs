@@ -1,22 +1,20 @@
 //! Building and changing a PLC: the safe code behind the functions of `plc`. A call that fails changes nothing.
 use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
+use crate::fallible;
+use crate::ffi::error::c_text;
 use crate::ffi::guard::invalid;
 use crate::ffi::plc::DelotetPlc;
 use crate::ffi::view::DelotetRegionSeed;
 use crate::plc::{name_line, Facet, Plc, RegionSeed, Segment};
 use crate::INVALID;
-use std::ffi::CString;
 
 impl DelotetPlc {
     /// A handle for a PLC.
     pub(super) fn new(plc: Plc) -> Result<DelotetPlc, Error> {
-        let mut seeds = Vec::new();
-        seeds.try_reserve_exact(plc.regions.len())?;
-        seeds.extend(plc.regions.iter().map(DelotetRegionSeed::from));
-        let mut names = Vec::new();
-        names.try_reserve_exact(plc.names.len())?;
+        let seeds = fallible::collect(plc.regions.iter().map(DelotetRegionSeed::from))?;
+        let mut names = fallible::reserved(plc.names.len())?;
         for name in &plc.names {
-            names.push(c_text(&name.name)?);
+            fallible::push(&mut names, c_text(&name.name)?)?;
         }
         Ok(DelotetPlc { plc, seeds, names })
     }
@@ -30,7 +28,7 @@ impl DelotetPlc {
         match (before, place(&self.plc)) {
             (Ok(at), Ok(_)) => self.names[at] = text,
             (Ok(at), Err(_)) => drop(self.names.remove(at)),
-            (Err(_), Ok(at)) => self.names.insert(at, text),
+            (Err(_), Ok(at)) => fallible::insert_at(&mut self.names, at, text)?,
             (Err(_), Err(_)) => {}
         }
         Ok(())
@@ -48,9 +46,9 @@ impl DelotetPlc {
                         "{} has a corner that is negative or no 32-bit index; the PLC has {points} points",
                         element(place)
                     )),
-                    corner => {
-                        format_args!("point {corner} does not exist: the PLC has {points} points").into()
-                    }
+                    corner => Message::from(format_args!(
+                        "point {corner} does not exist: the PLC has {points} points"
+                    )),
                 },
                 Defect {
                     kind: DefectKind::IndexOutOfRange,
@@ -78,20 +76,17 @@ impl DelotetPlc {
         plc.points.try_reserve(points.len())?;
         plc.point_attributes.try_reserve(times(points.len(), width)?)?;
         if !plc.point_markers.is_empty() {
-            plc.point_markers.try_reserve(points.len())?;
-            plc.point_markers.resize(count, 0);
+            fallible::resize(&mut plc.point_markers, count, 0)?;
         }
-        plc.points.extend_from_slice(points);
-        plc.point_attributes.resize(count * width, 0.0);
+        fallible::append(&mut plc.points, points)?;
+        fallible::resize(&mut plc.point_attributes, count * width, 0.0)?;
         Ok(())
     }
 
     pub(super) fn add_region(&mut self, seed: RegionSeed) -> Result<(), Error> {
         self.plc.regions.try_reserve(1)?;
-        self.seeds.try_reserve(1)?;
-        self.seeds.push(DelotetRegionSeed::from(&seed));
-        self.plc.regions.push(seed);
-        Ok(())
+        fallible::push(&mut self.seeds, DelotetRegionSeed::from(&seed))?;
+        Ok(fallible::push(&mut self.plc.regions, seed)?)
     }
 
     pub(super) fn set_facet_markers(&mut self, markers: Option<&[i32]>) -> Result<(), Error> {
@@ -100,7 +95,7 @@ impl DelotetPlc {
         let triangles = plc.triangles.len();
         plc.triangle_markers.try_reserve_exact(triangles.saturating_sub(plc.triangle_markers.len()))?;
         plc.triangle_markers.clear();
-        plc.triangle_markers.extend((0..triangles).map(marker));
+        fallible::extend(&mut plc.triangle_markers, (0..triangles).map(marker))?;
         for (index, facet) in plc.facets.iter_mut().enumerate() {
             facet.marker = marker(triangles + index);
         }
@@ -121,7 +116,7 @@ impl DelotetPlc {
             None => {
                 let markers = &mut self.plc.triangle_markers;
                 markers.try_reserve_exact(triangles.saturating_sub(markers.len()))?;
-                markers.resize(triangles, 0);
+                fallible::resize(markers, triangles, 0)?;
                 markers[index] = marker;
             }
         }
@@ -135,7 +130,7 @@ impl DelotetPlc {
         self.plc.segments.try_reserve(ends.len() / 2)?;
         for (index, pair) in ends.chunks_exact(2).enumerate() {
             let marker = markers.map_or(0, |markers| markers[index]);
-            self.plc.segments.push(Segment { ends: [pair[0], pair[1]], marker });
+            fallible::push(&mut self.plc.segments, Segment { ends: [pair[0], pair[1]], marker })?;
         }
         Ok(())
     }
@@ -146,21 +141,22 @@ impl DelotetPlc {
         self.check_room(count, first)?;
         self.check_corners(corners, |place| Element::Facet((first + place / 3) as u32))?;
         if !self.plc.facets.is_empty() {
-            let mut ends: Vec<usize> = Vec::new();
-            ends.try_reserve_exact(count)?;
-            ends.extend((1..=count).map(|end| 3 * end));
+            let ends: Vec<usize> = fallible::collect((1..=count).map(|end| 3 * end))?;
             return self.add_polygons(corners, &ends, markers);
         }
         self.plc.triangles.try_reserve(count)?;
         let marked = markers.is_some() || !self.plc.triangle_markers.is_empty();
         if marked {
             self.plc.triangle_markers.try_reserve(first + count - self.plc.triangle_markers.len())?;
-            self.plc.triangle_markers.resize(first, 0);
+            fallible::resize(&mut self.plc.triangle_markers, first, 0)?;
         }
-        self.plc.triangles.extend(corners.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]));
+        fallible::extend(
+            &mut self.plc.triangles,
+            corners.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]),
+        )?;
         match markers {
-            Some(markers) => self.plc.triangle_markers.extend_from_slice(markers),
-            None if marked => self.plc.triangle_markers.resize(first + count, 0),
+            Some(markers) => fallible::append(&mut self.plc.triangle_markers, markers)?,
+            None if marked => fallible::resize(&mut self.plc.triangle_markers, first + count, 0)?,
             None => {}
         }
         Ok(())
@@ -178,15 +174,15 @@ impl DelotetPlc {
         self.check_corners(corners, |place| {
             Element::Facet((first + ends.partition_point(|&end| end <= place)) as u32)
         })?;
-        self.plc.facets.try_reserve(ends.len())?;
+        let mut facets = fallible::reserved(ends.len())?;
         let mut start = 0;
         for (index, &end) in ends.iter().enumerate() {
             let polygons = split(&corners[start..], &[end - start])?;
             start = end;
             let marker = markers.map_or(0, |markers| markers[index]);
-            self.plc.facets.push(Facet { polygons, marker, ..Facet::default() });
+            fallible::push(&mut facets, Facet { polygons, marker, ..Facet::default() })?;
         }
-        Ok(())
+        Ok(fallible::extend(&mut self.plc.facets, facets)?)
     }
 
     pub(super) fn add_facet(&mut self, corners: &[u32], ends: &[usize], facet: Facet) -> Result<(), Error> {
@@ -194,22 +190,16 @@ impl DelotetPlc {
         self.check_room(1, index)?;
         self.check_corners(corners, |_| Element::Facet(index as u32))?;
         let polygons = split(corners, ends)?;
-        self.plc.facets.try_reserve(1)?;
-        self.plc.facets.push(Facet { polygons, ..facet });
-        Ok(())
+        Ok(fallible::push(&mut self.plc.facets, Facet { polygons, ..facet })?)
     }
 }
 
 /// Splits the corner list of a facet into its polygons.
 fn split(corners: &[u32], ends: &[usize]) -> Result<Vec<Vec<u32>>, Error> {
-    let mut polygons = Vec::new();
-    polygons.try_reserve_exact(ends.len())?;
+    let mut polygons = fallible::reserved(ends.len())?;
     let mut start = 0;
     for &end in ends {
-        let mut polygon = Vec::new();
-        polygon.try_reserve_exact(end - start)?;
-        polygon.extend_from_slice(&corners[start..end]);
-        polygons.push(polygon);
+        fallible::push(&mut polygons, fallible::copied(&corners[start..end])?)?;
         start = end;
     }
     Ok(polygons)
@@ -218,12 +208,4 @@ fn split(corners: &[u32], ends: &[usize]) -> Result<Vec<Vec<u32>>, Error> {
 /// `count` rows of `width`, or an error if that overflows.
 pub(super) fn times(count: usize, width: usize) -> Result<usize, Error> {
     count.checked_mul(width).ok_or_else(|| invalid("the count does not fit into memory"))
-}
-
-/// A C string; zero bytes in the text become blanks.
-fn c_text(text: &str) -> Result<CString, Error> {
-    let mut bytes = Vec::new();
-    bytes.try_reserve_exact(text.len() + 1)?;
-    bytes.extend(text.bytes().map(|byte| if byte == 0 { b' ' } else { byte }));
-    CString::new(bytes).map_err(|_| invalid("a text contains a zero byte"))
 }

@@ -176,7 +176,7 @@ pub unsafe extern "C" fn delotet_plc_marker_name_count(plc: *const DelotetPlc) -
 #[no_mangle]
 pub unsafe extern "C" fn delotet_plc_marker_name(plc: *const DelotetPlc, marker: i32) -> *const c_char {
     let name = |plc: &DelotetPlc| match plc.plc.names.binary_search_by_key(&marker, |name| name.marker) {
-        Ok(at) => plc.names.get(at).map_or(std::ptr::null(), |name| name.as_ptr()),
+        Ok(at) => plc.names.get(at).map_or(std::ptr::null(), |name| name.as_ptr().cast()),
         Err(_) => std::ptr::null(),
     };
     // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.

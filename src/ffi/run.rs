@@ -2,9 +2,10 @@
 use crate::ffi::error::DelotetError;
 use crate::ffi::guard::{get, guard, Out};
 use crate::ffi::mesh::DelotetMesh;
-use crate::ffi::options::{settings, DelotetOptions};
+use crate::ffi::options::{with_settings, DelotetOptions};
 use crate::ffi::plc::DelotetPlc;
 use crate::ffi::status::DelotetStatus;
+use crate::plan::tetrahedralize_with;
 use crate::query::PointData;
 
 /// Makes the mesh of a PLC.
@@ -26,8 +27,7 @@ pub unsafe extern "C" fn delotet_tetrahedralize(
         guard(out_error, || {
             let out = Out::new(out_mesh, "out_mesh")?;
             let plc = &get(plc, "plc")?.plc;
-            let (options, mut callbacks) = settings(options);
-            let mesh = crate::plan::tetrahedralize(plc, &options, &mut callbacks)?;
+            let mesh = with_settings(options, |options, control| tetrahedralize_with(plc, options, control))?;
             let data = PointData::new(plc, &mesh)?;
             out.put(DelotetMesh::new(mesh, data)?)
         })

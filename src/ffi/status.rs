@@ -35,12 +35,16 @@ pub enum DelotetStatus {
     SeedOutside = 18,
     /// The surface encloses nothing, and the convex hull was not requested.
     NothingEnclosed = 19,
-    /// The caller's callback asked to stop.
+    /// The caller asked to stop, by its callback or its token.
     Cancelled = 30,
     /// The caller's limit on Steiner points was reached.
     SteinerLimit = 31,
     /// The exact mesh exists, but some Steiner points have no valid position in doubles: elements are too close to each other.
     Rounding = 33,
+    /// The caller's limit on time was reached.
+    TimeLimit = 34,
+    /// The caller's limit on memory was reached.
+    MemoryLimit = 35,
     /// Memory ran out.
     OutOfMemory = 40,
     /// More elements than 32-bit indices can address.
@@ -200,6 +204,8 @@ impl From<Status> for DelotetStatus {
             Status::Cancelled => DelotetStatus::Cancelled,
             Status::SteinerLimit => DelotetStatus::SteinerLimit,
             Status::Rounding => DelotetStatus::Rounding,
+            Status::TimeLimit => DelotetStatus::TimeLimit,
+            Status::MemoryLimit => DelotetStatus::MemoryLimit,
             Status::OutOfMemory => DelotetStatus::OutOfMemory,
             Status::TooLarge => DelotetStatus::TooLarge,
             Status::File => DelotetStatus::File,
@@ -307,6 +313,8 @@ static STATUS_NAMES: &[(u32, &str)] = &[
     (30, "DELOTET_STATUS_CANCELLED\0"),
     (31, "DELOTET_STATUS_STEINER_LIMIT\0"),
     (33, "DELOTET_STATUS_ROUNDING\0"),
+    (34, "DELOTET_STATUS_TIME_LIMIT\0"),
+    (35, "DELOTET_STATUS_MEMORY_LIMIT\0"),
     (40, "DELOTET_STATUS_OUT_OF_MEMORY\0"),
     (41, "DELOTET_STATUS_TOO_LARGE\0"),
     (50, "DELOTET_STATUS_FILE\0"),

@@ -48,7 +48,7 @@ impl From<&Warning> for DelotetWarning {
             first,
             second_element: second_element as u32,
             second,
-            has_point: warning.point.is_some().into(),
+            has_point: u32::from(warning.point.is_some()),
             point: warning.point.unwrap_or_default(),
         }
     }

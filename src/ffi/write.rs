@@ -1,15 +1,20 @@
 //! Writing meshes: the options, with setters that validate at once, and the call itself.
+use crate::control::{controlled, Control, Limits};
 use crate::error::Error;
-use crate::ffi::error::DelotetError;
+use crate::fallible;
+use crate::ffi::error::{c_text, DelotetError};
 use crate::ffi::file::path_of;
 use crate::ffi::guard::{free, get, get_mut, guard, invalid, make, read};
+use crate::ffi::limits;
+use crate::ffi::limits::{DelotetCancelToken, Shared};
 use crate::ffi::mesh::DelotetMesh;
 use crate::ffi::options::{Callbacks, DelotetLogFn};
 use crate::ffi::plc::DelotetPlc;
 use crate::ffi::status::DelotetStatus;
 use crate::options::{MshVersion, WriteOptions};
 use libc::{c_char, c_void};
-use std::ffi::{CStr, CString};
+use std::ffi::CStr;
+use std::time::Duration;
 
 /// A version of Gmsh's format: one of the DELOTET_MSH_ constants.
 pub type DelotetMshVersion = u32;
@@ -23,8 +28,10 @@ pub const DELOTET_MSH_2_2: DelotetMshVersion = 22;
 pub struct DelotetWriteOptions {
     options: WriteOptions,
     /// The names of `options.region_names` as C strings.
-    names: Vec<CString>,
+    names: Vec<Vec<u8>>,
     callbacks: Callbacks,
+    cancel: Option<Shared>,
+    time_limit: Option<Duration>,
 }
 
 /// New options with the defaults that the setters document. The caller owns them; free them with delotet_write_options_free(). NULL only if
@@ -36,6 +43,8 @@ pub extern "C" fn delotet_write_options_new() -> *mut DelotetWriteOptions {
         options: WriteOptions::default(),
         names: Vec::new(),
         callbacks: Callbacks::NONE,
+        cancel: None,
+        time_limit: None,
     })
 }
 
@@ -166,15 +175,10 @@ impl DelotetWriteOptions {
         if text.is_empty() {
             return Ok(());
         }
-        let mut bytes = Vec::new();
-        bytes.try_reserve_exact(text.len() + 1)?;
-        bytes.extend_from_slice(text.as_bytes());
-        // No zero is within: it came as a C string.
-        let kept = CString::new(bytes).map_err(|_| invalid("region_name: the name has a zero"))?;
+        let kept = c_text(text)?;
         self.names.try_reserve(1)?;
         self.options.set_region_name(attribute, text)?;
-        self.names.push(kept);
-        Ok(())
+        Ok(fallible::push(&mut self.names, kept)?)
     }
 }
 
@@ -199,6 +203,41 @@ pub unsafe extern "C" fn delotet_write_options_set_log(
     }
 }
 
+/// Sets the token that cancels writing: nothing is left behind then. NULL, the default: none. Errors: INVALID_ARGUMENT (options is NULL).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_cancel_token(
+    options: *mut DelotetWriteOptions,
+    token: *const DelotetCancelToken,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, NULL or a valid token, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            o.cancel = Shared::new(token);
+            Ok(())
+        })
+    }
+}
+
+/// Fail with DELOTET_STATUS_TIME_LIMIT this many seconds after the beginning of a call; nothing is left behind then. 0, the default: no
+/// limit. Errors: INVALID_ARGUMENT (negative or not finite).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_time_limit(
+    options: *mut DelotetWriteOptions,
+    seconds: f64,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            o.time_limit = limits::time_limit(seconds)?;
+            Ok(())
+        })
+    }
+}
+
 /// The settings of a handle, the defaults for NULL.
 ///
 /// # Safety
@@ -211,18 +250,21 @@ unsafe fn setting<R>(options: *const DelotetWriteOptions, body: impl FnOnce(&Wri
     }
 }
 
-/// Runs `body` with the settings of a handle and its log callback; with the defaults and without a callback for NULL.
+/// Runs `body` with the settings of a handle, under its limits and with its log callback; with the defaults for NULL.
 ///
 /// # Safety
 /// `options` is null or valid.
-unsafe fn logged<R>(
+unsafe fn with_settings<R>(
     options: *const DelotetWriteOptions,
-    body: impl FnOnce(&WriteOptions, &mut Callbacks) -> R,
+    body: impl FnOnce(&WriteOptions, &Control) -> R,
 ) -> R {
     // SAFETY: the caller promises that a handle that is not null is valid.
-    let mut log = unsafe { options.as_ref() }.map_or(Callbacks::NONE, |o| o.callbacks);
-    // SAFETY: as above.
-    unsafe { setting(options, |o| body(o, &mut log)) }
+    let Some(handle) = (unsafe { options.as_ref() }) else {
+        return body(&WriteOptions::default(), &Control::free());
+    };
+    let (mut callbacks, cancel) = (handle.callbacks, handle.cancel.as_ref().map(Shared::share));
+    let limits = limits::with_token(Limits { time: handle.time_limit, ..Limits::default() }, &cancel);
+    controlled(limits, &mut callbacks, |control| body(&handle.options, control))
 }
 
 /// Whether arrays are compressed, as set by delotet_write_options_set_compress(). All getters return the default for NULL.
@@ -271,7 +313,7 @@ pub unsafe extern "C" fn delotet_write_options_region_name(
     unsafe {
         read(options, std::ptr::null(), |o| {
             let at = o.options.region_names.iter().position(|n| n.attribute == attribute);
-            at.and_then(|at| o.names.get(at)).map_or(std::ptr::null(), |name| name.as_ptr())
+            at.and_then(|at| o.names.get(at)).map_or(std::ptr::null(), |name| name.as_ptr().cast())
         })
     }
 }
@@ -292,6 +334,24 @@ pub unsafe extern "C" fn delotet_write_options_log(
     callbacks.log
 }
 
+/// The token, NULL if there is none, as set by delotet_write_options_set_cancel_token(). Borrowed from `options`: valid until they get
+/// another one or are freed.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_cancel_token(
+    options: *const DelotetWriteOptions,
+) -> *const DelotetCancelToken {
+    let none = std::ptr::null();
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { read(options, none, |o| o.cancel.as_ref().map_or(none, Shared::as_ptr)) }
+}
+
+/// The limit on time in seconds, 0 if there is none, as set by delotet_write_options_set_time_limit().
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_time_limit(options: *const DelotetWriteOptions) -> f64 {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { read(options, 0.0, |o| limits::seconds(o.time_limit)) }
+}
+
 /// Frees options. NULL is ignored. No call may be using them.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_write_options_free(options: *mut DelotetWriteOptions) {
@@ -302,7 +362,7 @@ pub unsafe extern "C" fn delotet_write_options_free(options: *mut DelotetWriteOp
 /// Writes a mesh to a file like delotet_mesh_write(), with `options` (NULL: the defaults). The log callback is told what the format cannot
 /// hold; src/doc/formats.md says what each format holds.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one without second order, or the library was built without file formats), FILE,
-/// TOO_LARGE, OUT_OF_MEMORY.
+/// TOO_LARGE, CANCELLED, TIME_LIMIT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_write_with(
@@ -317,7 +377,7 @@ pub unsafe extern "C" fn delotet_mesh_write_with(
         guard(out_error, || {
             let (mesh, plc) = (&get(mesh, "mesh")?.mesh, &get(plc, "plc")?.plc);
             let path = path_of(path)?;
-            logged(options, |o, log| super::file::write(path, mesh, plc, o, log))
+            with_settings(options, |o, control| super::file::write(path, mesh, plc, o, control))
         })
     }
 }
@@ -325,7 +385,7 @@ pub unsafe extern "C" fn delotet_mesh_write_with(
 /// Writes a PLC to a file like delotet_plc_write(), and reports values that the format cannot hold to the log callback of `options` (NULL:
 /// no callback). The other options have no effect on surface formats; the log names those that are set.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, one that cannot hold the contents of the PLC, or the library was built without
-/// file formats), NON_FINITE_POINT, FILE, OUT_OF_MEMORY.
+/// file formats), NON_FINITE_POINT, FILE, CANCELLED, TIME_LIMIT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_plc_write_with(
@@ -338,7 +398,7 @@ pub unsafe extern "C" fn delotet_plc_write_with(
     unsafe {
         guard(out_error, || {
             let (plc, path) = (&get(plc, "plc")?.plc, path_of(path)?);
-            logged(options, |o, log| super::file::write_surface(path, plc, o, log))
+            with_settings(options, |o, control| super::file::write_surface(path, plc, o, control))
         })
     }
 }

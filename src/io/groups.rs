@@ -4,6 +4,7 @@
 //! group. At the end every group gets a marker: the one that its name states (`marker_K NAME`), otherwise the lowest from 1 that no group
 //! states and no earlier one has.
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::plc::Plc;
 use rustc_hash::FxHashMap;
 
@@ -40,8 +41,7 @@ impl Groups {
         let number = i32::try_from(self.groups.len() + 1)
             .map_err(|_| Error::new(Status::TooLarge, "more groups than 32-bit markers can number"))?;
         let name = text(name)?;
-        self.groups.try_reserve(1)?;
-        self.groups.push(Group { stated, name });
+        fallible::push(&mut self.groups, Group { stated, name })?;
         Ok(number)
     }
 
@@ -55,11 +55,8 @@ impl Groups {
             return Ok(number);
         }
         let number = self.add(&name()?)?;
-        let mut kept = Vec::new();
-        kept.try_reserve_exact(key.len())?;
-        kept.extend_from_slice(key);
-        self.numbers.try_reserve(1)?;
-        self.numbers.insert(kept, number);
+        let kept = fallible::copied(key)?;
+        fallible::insert(&mut self.numbers, kept, number)?;
         Ok(number)
     }
 
@@ -71,10 +68,9 @@ impl Groups {
         self.of_key(&marker.to_le_bytes(), || {
             let mut digits = itoa::Buffer::new();
             let digits = digits.format(marker).as_bytes();
-            let mut name = Vec::new();
-            name.try_reserve_exact(7 + digits.len())?;
-            name.extend_from_slice(b"marker_");
-            name.extend_from_slice(digits);
+            let mut name = fallible::reserved(7 + digits.len())?;
+            fallible::append(&mut name, b"marker_")?;
+            fallible::append(&mut name, digits)?;
             Ok(name)
         })
     }
@@ -87,12 +83,11 @@ impl Groups {
             .for_each(|(to, x)| to.copy_from_slice(&x.to_bits().to_le_bytes()));
         self.of_key(&key[..8 * colour.len().min(4)], || {
             const DIGITS: &[u8; 16] = b"0123456789abcdef";
-            let mut name = Vec::new();
-            name.try_reserve_exact(9)?;
-            name.push(b'#');
+            let mut name = fallible::reserved(9)?;
+            fallible::push(&mut name, b'#')?;
             for x in colour.iter().take(4) {
                 let byte = x.round().clamp(0.0, 255.0) as usize;
-                name.extend_from_slice(&[DIGITS[byte >> 4], DIGITS[byte & 15]]);
+                fallible::append(&mut name, &[DIGITS[byte >> 4], DIGITS[byte & 15]])?;
             }
             Ok(name)
         })
@@ -100,13 +95,11 @@ impl Groups {
 
     /// The marker of each group number; stores the names of the markers in `plc`. `single` applies if everything is in one group.
     pub fn markers(&self, single: Single, plc: &mut Plc) -> Result<Vec<i32>, Error> {
-        let mut stated: Vec<i32> = Vec::new();
-        stated.try_reserve_exact(self.groups.len())?;
-        stated.extend(self.groups.iter().filter_map(|g| g.stated));
+        let mut stated: Vec<i32> = fallible::reserved(self.groups.len())?;
+        fallible::extend(&mut stated, self.groups.iter().filter_map(|g| g.stated))?;
         stated.sort_unstable();
-        let mut markers = Vec::new();
-        markers.try_reserve_exact(self.groups.len() + 1)?;
-        markers.push(0);
+        let mut markers = fallible::reserved(self.groups.len() + 1)?;
+        fallible::push(&mut markers, 0)?;
         let mut next = 1;
         for group in &self.groups {
             let marker = group.stated.unwrap_or_else(|| {
@@ -119,7 +112,7 @@ impl Groups {
                 next += 1;
                 next - 1
             });
-            markers.push(marker);
+            fallible::push(&mut markers, marker)?;
             let named = group.stated.is_some() || single != Single::Nothing;
             if named && plc.marker_name(marker).is_none() {
                 plc.set_marker_name(marker, &group.name)?;
@@ -142,10 +135,9 @@ fn text(bytes: &[u8]) -> Result<String, Error> {
     let mut text = String::new();
     text.try_reserve_exact(bytes.len())?;
     for chunk in bytes.utf8_chunks() {
-        text.try_reserve(chunk.valid().len() + 3)?;
-        text.push_str(chunk.valid());
+        fallible::append_text(&mut text, chunk.valid())?;
         if !chunk.invalid().is_empty() {
-            text.push(char::REPLACEMENT_CHARACTER);
+            fallible::append_text(&mut text, "\u{fffd}")?;
         }
     }
     Ok(text)

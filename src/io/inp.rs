@@ -33,6 +33,7 @@ impl fmt::Write for Field {
 }
 
 /// A finite number in the fewest digits that read back bit for bit, if these fit a field, else as many as fit.
+#[expect(clippy::disallowed_methods, reason = "the text is on the stack")]
 fn field(value: f64) -> Field {
     let mut field = Field { text: [0; 40], length: 0 };
     let mut buffer = zmij::Buffer::new();
@@ -113,12 +114,13 @@ fn label(group: &Group, prefix: &str) -> Result<String, Error> {
         });
     };
     let mut label = String::new();
-    label.try_reserve_exact(LONGEST + 2)?;
     if !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        label.push_str("G_");
+        fallible::append_text(&mut label, "G_")?;
     }
     let allowed = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
-    name.chars().take(LONGEST).for_each(|c| label.push(allowed(c)));
+    for c in name.chars().take(LONGEST) {
+        fallible::append_text(&mut label, allowed(c).encode_utf8(&mut [0; 4]))?;
+    }
     Ok(label)
 }
 
@@ -185,12 +187,9 @@ fn node_set(
     group: &Group,
     nodes_of: impl Fn(u32) -> super::model::Nodes,
 ) -> io::Result<()> {
-    let room = |_| io::Error::from(io::ErrorKind::OutOfMemory);
     let mut nodes: Vec<u32> = Vec::new();
     for &element in &group.elements {
-        let more = nodes_of(element);
-        nodes.try_reserve(more.len()).map_err(room)?;
-        nodes.extend_from_slice(&more);
+        fallible::append(&mut nodes, &nodes_of(element))?;
     }
     nodes.sort_unstable();
     nodes.dedup();

@@ -6,6 +6,7 @@
 //!
 //! Points keep their order. OFF and TetGen's formats keep equal points as they are (the engine maps them); STL, OBJ and PLY
 //! are read with equal points joined, since these formats (or most writers of them) repeat a point per triangle or patch.
+use crate::control::Control;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::output::{Subface, TetMesh};
@@ -13,6 +14,8 @@ use crate::plc::Plc;
 use crate::warning::Warnings;
 use crate::INVALID;
 use rustc_hash::FxHashMap;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 mod groups;
@@ -42,7 +45,7 @@ mod write_tetgen;
 
 pub use crate::options::{MshVersion, RegionName, WriteOptions};
 pub use quality::dihedral_range;
-pub use write_mesh::{subfaces_path, write, UnusedOption};
+pub use write_mesh::{subfaces_path, write, write_with, UnusedOption};
 
 /// A file format, known by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -156,9 +159,17 @@ impl Format {
 /// [`Status::IndexOutOfRange`]: an element refers to a point that does not exist. [`Status::Unsupported`]: a format that is
 /// no surface format, or a variant that is not read. [`Status::TooLarge`], [`Status::OutOfMemory`].
 pub fn read(path: &Path) -> Result<Plc, Error> {
+    read_with(path, &Control::free())
+}
+
+/// The same as a part of a run.
+///
+/// # Errors
+/// As [`read`]; those of [`Control::step`].
+pub fn read_with(path: &Path, control: &Control) -> Result<Plc, Error> {
     let format = Format::of(path)?;
-    let bytes = bytes_of(path)?;
-    read_with(&bytes, format, || bytes_of(&output_files::with_extension(path, "node")?))
+    let bytes = bytes_of(path, control)?;
+    parse(&bytes, format, || bytes_of(&output_files::with_extension(path, "node")?, control), control)
         .map_err(|e| at(path, e))
 }
 
@@ -176,7 +187,9 @@ pub fn sources(path: &Path) -> Result<Vec<PathBuf>, Error> {
         return Ok(list);
     }
     let beside = match std::fs::metadata(path) {
-        Ok(metadata) if metadata.is_file() => bytes_of(path).is_ok_and(|bytes| tetgen::lacks_points(&bytes)),
+        Ok(metadata) if metadata.is_file() => {
+            bytes_of(path, &Control::free()).is_ok_and(|bytes| tetgen::lacks_points(&bytes))
+        }
         _ => true,
     };
     if beside {
@@ -190,30 +203,34 @@ pub fn sources(path: &Path) -> Result<Vec<PathBuf>, Error> {
 /// # Errors
 /// As [`read`]; a `.poly` or `.smesh` must contain its points.
 pub fn read_bytes(bytes: &[u8], format: Format) -> Result<Plc, Error> {
-    read_with(bytes, format, || Err(Error::new(Status::Format, "the file contains no points")))
+    let no_points = || Err(Error::new(Status::Format, "the file contains no points"));
+    parse(bytes, format, no_points, &Control::free())
 }
 
-fn read_with(
+fn parse(
     bytes: &[u8],
     format: Format,
     nodes: impl FnOnce() -> Result<Vec<u8>, Error>,
+    control: &Control,
 ) -> Result<Plc, Error> {
     if bytes.is_empty() {
         return Err(Error::new(Status::Format, "the file is empty"));
     }
     let outcome = match format {
-        Format::Off => off::read(bytes),
-        Format::Stl => stl::read(bytes),
-        Format::Obj => obj::read(bytes),
-        Format::Ply => ply::read(bytes),
-        Format::Poly => tetgen::read_plc(bytes, false, nodes),
-        Format::Smesh => tetgen::read_plc(bytes, true, nodes),
-        Format::Node => tetgen::read_node(bytes),
+        Format::Off => off::read(bytes, control),
+        Format::Stl => stl::read(bytes, control),
+        Format::Obj => obj::read(bytes, control),
+        Format::Ply => ply::read(bytes, control),
+        Format::Poly => tetgen::read_plc(bytes, false, nodes, control),
+        Format::Smesh => tetgen::read_plc(bytes, true, nodes, control),
+        Format::Node => tetgen::read_node(bytes, control),
         _ => {
             let message = "a mesh format, where a surface or points were expected";
             return Err(Error::new(Status::Unsupported, message));
         }
     };
+    // A reader that was ended sees a file that ends.
+    control.look()?;
     match outcome {
         Ok(mut plc) if !plc.points.is_empty() => {
             if matches!(format, Format::Off | Format::Poly | Format::Smesh) {
@@ -230,9 +247,21 @@ fn read_with(
     }
 }
 
-fn bytes_of(path: &Path) -> Result<Vec<u8>, Error> {
+fn bytes_of(path: &Path, control: &Control) -> Result<Vec<u8>, Error> {
+    /// Read at once: some milliseconds' work.
+    const PART: u64 = 1 << 22;
     refuse_endless(path)?;
-    std::fs::read(path).map_err(|e| output_files::file_error(path, "read", &e))
+    let failed = |e| output_files::file_error(path, "read", &e);
+    let file = File::open(path).map_err(failed)?;
+    let size = file.metadata().map_or(0, |metadata| metadata.len() as usize);
+    control.room(size)?;
+    let mut bytes = Vec::new();
+    // One byte more, so that the end is noticed without growing.
+    bytes.try_reserve_exact(size.saturating_add(1))?;
+    while (&file).take(PART).read_to_end(&mut bytes).map_err(failed)? > 0 {
+        control.look()?;
+    }
+    Ok(bytes)
 }
 
 /// Folders cannot be read, and devices may never end.
@@ -282,7 +311,15 @@ fn at(path: &Path, error: Error) -> Error {
 /// [`Status::Unsupported`]: no surface format, or the PLC has what the format cannot express (the message says what).
 /// [`Status::NonFinitePoint`]: a coordinate is not finite. [`Status::File`]: cannot be written; then nothing is left behind.
 pub fn write_surface(path: &Path, plc: &Plc) -> Result<Warnings, Error> {
-    let mut files = output_files::OutputFiles::default();
+    write_surface_with(path, plc, &Control::free())
+}
+
+/// The same as a part of a run.
+///
+/// # Errors
+/// As [`write_surface`]; those of [`Control::step`].
+pub fn write_surface_with(path: &Path, plc: &Plc, control: &Control) -> Result<Warnings, Error> {
+    let mut files = output_files::OutputFiles::new(control);
     write_surface::write(&mut files, path, plc)?;
     let lost = write_surface::lost(Format::of(path)?, plc)?;
     files.commit()?;
@@ -294,7 +331,8 @@ pub fn write_surface(path: &Path, plc: &Plc) -> Result<Warnings, Error> {
 /// # Errors
 /// [`Status::File`]: cannot be written; then nothing is left behind.
 pub fn write_text(path: &Path, text: &str) -> Result<(), Error> {
-    let mut files = output_files::OutputFiles::default();
+    let control = Control::free();
+    let mut files = output_files::OutputFiles::new(&control);
     files.write(path, |out| out.put(text))?;
     files.commit()
 }
@@ -350,22 +388,21 @@ pub fn mesh_sources(path: &Path) -> Result<Vec<PathBuf>, Error> {
 /// As [`read`].
 pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
     let MeshFiles { node, ele, face, parents } = MeshFiles::of(path)?;
+    let control = &Control::free();
+    let (node, elements) = (bytes_of(&node, control)?, bytes_of(&ele, control)?);
     let tetgen::Tets { nodes, middles, tets, attributes } =
-        tetgen::read_tets(&bytes_of(&node)?, &bytes_of(&ele)?).map_err(|e| at(&ele, e))?;
+        tetgen::read_tets(&node, &elements, control).map_err(|e| at(&ele, e))?;
+    drop((node, elements));
     let mut mesh = TetMesh { tets, ..TetMesh::default() };
     if face.exists() {
-        let faces = tetgen::read_faces(&bytes_of(&face)?, &nodes, middles).map_err(|e| at(&face, e))?;
-        mesh.subfaces.try_reserve_exact(faces.len())?;
-        mesh.subfaces.extend(faces.into_iter().map(|(corners, marker)| Subface {
-            corners,
-            facet: INVALID,
-            marker,
-            tets: [INVALID; 2],
-        }));
+        let faces = tetgen::read_faces(&bytes_of(&face, control)?, &nodes, middles, control)
+            .map_err(|e| at(&face, e))?;
+        let subface = |(corners, marker)| Subface { corners, facet: INVALID, marker, tets: [INVALID; 2] };
+        mesh.subfaces = fallible::collect(faces.into_iter().map(subface))?;
     }
     mesh.points = nodes.points;
     if parents.exists() {
-        parents::read(&bytes_of(&parents)?, &mut mesh).map_err(|e| at(&parents, e))?;
+        parents::read(&bytes_of(&parents, control)?, &mut mesh, control).map_err(|e| at(&parents, e))?;
     }
     // Looked up only, never iterated.
     let mut known_regions = FxHashMap::default();
@@ -373,13 +410,12 @@ pub fn read_mesh(path: &Path) -> Result<TetMesh, Error> {
     for tet in 0..mesh.tets.len() {
         let attribute = attributes.get(tet).copied().unwrap_or(0.0);
         let next = mesh.regions.len() as u32;
-        known_regions.try_reserve(1)?;
-        let region = *known_regions.entry(attribute.to_bits()).or_insert(next);
+        let region = *fallible::entry(&mut known_regions, attribute.to_bits())?.or_insert(next);
         if region == next {
             let region = crate::output::Region { attribute, seed: INVALID, max_volume: None };
             fallible::push(&mut mesh.regions, region)?;
         }
-        mesh.tet_region.push(region);
+        fallible::push(&mut mesh.tet_region, region)?;
     }
     Ok(mesh)
 }

@@ -4,6 +4,7 @@
 //! One volume per region, one surface per facet marker, one curve per segment marker, each a physical group with tag and name of
 //! its own (see `tags`). Every entity is in a group, since readers require all or none. Version 2.2 numbers elementary entities by their
 //! place among those of their dimension, as 4.1 does.
+use crate::fallible;
 use crate::io::model::{Model, Nodes};
 use crate::io::output_files::Out;
 use crate::io::tags::{Group, Groups};
@@ -74,9 +75,8 @@ fn all_groups<'a>(dimensions: &[Dimension<'a>; 3]) -> impl Iterator<Item = &'a G
 /// The names of physical groups, by dimension and tag. Groups with the same tag (regions with the same attribute) are one.
 fn write_names(out: &mut Out, dimensions: &[Dimension<'_>; 3]) -> io::Result<()> {
     let mut names: Vec<(usize, i32, &str)> = Vec::new();
-    names.try_reserve_exact(all_groups(dimensions).count()).map_err(|_| io::ErrorKind::OutOfMemory)?;
     for d in dimensions {
-        names.extend(d.groups.iter().map(|g| (d.dimension, g.tag, g.name())));
+        fallible::extend(&mut names, d.groups.iter().map(|g| (d.dimension, g.tag, g.name())))?;
     }
     names.sort_unstable();
     names.dedup_by_key(|n| (n.0, n.1));

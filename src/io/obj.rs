@@ -4,7 +4,9 @@
 //! Faces and lines without group and material have marker 0. Each new pair of group and material gets the next number from 1 and its name;
 //! a group `marker_K NAME` has marker K, whatever its material. Texture coordinates, normals and display attributes are skipped, free-form
 //! curves and surfaces refused. Equal points are joined.
+use crate::control::Control;
 use crate::error::{Element, Error, Status};
+use crate::fallible;
 use crate::io::groups;
 use crate::io::groups::{Groups, Single};
 use crate::io::surface::{no_such_point, out_of_range, Surface};
@@ -12,18 +14,11 @@ use crate::io::text::{bad, int, shown, Line, Lines};
 use crate::plc::{Plc, Segment};
 use std::borrow::Cow;
 
-fn owned(bytes: &[u8]) -> Result<Vec<u8>, Error> {
-    let mut copy = Vec::new();
-    copy.try_reserve_exact(bytes.len())?;
-    copy.extend_from_slice(bytes);
-    Ok(copy)
-}
-
 /// Reads a file.
-pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
+pub(super) fn read(bytes: &[u8], control: &Control) -> Result<Plc, Error> {
     let text = join_continued_lines(bytes)?;
-    let mut lines = Lines::new(&text);
-    let mut reader = Reader::default();
+    let mut lines = Lines::new(&text, control);
+    let mut reader = Reader::new(control);
     while let Some(mut line) = lines.next_line() {
         reader.line(&mut line)?;
     }
@@ -36,9 +31,7 @@ fn join_continued_lines(bytes: &[u8]) -> Result<Cow<'_, [u8]>, Error> {
     if !bytes.contains(&b'\\') {
         return Ok(Cow::Borrowed(bytes));
     }
-    let mut text = Vec::new();
-    text.try_reserve_exact(bytes.len())?;
-    text.extend_from_slice(bytes);
+    let mut text = fallible::copied(bytes)?;
     for i in 0..text.len() {
         if text[i] != b'\\' {
             continue;
@@ -51,9 +44,8 @@ fn join_continued_lines(bytes: &[u8]) -> Result<Cow<'_, [u8]>, Error> {
     Ok(Cow::Owned(text))
 }
 
-#[derive(Default)]
-struct Reader {
-    surface: Surface,
+struct Reader<'a> {
+    surface: Surface<'a>,
     group: Vec<u8>,
     material: Vec<u8>,
     groups: Groups,
@@ -64,7 +56,19 @@ struct Reader {
     largest: Option<(i64, Element, usize)>,
 }
 
-impl Reader {
+impl<'a> Reader<'a> {
+    fn new(control: &'a Control<'a>) -> Self {
+        Reader {
+            surface: Surface::new(control),
+            group: Vec::new(),
+            material: Vec::new(),
+            groups: Groups::default(),
+            current: 0,
+            facets: 0,
+            largest: None,
+        }
+    }
+
     fn line(&mut self, line: &mut Line<'_>) -> Result<(), Error> {
         match line.token().unwrap_or_default() {
             b"v" => {
@@ -74,11 +78,11 @@ impl Reader {
             b"f" | b"fo" => self.face(line),
             b"l" => self.polyline(line),
             b"g" | b"o" => {
-                self.group = owned(line.rest().trim_ascii())?;
+                self.group = fallible::copied(line.rest().trim_ascii())?;
                 self.enter_group()
             }
             b"usemtl" => {
-                self.material = owned(line.rest().trim_ascii())?;
+                self.material = fallible::copied(line.rest().trim_ascii())?;
                 self.enter_group()
             }
             b"vt" | b"vn" | b"vp" | b"p" | b"s" | b"mtllib" | b"mg" | b"bevel" | b"c_interp"
@@ -106,18 +110,16 @@ impl Reader {
         let stated = groups::stated_marker(&self.group).is_some();
         let material = if stated { &[][..] } else { &self.material };
         // A line feed is in no name.
-        let mut key = owned(&self.group)?;
-        key.try_reserve_exact(material.len() + 1)?;
-        key.push(b'\n');
-        key.extend_from_slice(material);
+        let mut key = fallible::copied(&self.group)?;
+        fallible::push(&mut key, b'\n')?;
+        fallible::append(&mut key, material)?;
         let group = &self.group;
         self.current = self.groups.of_key(&key, || {
-            let mut name = owned(group)?;
-            name.try_reserve_exact(material.len() + 1)?;
+            let mut name = fallible::copied(group)?;
             if !group.is_empty() && !material.is_empty() {
-                name.push(b'/');
+                fallible::push(&mut name, b'/')?;
             }
-            name.extend_from_slice(material);
+            fallible::append(&mut name, material)?;
             Ok(name)
         })?;
         Ok(())
@@ -170,8 +172,7 @@ impl Reader {
             let index = self.index(token, element, line.number())?;
             if let Some(last) = last {
                 let ends = [last, index].map(|i| u32::try_from(i).unwrap_or(u32::MAX));
-                self.surface.segments.try_reserve(1)?;
-                self.surface.segments.push(Segment { ends, marker: self.current });
+                fallible::push(&mut self.surface.segments, Segment { ends, marker: self.current })?;
             }
             last = Some(index);
             count += 1;

@@ -4,6 +4,7 @@
 //! skipped. What follows the corners of a face is its colour: a single integer is an index into a colour map and becomes the marker;
 //! colours of three or four numbers are numbered as groups, if there is more than one; anything else is skipped. Homogeneous (`4OFF`),
 //! n-dimensional (`nOFF`) and binary files are refused.
+use crate::control::Control;
 use crate::error::{Error, Status};
 use crate::io::groups::{Groups, Single};
 use crate::io::surface::{no_such_point, Surface};
@@ -11,8 +12,8 @@ use crate::io::text::{bad, float, int, shown, Line, Lines};
 use crate::plc::Plc;
 
 /// Reads a file. Points stay as they are, equal ones included.
-pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
-    let mut lines = Lines::new(bytes);
+pub(super) fn read(bytes: &[u8], control: &Control) -> Result<Plc, Error> {
+    let mut lines = Lines::new(bytes, control);
     let mut line = lines.expect("the header 'OFF'")?;
     let magic = line.token().unwrap_or_default();
     check_magic(magic, line.number())?;
@@ -26,7 +27,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
     let vertex_count = line.count("the number of vertices", 6, available)?;
     let face_count = line.count("the number of faces", 4, available)?;
     let mut groups = Groups::default();
-    let mut surface = Surface::default();
+    let mut surface = Surface::new(control);
     surface.reserve(vertex_count, face_count, 3 * face_count)?;
     for _ in 0..vertex_count {
         let point = lines.expect("a vertex")?.point()?;

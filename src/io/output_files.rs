@@ -1,5 +1,7 @@
 //! Output that is written completely or not at all: files get temporary names next to their targets and are renamed when all are complete.
+use crate::control::Control;
 use crate::error::{Error, Status};
+use crate::fallible;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -27,18 +29,25 @@ impl std::fmt::Display for Reason<'_> {
 }
 
 /// The files of one output. Dropped before [`OutputFiles::commit`], it removes what was written.
-#[derive(Default)]
-pub(super) struct OutputFiles {
+pub(super) struct OutputFiles<'a> {
+    control: &'a Control<'a>,
     /// Temporary and final name.
     renames: Vec<(PathBuf, PathBuf)>,
 }
 
-impl OutputFiles {
+impl<'a> OutputFiles<'a> {
+    /// No files.
+    pub fn new(control: &'a Control<'a>) -> Self {
+        OutputFiles { control, renames: Vec::new() }
+    }
+
     /// Writes one file by `fill`.
     pub fn write(&mut self, path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Error> {
         let file = self.create(path).map_err(|e| file_error(path, "create", &e))?;
-        let mut out = Out { inner: Buffered::new(file)?, refused: None };
+        let mut out = Out { inner: Buffered::new(file, self.control)?, refused: None };
         let written = fill(&mut out).and_then(|()| out.inner.flush());
+        // Ended within the file, if it was.
+        self.control.look()?;
         written.map_err(|e| match out.refused {
             Some(reason) => {
                 Error::new(Status::File, format_args!("{}: cannot write: {reason}", path.display()))
@@ -67,6 +76,7 @@ impl OutputFiles {
         let target = if linked { fs::canonicalize(path).ok() } else { None };
         let path = target.as_deref().unwrap_or(path);
         let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+        // First, since a file that was made must not be forgotten.
         self.renames.try_reserve(1)?;
         for attempt in 0..100 {
             // Longer than the two numbers and what is between them.
@@ -84,7 +94,7 @@ impl OutputFiles {
                 Err(error) => return Err(error),
                 Ok(file) => {
                     match copied(path, 0) {
-                        Ok(path) => self.renames.push((temporary, path)),
+                        Ok(path) => fallible::push(&mut self.renames, (temporary, path))?,
                         Err(error) => {
                             let _ = fs::remove_file(temporary);
                             return Err(error);
@@ -94,11 +104,11 @@ impl OutputFiles {
                 }
             }
         }
-        Err(io::ErrorKind::AlreadyExists.into())
+        Err(io::Error::from(io::ErrorKind::AlreadyExists))
     }
 }
 
-impl Drop for OutputFiles {
+impl Drop for OutputFiles<'_> {
     fn drop(&mut self) {
         for (temporary, _) in &self.renames {
             let _ = fs::remove_file(temporary);
@@ -131,35 +141,35 @@ pub(super) fn with_suffix(path: &Path, suffixes: &[&str]) -> Result<PathBuf, Err
 
 /// Collects what is written and passes it on in large pieces. (The standard library's `BufWriter` aborts the process if its buffer
 /// cannot be allocated.)
-struct Buffered {
+struct Buffered<'a> {
     file: File,
     /// Never longer than its capacity.
     waiting: Vec<u8>,
+    control: &'a Control<'a>,
 }
 
-impl Buffered {
+impl<'a> Buffered<'a> {
     /// Bytes that are collected.
     const SIZE: usize = 1 << 18;
 
-    fn new(file: File) -> Result<Buffered, Error> {
-        let mut waiting = Vec::new();
-        waiting.try_reserve_exact(Buffered::SIZE)?;
-        Ok(Buffered { file, waiting })
+    fn new(file: File, control: &'a Control<'a>) -> Result<Self, Error> {
+        Ok(Buffered { file, waiting: fallible::reserved(Self::SIZE)?, control })
     }
 
     /// Writes what has no room in the buffer any more.
     #[cold]
     fn write_beyond(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.flush()?;
+        ended(self.control)?;
         if bytes.len() > self.waiting.capacity() {
             return self.file.write_all(bytes);
         }
-        self.waiting.extend_from_slice(bytes);
+        fallible::append(&mut self.waiting, bytes)?;
         Ok(())
     }
 }
 
-impl Write for Buffered {
+impl Write for Buffered<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.write_all(bytes)?;
         Ok(bytes.len())
@@ -170,7 +180,7 @@ impl Write for Buffered {
         if bytes.len() > self.waiting.capacity() - self.waiting.len() {
             return self.write_beyond(bytes);
         }
-        self.waiting.extend_from_slice(bytes);
+        fallible::append(&mut self.waiting, bytes)?;
         Ok(())
     }
 
@@ -181,14 +191,24 @@ impl Write for Buffered {
     }
 }
 
+/// Stops writing where the run is ended; [`OutputFiles::write`] has the reason.
+pub(super) fn ended(control: &Control) -> io::Result<()> {
+    control.look().map_err(|_| io::Error::from(io::ErrorKind::Interrupted))
+}
+
 /// A buffered writer with fast numbers: doubles in the fewest digits that read back bit for bit.
-pub(super) struct Out {
-    inner: Buffered,
+pub(super) struct Out<'a> {
+    inner: Buffered<'a>,
     /// The reason why something cannot be written, if it is not a file system error.
     refused: Option<&'static str>,
 }
 
-impl Out {
+impl<'a> Out<'a> {
+    /// What may end the run.
+    pub fn control(&self) -> &'a Control<'a> {
+        self.inner.control
+    }
+
     /// Text or bytes as they are.
     pub fn put(&mut self, bytes: impl AsRef<[u8]>) -> io::Result<()> {
         self.inner.write_all(bytes.as_ref())
@@ -203,7 +223,7 @@ impl Out {
     pub fn float(&mut self, value: f64) -> io::Result<()> {
         if !value.is_finite() {
             self.refused = Some("a number is not finite");
-            return Err(io::ErrorKind::InvalidInput.into());
+            return Err(io::Error::from(io::ErrorKind::InvalidInput));
         }
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format_finite(value);

@@ -11,7 +11,9 @@
 //! pieces then use the input's indices. At the end of the file come the number of old points and a line for each with its new index or -1,
 //! then the number of Steiner points left out, and for each a line with its coordinates and one as above.
 //! Doubles read back bit for bit.
+use crate::control::Control;
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::io::output_files::Out;
 use crate::io::text::{bad, float, Line, Lines};
 use crate::output::{Dropped, FacetFlip, Guarantee, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
@@ -115,8 +117,8 @@ fn or_none(index: u32) -> i64 {
 }
 
 /// Reads the file into a mesh that has its points and faces already.
-pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
-    let mut lines = Lines::new(bytes);
+pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh, control: &Control) -> Result<(), Error> {
+    let mut lines = Lines::new(bytes, control);
     let mut line = lines.expect("the numbers of Steiner points, faces and flips")?;
     let available = lines.remaining().len();
     let steiner = line.count("the number of Steiner points", 8, available)?;
@@ -155,11 +157,11 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
     for _ in 0..flips {
         let mut line = lines.expect("a flip")?;
         let mut pair = || -> Result<[u32; 2], Error> { Ok([index(&mut line)?, index(&mut line)?]) };
-        mesh.facet_flips.push(FacetFlip { old: pair()?, new: pair()?, facets: pair()? });
+        fallible::push(&mut mesh.facet_flips, FacetFlip { old: pair()?, new: pair()?, facets: pair()? })?;
     }
     mesh.replaced.try_reserve_exact(replaced)?;
     for _ in 0..replaced {
-        mesh.replaced.push(index(&mut lines.expect("a replaced tetrahedron")?)?);
+        fallible::push(&mut mesh.replaced, index(&mut lines.expect("a replaced tetrahedron")?)?)?;
     }
     mesh.unmeshed_subfaces.try_reserve_exact(unmeshed_faces)?;
     for _ in 0..unmeshed_faces {
@@ -167,14 +169,17 @@ pub(super) fn read(bytes: &[u8], mesh: &mut TetMesh) -> Result<(), Error> {
         let corners = [index(&mut line)?, index(&mut line)?, index(&mut line)?];
         let facet = index(&mut line)?;
         let marker = marker(&mut line)?;
-        mesh.unmeshed_subfaces.push(Subface { corners, facet, marker, tets: [INVALID; 2] });
+        fallible::push(&mut mesh.unmeshed_subfaces, Subface { corners, facet, marker, tets: [INVALID; 2] })?;
     }
     mesh.unmeshed_subsegments.try_reserve_exact(unmeshed_edges)?;
     for _ in 0..unmeshed_edges {
         let mut line = lines.expect("an edge that is not meshed")?;
         let ends = [index(&mut line)?, index(&mut line)?];
         let segment = index(&mut line)?;
-        mesh.unmeshed_subsegments.push(Subsegment { ends, segment, marker: marker(&mut line)? });
+        fallible::push(
+            &mut mesh.unmeshed_subsegments,
+            Subsegment { ends, segment, marker: marker(&mut line)? },
+        )?;
     }
     if let Some(inputs) = inputs {
         let mut dropped = read_dropped(&mut lines, inputs)?;
@@ -195,7 +200,7 @@ fn read_dropped(lines: &mut Lines<'_>, inputs: i64) -> Result<Dropped, Error> {
     let mut dropped = Dropped { input_point_count, ..Dropped::default() };
     dropped.new_index.try_reserve_exact(count)?;
     for _ in 0..count {
-        dropped.new_index.push(index(&mut lines.expect("the number of a point")?)?);
+        fallible::push(&mut dropped.new_index, index(&mut lines.expect("the number of a point")?)?)?;
     }
     let mut line = lines.expect("the number of Steiner points left out")?;
     let count = line.count("the number of Steiner points left out", 8, lines.remaining().len())?;
@@ -204,7 +209,7 @@ fn read_dropped(lines: &mut Lines<'_>, inputs: i64) -> Result<Dropped, Error> {
     for _ in 0..count {
         let mut line = lines.expect("the place of a Steiner point")?;
         let mut x = || line.float("a coordinate");
-        dropped.points.push([x()?, x()?, x()?]);
+        fallible::push(&mut dropped.points, [x()?, x()?, x()?])?;
         read_steiner_point(lines, &mut dropped.steiner, &mut dropped.steiner_terms)?;
     }
     Ok(dropped)
@@ -221,11 +226,10 @@ fn read_steiner_point(
     // Points inside lie at their doubles.
     let exact = ends == [INVALID; 2];
     let steiner = points.len() as u32;
-    points.push(SteinerPoint { ends, t: line.float("a parameter")?, segment, exact });
+    fallible::push(points, SteinerPoint { ends, t: line.float("a parameter")?, segment, exact })?;
     while let Some(token) = line.token() {
         let value = float(token).ok_or_else(|| bad(line.number(), "a term is no number"))?;
-        terms.try_reserve(1)?;
-        terms.push(SteinerTerm { steiner, value });
+        fallible::push(terms, SteinerTerm { steiner, value })?;
     }
     Ok(())
 }

@@ -4,6 +4,7 @@
 //! otherwise `material_index`, otherwise the colour `red`, `green`, `blue`, which numbers groups if there is more than one) and `edge`
 //! (`vertex1`, `vertex2`: segments). Everything else is skipped. A comment
 //! `marker K NAME` names a marker. Equal points are joined.
+use crate::control::Control;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::io::groups;
@@ -115,15 +116,15 @@ impl Element {
 }
 
 /// Reads a file.
-pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
-    let mut lines = Lines::new(bytes);
+pub(super) fn read(bytes: &[u8], control: &Control) -> Result<Plc, Error> {
+    let mut lines = Lines::new(bytes, control);
     let Header { encoding, elements, names } = header(&mut lines)?;
     let mut groups = Groups::default();
     let mut values = Values { encoding, line: None, lines, binary: &[] };
     if encoding != Encoding::Text {
         values.binary = values.lines.remaining();
     }
-    let mut surface = Surface::default();
+    let mut surface = Surface::new(control);
     for element in &elements {
         reserve(&mut surface, element)?;
         for _ in 0..element.count {
@@ -432,8 +433,7 @@ fn item(
         Kind::Vertex => surface.point(point)?,
         Kind::Face => surface.end_polygon(group)?,
         Kind::Edge => {
-            surface.segments.try_reserve(1)?;
-            surface.segments.push(Segment { ends, marker: group });
+            fallible::push(&mut surface.segments, Segment { ends, marker: group })?;
         }
         Kind::Other => {}
     }

@@ -2,7 +2,9 @@
 //!
 //! A file is binary if its length is 84 + 50 n, with n the count at byte 80: text never satisfies this, and there are binary files that
 //! begin with "solid". Equal points are joined, since the format has no other way to express that triangles meet.
+use crate::control::Control;
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::io::groups::{Groups, Single};
 use crate::io::surface::Surface;
 use crate::io::text::{bad, float, shown, Lines};
@@ -11,13 +13,13 @@ use crate::plc::Plc;
 /// Reads a file of either kind. The triangles of the k-th solid of several have marker k, from 1, and the solid's name names
 /// it; a solid `marker_K NAME` has marker K. In a binary file the two attribute bytes of a triangle (colours, in most files that use them)
 /// number groups, if they differ.
-pub(super) fn read(bytes: &[u8]) -> Result<Plc, Error> {
+pub(super) fn read(bytes: &[u8], control: &Control) -> Result<Plc, Error> {
     if let Some(count) = binary_count(bytes) {
-        return read_binary(bytes, count);
+        return read_binary(bytes, count, control);
     }
     let start = bytes.iter().position(|&b| b > b' ').unwrap_or(bytes.len());
     if bytes[start..].len() >= 5 && bytes[start..start + 5].eq_ignore_ascii_case(b"solid") {
-        return read_text(bytes);
+        return read_text(bytes, control);
     }
     let error = |message: std::fmt::Arguments| Err(Error::new(Status::Format, message));
     match bytes.get(80..84).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes) {
@@ -36,12 +38,12 @@ fn binary_count(bytes: &[u8]) -> Option<usize> {
     (84 + 50 * u64::from(count) == bytes.len() as u64).then_some(count as usize)
 }
 
-fn read_binary(bytes: &[u8], count: usize) -> Result<Plc, Error> {
+fn read_binary(bytes: &[u8], count: usize, control: &Control) -> Result<Plc, Error> {
     if count == 0 {
         return Err(Error::new(Status::Format, "the file has no triangles"));
     }
     let mut groups = Groups::default();
-    let mut surface = Surface::default();
+    let mut surface = Surface::new(control);
     surface.reserve(3 * count, count, 3 * count)?;
     for triangle in bytes[84..].chunks_exact(50) {
         for corner in triangle[12..48].chunks_exact(12) {
@@ -60,11 +62,10 @@ fn read_binary(bytes: &[u8], count: usize) -> Result<Plc, Error> {
 /// The name of the group of an attribute.
 fn attribute_name(low: u8, high: u8) -> Result<Vec<u8>, Error> {
     const DIGITS: &[u8; 16] = b"0123456789abcdef";
-    let mut name = Vec::new();
-    name.try_reserve_exact(16)?;
-    name.extend_from_slice(b"attribute 0x");
+    let mut name = fallible::reserved(16)?;
+    fallible::append(&mut name, b"attribute 0x")?;
     for byte in [high, low] {
-        name.extend_from_slice(&[DIGITS[usize::from(byte >> 4)], DIGITS[usize::from(byte & 15)]]);
+        fallible::append(&mut name, &[DIGITS[usize::from(byte >> 4)], DIGITS[usize::from(byte & 15)]])?;
     }
     Ok(name)
 }
@@ -108,9 +109,9 @@ impl<'a> Words<'a> {
     }
 }
 
-fn read_text(bytes: &[u8]) -> Result<Plc, Error> {
-    let mut words = Words { lines: Lines::new(bytes), line: None };
-    let mut surface = Surface::default();
+fn read_text(bytes: &[u8], control: &Control) -> Result<Plc, Error> {
+    let mut words = Words { lines: Lines::new(bytes, control), line: None };
+    let mut surface = Surface::new(control);
     let mut groups = Groups::default();
     let mut triangles = 0u64;
     while let Some(word) = words.next() {

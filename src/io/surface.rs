@@ -1,12 +1,13 @@
 //! What the surface readers fill: points, polygons in file order, and the joining of equal points.
+use crate::control::Control;
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::fallible;
 use crate::io::groups::{Groups, Single};
 use crate::plc::{Facet, Interior, Plc, Segment};
 
 /// Points, polygons with markers, and segments, in file order.
-#[derive(Default)]
-pub(super) struct Surface {
+pub(super) struct Surface<'a> {
+    control: &'a Control<'a>,
     /// The points.
     pub points: Vec<[f64; 3]>,
     /// Segments.
@@ -16,7 +17,19 @@ pub(super) struct Surface {
     markers: Vec<i32>,
 }
 
-impl Surface {
+impl<'a> Surface<'a> {
+    /// Without elements.
+    pub fn new(control: &'a Control<'a>) -> Self {
+        Surface {
+            control,
+            points: Vec::new(),
+            segments: Vec::new(),
+            corners: Vec::new(),
+            ends: Vec::new(),
+            markers: Vec::new(),
+        }
+    }
+
     /// Room for what the header announces.
     pub fn reserve(&mut self, points: usize, polygons: usize, corners: usize) -> Result<(), Error> {
         self.points.try_reserve_exact(points)?;
@@ -31,11 +44,8 @@ impl Surface {
         if self.points.len() >= u32::MAX as usize - 1 {
             return Err(Error::new(Status::TooLarge, "more points than 32-bit indices can address"));
         }
-        if self.points.len() == self.points.capacity() {
-            self.points.try_reserve(1)?;
-        }
-        self.points.push(point);
-        Ok(())
+        fallible::push(&mut self.points, point)?;
+        self.control.step()
     }
 
     /// What a polygon of so many corners will be when it ends.
@@ -48,10 +58,7 @@ impl Surface {
 
     /// Adds a corner to the polygon under construction. What is no index of a point is refused by [`Surface::finish`].
     pub fn corner(&mut self, corner: i64) -> Result<(), Error> {
-        if self.corners.len() == self.corners.capacity() {
-            self.corners.try_reserve(1)?;
-        }
-        self.corners.push(u32::try_from(corner).unwrap_or(u32::MAX));
+        fallible::push(&mut self.corners, u32::try_from(corner).unwrap_or(u32::MAX))?;
         Ok(())
     }
 
@@ -59,19 +66,16 @@ impl Surface {
     pub fn end_polygon(&mut self, marker: i32) -> Result<(), Error> {
         let start = self.ends.last().copied().unwrap_or(0);
         if let [a, b] = self.corners[start..] {
-            self.segments.try_reserve(1)?;
-            self.segments.push(Segment { ends: [a, b], marker });
+            fallible::push(&mut self.segments, Segment { ends: [a, b], marker })?;
             self.corners.truncate(start);
             return Ok(());
         }
         if self.ends.len() >= u32::MAX as usize - 1 {
             return Err(Error::new(Status::TooLarge, "more facets than 32-bit indices can address"));
         }
-        self.ends.try_reserve(1)?;
-        self.markers.try_reserve(1)?;
-        self.ends.push(self.corners.len());
-        self.markers.push(marker);
-        Ok(())
+        fallible::push(&mut self.ends, self.corners.len())?;
+        fallible::push(&mut self.markers, marker)?;
+        self.control.step()
     }
 
     /// As [`Surface::finish`], where the markers so far are numbers of groups.
@@ -92,7 +96,7 @@ impl Surface {
     pub fn finish(mut self, join: bool) -> Result<Plc, Error> {
         self.check_indices()?;
         if join {
-            let map = join_points(&mut self.points)?;
+            let map = join_points(&mut self.points, self.control)?;
             self.corners.iter_mut().for_each(|c| *c = map[*c as usize]);
             self.segments.iter_mut().for_each(|s| s.ends = s.ends.map(|c| map[c as usize]));
         }
@@ -100,23 +104,21 @@ impl Surface {
         let marked = self.markers.iter().any(|&m| m != 0);
         if self.ends.iter().enumerate().all(|(i, &end)| end == 3 * (i + 1)) {
             plc.triangles.try_reserve_exact(self.ends.len())?;
-            plc.triangles.extend(self.corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]));
+            fallible::extend(&mut plc.triangles, self.corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]))?;
             plc.triangle_markers = if marked { self.markers } else { Vec::new() };
             return Ok(plc);
         }
         plc.facets.try_reserve_exact(self.ends.len())?;
         let mut start = 0;
         for (&end, &marker) in self.ends.iter().zip(&self.markers) {
-            let mut ring = Vec::new();
-            ring.try_reserve_exact(end - start)?;
-            ring.extend_from_slice(&self.corners[start..end]);
+            self.control.step()?;
+            let mut ring = fallible::reserved(end - start)?;
+            fallible::append(&mut ring, &self.corners[start..end])?;
             let polygons = fallible::collect([ring])?;
-            plc.facets.push(Facet {
-                polygons,
-                holes: Vec::new(),
-                interior: Interior::FirstMinusOthers,
-                marker,
-            });
+            fallible::push(
+                &mut plc.facets,
+                Facet { polygons, holes: Vec::new(), interior: Interior::FirstMinusOthers, marker },
+            )?;
             start = end;
         }
         Ok(plc)
@@ -150,19 +152,19 @@ pub(super) fn no_such_point(element: Element, what: std::fmt::Arguments<'_>) -> 
 /// Removes every point that equals an earlier one (0 and -0 are equal) and returns the new index of each.
 ///
 /// An open-addressing table of indices; a NaN equals only itself, bit for bit.
-pub(super) fn join_points(points: &mut Vec<[f64; 3]>) -> Result<Vec<u32>, Error> {
+pub(super) fn join_points(points: &mut Vec<[f64; 3]>, control: &Control) -> Result<Vec<u32>, Error> {
     const FREE: u32 = u32::MAX;
     let bits = |p: &[f64; 3]| p.map(|x| if x == 0.0 { 0 } else { x.to_bits() });
-    let mut map = Vec::new();
-    map.try_reserve_exact(points.len())?;
+    let mut map = fallible::reserved(points.len())?;
     let mut table: Vec<u32> = Vec::new();
     let mut kept = 0usize;
     for i in 0..points.len() {
+        control.step()?;
         if 2 * (kept + 1) > table.len() {
             let size = (4 * table.len()).max(1 << 10);
             table.clear();
             table.try_reserve_exact(size)?;
-            table.resize(size, FREE);
+            fallible::resize(&mut table, size, FREE)?;
             for (k, point) in points[..kept].iter().enumerate() {
                 let mut slot = hash(bits(point)) & (size - 1);
                 while table[slot] != FREE {
@@ -182,7 +184,7 @@ pub(super) fn join_points(points: &mut Vec<[f64; 3]>) -> Result<Vec<u32>, Error>
             points[kept] = points[i];
             kept += 1;
         }
-        map.push(table[slot]);
+        fallible::push(&mut map, table[slot])?;
     }
     points.truncate(kept);
     Ok(map)

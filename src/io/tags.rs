@@ -103,8 +103,7 @@ fn volumes(model: &Model<'_>, warnings: &mut Warnings) -> Result<Vec<Group>, Err
     let mut volumes = Vec::new();
     for (i, (&tag, count)) in tags.iter().zip(counts).enumerate() {
         let attribute = mesh.regions.get(i).map_or(0.0, |r| r.attribute);
-        let mut elements = Vec::new();
-        elements.try_reserve_exact(count)?;
+        let elements = fallible::reserved(count)?;
         let given = model.options.region_names.iter().find(|n| n.attribute == attribute);
         let named = match given.map(|n| one_line(&n.name)).filter(|name| !name.is_empty()) {
             Some(name) => Some(fallible::text(format_args!("{name}"))?),
@@ -115,7 +114,7 @@ fn volumes(model: &Model<'_>, warnings: &mut Warnings) -> Result<Vec<Group>, Err
     }
     lose_attributes(model, &tags, warnings);
     for tet in 0..mesh.tets.len() {
-        volumes[region_of(mesh, tet)].elements.push(tet as u32);
+        fallible::push(&mut volumes[region_of(mesh, tet)].elements, tet as u32)?;
     }
     Ok(volumes)
 }
@@ -140,23 +139,24 @@ fn positive_tags(values: &[f64]) -> Result<Vec<i32>, Error> {
     let mut used = fallible::collect(values.iter().copied().filter_map(positive))?;
     used.sort_unstable();
     let mut others: FxHashMap<u64, i32> = FxHashMap::default();
-    let mut tags = Vec::new();
-    tags.try_reserve_exact(values.len())?;
+    let mut tags = fallible::reserved(values.len())?;
     let mut next = 1;
     for &value in values {
         let known = positive(value).or_else(|| others.get(&value.to_bits()).copied());
-        tags.push(match known {
-            Some(tag) => tag,
-            None => {
-                while used.binary_search(&next).is_ok() {
+        fallible::push(
+            &mut tags,
+            match known {
+                Some(tag) => tag,
+                None => {
+                    while used.binary_search(&next).is_ok() {
+                        next += 1;
+                    }
+                    fallible::insert(&mut others, value.to_bits(), next)?;
                     next += 1;
+                    next - 1
                 }
-                others.try_reserve(1)?;
-                others.insert(value.to_bits(), next);
-                next += 1;
-                next - 1
-            }
-        });
+            },
+        )?;
     }
     Ok(tags)
 }

@@ -4,6 +4,7 @@
 //! `#` starts a comment. Indices start at the first point's number, 0 or 1. The corners of a polygon may go on over
 //! several lines. A facet whose polygons all have fewer than three corners is no facet: two corners are a segment, one
 //! corner is a point that is there anyway.
+use crate::control::Control;
 use crate::error::{Element, Error, Status};
 use crate::fallible;
 use crate::io::surface::{no_such_point, out_of_range};
@@ -36,13 +37,13 @@ impl Nodes {
 }
 
 /// Reads a `.node` file: a PLC of points alone.
-pub(super) fn read_node(bytes: &[u8]) -> Result<Plc, Error> {
-    Ok(read_nodes(bytes)?.into_plc())
+pub(super) fn read_node(bytes: &[u8], control: &Control) -> Result<Plc, Error> {
+    Ok(read_nodes(bytes, control)?.into_plc())
 }
 
 /// Reads the points of a `.node` file.
-pub(super) fn read_nodes(bytes: &[u8]) -> Result<Nodes, Error> {
-    let mut lines = Lines::new(bytes);
+pub(super) fn read_nodes(bytes: &[u8], control: &Control) -> Result<Nodes, Error> {
+    let mut lines = Lines::new(bytes, control);
     let nodes = node_section(&mut lines)?;
     lines.expect_end("point")?;
     Ok(nodes)
@@ -54,12 +55,13 @@ pub(super) fn read_plc(
     bytes: &[u8],
     smesh: bool,
     nodes: impl FnOnce() -> Result<Vec<u8>, Error>,
+    control: &Control,
 ) -> Result<Plc, Error> {
-    let mut lines = Lines::new(bytes);
+    let mut lines = Lines::new(bytes, control);
     let mut section = node_section(&mut lines)?;
     if section.points.is_empty() {
         let beside = nodes()?;
-        section = read_nodes(&beside).map_err(|e| e.at(format_args!(".node file")))?;
+        section = read_nodes(&beside, control).map_err(|e| e.at(format_args!(".node file")))?;
     }
     let base = section.base;
     let mut plc = section.into_plc();
@@ -72,7 +74,8 @@ pub(super) fn read_plc(
 
 /// Whether a `.poly` or `.smesh` file announces no points: they are in the `.node` file beside it.
 pub(super) fn lacks_points(bytes: &[u8]) -> bool {
-    let first = Lines::new(bytes).next_line();
+    let free = Control::free();
+    let first = Lines::new(bytes, &free).next_line();
     first.and_then(|mut line| line.int("the number of points").ok()) == Some(0)
 }
 
@@ -107,12 +110,12 @@ fn node_section(lines: &mut Lines<'_>) -> Result<Nodes, Error> {
                 format_args!("point {number} where {} was expected", nodes.base.clamp(0, 1) + i as i64);
             return Err(bad(line.number(), what));
         }
-        nodes.points.push(line.point()?);
+        fallible::push(&mut nodes.points, line.point()?)?;
         for _ in 0..attribute_count {
-            nodes.attributes.push(line.float("an attribute")?);
+            fallible::push(&mut nodes.attributes, line.float("an attribute")?)?;
         }
         if marked {
-            nodes.markers.push(line.optional_marker()?);
+            fallible::push(&mut nodes.markers, line.optional_marker()?)?;
         }
     }
     Ok(nodes)
@@ -132,15 +135,14 @@ fn polygon<'a>(
     if count == 0 {
         return Err(bad(line.number(), "a polygon without corners"));
     }
-    let mut corners = Vec::new();
-    corners.try_reserve_exact(count)?;
+    let mut corners = fallible::reserved(count)?;
     while corners.len() < count {
         let Some(number) = line.optional_int("a point index")? else {
             *line = lines.expect("a point index")?;
             continue;
         };
         match number.checked_sub(base).and_then(|i| usize::try_from(i).ok()) {
-            Some(index) if index < points => corners.push(index as u32),
+            Some(index) if index < points => fallible::push(&mut corners, index as u32)?,
             _ => {
                 let (at, last) = (line.number(), base + points as i64 - 1);
                 return Err(no_such_point(
@@ -201,13 +203,12 @@ fn poly_facet<'a>(lines: &mut Lines<'a>, mut line: Line<'a>, plc: &Plc, base: i6
     for _ in 0..polygon_count {
         let mut line = lines.expect("a polygon")?;
         let corners = polygon(lines, &mut line, plc, base, &facet)?;
-        facet.polygons.push(corners);
+        fallible::push(&mut facet.polygons, corners)?;
     }
     for _ in 0..hole_count {
         let mut line = lines.expect("a hole of the facet")?;
         line.int("the number of a hole")?;
-        facet.holes.try_reserve(1)?;
-        facet.holes.push(line.point()?);
+        fallible::push(&mut facet.holes, line.point()?)?;
     }
     if polygon_count > 1 || hole_count > 0 {
         facet.interior = Interior::Seeds;
@@ -222,8 +223,7 @@ fn add_facet(plc: &mut Plc, facet: Facet) -> Result<(), Error> {
     }
     for polygon in &facet.polygons {
         if let [a, b] = polygon[..] {
-            plc.segments.try_reserve(1)?;
-            plc.segments.push(Segment { ends: [a, b], marker: facet.marker });
+            fallible::push(&mut plc.segments, Segment { ends: [a, b], marker: facet.marker })?;
         }
     }
     Ok(())
@@ -239,9 +239,9 @@ fn take_triangles(plc: &mut Plc) -> Result<(), Error> {
     let marked = plc.facets.iter().any(|f| f.marker != 0);
     plc.triangle_markers.try_reserve_exact(if marked { plc.facets.len() } else { 0 })?;
     for facet in std::mem::take(&mut plc.facets) {
-        plc.triangles.extend(facet.polygons.iter().map(|p| [p[0], p[1], p[2]]));
+        fallible::extend(&mut plc.triangles, facet.polygons.iter().map(|p| [p[0], p[1], p[2]]))?;
         if marked {
-            plc.triangle_markers.push(facet.marker);
+            fallible::push(&mut plc.triangle_markers, facet.marker)?;
         }
     }
     Ok(())
@@ -254,7 +254,7 @@ fn hole_section(lines: &mut Lines<'_>, plc: &mut Plc) -> Result<(), Error> {
     for _ in 0..count {
         let mut line = lines.expect("a hole")?;
         line.int("the number of a hole")?;
-        plc.holes.push(line.point()?);
+        fallible::push(&mut plc.holes, line.point()?)?;
     }
     Ok(())
 }
@@ -270,7 +270,10 @@ fn region_section(lines: &mut Lines<'_>, plc: &mut Plc) -> Result<(), Error> {
         let attribute = line.float("the attribute of a region")?;
         let max_volume =
             if line.rest().trim_ascii().is_empty() { None } else { Some(line.float("a volume bound")?) };
-        plc.regions.push(RegionSeed { point, attribute, max_volume: max_volume.filter(|&v| v > 0.0) });
+        fallible::push(
+            &mut plc.regions,
+            RegionSeed { point, attribute, max_volume: max_volume.filter(|&v| v > 0.0) },
+        )?;
     }
     Ok(())
 }
@@ -289,9 +292,9 @@ pub(super) struct Tets {
 
 /// Reads a mesh from the contents of its `.node` and `.ele` files. Of tetrahedra of ten nodes the six others must be the middles of
 /// the edges, and come after all points.
-pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<Tets, Error> {
-    let mut nodes = read_nodes(node).map_err(|e| e.at(format_args!(".node file")))?;
-    let mut lines = Lines::new(ele);
+pub(super) fn read_tets(node: &[u8], ele: &[u8], control: &Control) -> Result<Tets, Error> {
+    let mut nodes = read_nodes(node, control).map_err(|e| e.at(format_args!(".node file")))?;
+    let mut lines = Lines::new(ele, control);
     let mut line = lines.expect("the number of tetrahedra")?;
     let count = line.count("the number of tetrahedra", 10, lines.remaining().len())?;
     let corners = line.optional_int("the number of corners")?.unwrap_or(4);
@@ -311,14 +314,17 @@ pub(super) fn read_tets(node: &[u8], ele: &[u8]) -> Result<Tets, Error> {
         line.int("the number of a tetrahedron")?;
         let element = Element::Tet(tet as u32);
         let row = index_row::<4>(&mut line, &nodes, element)?;
-        tets.push(row);
+        fallible::push(&mut tets, row)?;
         if corners == 10 {
             let six = index_row::<6>(&mut line, &nodes, element)?;
             let edges = NodeOrder::Tetgen.edges().map(|i| EDGES[i].map(|k| row[k]));
-            middles.extend(six.into_iter().zip(edges).map(|(node, [a, b])| [node, a.min(b), a.max(b)]));
+            fallible::extend(
+                &mut middles,
+                six.into_iter().zip(edges).map(|(node, [a, b])| [node, a.min(b), a.max(b)]),
+            )?;
         }
         if attributed {
-            attributes.push(line.float("an attribute")?);
+            fallible::push(&mut attributes, line.float("an attribute")?)?;
         }
     }
     lines.expect_end("tetrahedron")?;
@@ -371,12 +377,16 @@ fn take_off_middles(mut uses: Vec<[u32; 3]>, nodes: &mut Nodes) -> Result<usize,
 }
 
 /// The triangles of a `.face` file with their markers. If there are nodes in the middle of edges, three follow the corners.
-pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes, middles: usize) -> Result<Vec<([u32; 3], i32)>, Error> {
-    let mut lines = Lines::new(bytes);
+pub(super) fn read_faces(
+    bytes: &[u8],
+    nodes: &Nodes,
+    middles: usize,
+    control: &Control,
+) -> Result<Vec<([u32; 3], i32)>, Error> {
+    let mut lines = Lines::new(bytes, control);
     let mut line = lines.expect("the number of faces")?;
     let count = line.count("the number of faces", 8, lines.remaining().len())?;
-    let mut faces = Vec::new();
-    faces.try_reserve_exact(count)?;
+    let mut faces = fallible::reserved(count)?;
     for face in 0..count {
         let mut line = lines.expect("a face")?;
         line.int("the number of a face")?;
@@ -391,7 +401,7 @@ pub(super) fn read_faces(bytes: &[u8], nodes: &Nodes, middles: usize) -> Result<
                 return Err(no_such_point(element, what));
             }
         }
-        faces.push((corners, line.optional_marker()?));
+        fallible::push(&mut faces, (corners, line.optional_marker()?))?;
     }
     lines.expect_end("face")?;
     Ok(faces)

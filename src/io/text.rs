@@ -2,6 +2,9 @@
 //!
 //! Numbers are read by the standard library's parser, which is correctly rounded: what was written with enough digits
 //! comes back bit for bit.
+//!
+//! Where the run is ended, the lines end too; whoever calls the reader looks at its control then ([`super::read_with`]).
+use crate::control::Control;
 use crate::error::{Error, Status};
 
 /// A format error at a line.
@@ -31,12 +34,13 @@ impl std::fmt::Display for Shown<'_> {
 pub(super) struct Lines<'a> {
     rest: &'a [u8],
     number: usize,
+    control: &'a Control<'a>,
 }
 
 impl<'a> Lines<'a> {
     /// Lines of `text`; `#` starts a comment.
-    pub fn new(text: &'a [u8]) -> Self {
-        Lines { rest: text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text), number: 0 }
+    pub fn new(text: &'a [u8], control: &'a Control<'a>) -> Self {
+        Lines { rest: text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text), number: 0, control }
     }
 
     /// The number of the line read last, from 1.
@@ -51,7 +55,7 @@ impl<'a> Lines<'a> {
 
     /// The next line, blank or not, without comment handling; `None` at the end.
     pub fn next_raw(&mut self) -> Option<Line<'a>> {
-        if self.rest.is_empty() {
+        if self.rest.is_empty() || self.control.step().is_err() {
             return None;
         }
         let (line, rest) = match self.rest.iter().position(|&b| b == b'\n') {

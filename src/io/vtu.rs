@@ -4,16 +4,17 @@
 //! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers and whether
 //! they are Steiner points. The second file's cells are the subfaces with `facet` and `marker`. Arrays of one component do not state that
 //! number, since some readers turn arrays that do into columns.
+use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
 use crate::io::model::{Model, Nodes};
-use crate::io::output_files::Out;
+use crate::io::output_files::{ended, Out};
 use crate::io::quality::{corners, dihedrals};
 use crate::io::tags::attribute_of;
 use crate::query::NodeOrder;
 use crate::INVALID;
 use std::fmt;
-use std::io::{self, Write};
+use std::io;
 
 type Sink<'s> = &'s mut dyn FnMut(&[u8]) -> io::Result<()>;
 
@@ -217,7 +218,7 @@ impl<'a> Grid<'a> {
         let mut packed: Vec<Vec<u8>> = Vec::new();
         if compress {
             for array in sections.iter().flat_map(|(_, arrays)| arrays) {
-                let bytes = self.compressed(array)?;
+                let bytes = self.compressed(array, out.control())?;
                 fallible::push(&mut packed, bytes).map_err(|_| io::ErrorKind::OutOfMemory)?;
             }
         }
@@ -255,18 +256,17 @@ impl<'a> Grid<'a> {
 
     /// An array as VTK's zlib compressor lays it out: the number of blocks, their size, the size of a last partial one, the
     /// compressed sizes (64 bits each), then the blocks.
-    fn compressed(&self, array: &Array) -> io::Result<Vec<u8>> {
+    fn compressed(&self, array: &Array, control: &Control) -> io::Result<Vec<u8>> {
         const BLOCK: usize = 1 << 17;
-        let room = |_| io::Error::from(io::ErrorKind::OutOfMemory);
-        let mut block = Vec::new();
-        block.try_reserve_exact(BLOCK + 32).map_err(room)?;
+        let mut block = fallible::reserved(BLOCK + 32)?;
         let mut sizes: Vec<u64> = Vec::new();
         let mut data = Vec::new();
         self.fill(array, &mut |bytes| {
-            block.write_all(bytes)?;
+            fallible::append(&mut block, bytes)?;
             if block.len() >= BLOCK {
+                ended(control)?;
                 let size = deflate(&block[..BLOCK], &mut data)?;
-                fallible::push(&mut sizes, size).map_err(room)?;
+                fallible::push(&mut sizes, size)?;
                 block.drain(..BLOCK);
             }
             Ok(())
@@ -274,13 +274,14 @@ impl<'a> Grid<'a> {
         let partial = block.len() as u64;
         if partial > 0 {
             let size = deflate(&block, &mut data)?;
-            fallible::push(&mut sizes, size).map_err(room)?;
+            fallible::push(&mut sizes, size)?;
         }
         let header = [sizes.len() as u64, BLOCK as u64, partial];
-        let mut packed = Vec::new();
-        packed.try_reserve_exact(8 * (3 + sizes.len()) + data.len()).map_err(room)?;
-        header.iter().chain(&sizes).for_each(|word| packed.extend_from_slice(&word.to_le_bytes()));
-        packed.extend_from_slice(&data);
+        let mut packed = fallible::reserved(8 * (3 + sizes.len()) + data.len())?;
+        for word in header.iter().chain(&sizes) {
+            fallible::append(&mut packed, &word.to_le_bytes())?;
+        }
+        fallible::append(&mut packed, &data)?;
         Ok(packed)
     }
 }
@@ -292,16 +293,15 @@ const LEVEL: i32 = 2;
 fn deflate(block: &[u8], data: &mut Vec<u8>) -> io::Result<u64> {
     let start = data.len();
     let bound = zlib_rs::compress_bound(block.len());
-    data.try_reserve(bound).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
-    data.resize(start + bound, 0);
+    fallible::resize(data, start + bound, 0)?;
     let (stream, code) =
         zlib_rs::compress_slice(&mut data[start..], block, zlib_rs::DeflateConfig::new(LEVEL));
     let size = stream.len();
     data.truncate(start + size);
     match code {
         zlib_rs::ReturnCode::Ok => Ok(size as u64),
-        zlib_rs::ReturnCode::MemError => Err(io::ErrorKind::OutOfMemory.into()),
+        zlib_rs::ReturnCode::MemError => Err(io::Error::from(io::ErrorKind::OutOfMemory)),
         // More than its own bound, or a fault of its state: neither happens.
-        _ => Err(io::ErrorKind::Other.into()),
+        _ => Err(io::Error::from(io::ErrorKind::Other)),
     }
 }

@@ -1,4 +1,5 @@
 //! Writing meshes to files: the options of each format, and its writer.
+use crate::control::Control;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::io::model::Model;
@@ -81,10 +82,24 @@ impl WriteOptions {
 /// [`Status::InvalidArgument`], [`Status::IndexOutOfRange`]: second order of a mesh that contradicts itself.
 /// [`Status::TooLarge`]: more second-order nodes than 32-bit indices can address. [`Status::OutOfMemory`].
 pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> Result<Warnings, Error> {
+    write_with(path, mesh, plc, options, &Control::free())
+}
+
+/// The same as a part of a run.
+///
+/// # Errors
+/// As [`write()`]; those of [`Control::step`].
+pub fn write_with(
+    path: &Path,
+    mesh: &TetMesh,
+    plc: &Plc,
+    options: &WriteOptions,
+    control: &Control,
+) -> Result<Warnings, Error> {
     options.check(path)?;
     let mut warnings = Warnings::default();
     let model = Model::new(mesh, plc, options)?;
-    let mut files = OutputFiles::default();
+    let mut files = OutputFiles::new(control);
     match Format::of(path)? {
         Format::Ele => write_tetgen::write(&mut files, path, &model)?,
         Format::Vtk => files.write(path, |out| vtk::write(out, &model))?,
@@ -128,6 +143,7 @@ pub fn write(path: &Path, mesh: &TetMesh, plc: &Plc, options: &WriteOptions) -> 
 }
 
 /// Where [`WriteOptions::subfaces`] go: `STEM_subfaces.vtu` for `STEM.vtu`.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never calls it")]
 pub fn subfaces_path(path: &Path) -> PathBuf {
     let mut name = path.file_stem().unwrap_or_default().to_os_string();
     name.push("_subfaces.vtu");

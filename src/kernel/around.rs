@@ -1,5 +1,6 @@
 //! Stars of vertices and rings of edges.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::tables::OTHERS;
 use crate::kernel::visited::Visited;
 use crate::kernel::Mesh;
@@ -17,8 +18,7 @@ impl StarSearch {
         self.tets.clear();
         self.visited.begin();
         self.visited.insert(start)?;
-        self.tets.try_reserve(1)?;
-        self.tets.push(start);
+        fallible::push(&mut self.tets, start)?;
         Ok(())
     }
 
@@ -29,10 +29,9 @@ impl StarSearch {
         while next < self.tets.len() {
             let t = self.tets[next];
             next += 1;
-            self.tets.try_reserve(3)?;
             for (w, code) in mesh.verts(t).into_iter().zip(mesh.adj(t)) {
                 if w != v && self.visited.insert(code >> 2)? {
-                    self.tets.push(code >> 2);
+                    fallible::push(&mut self.tets, code >> 2)?;
                 }
             }
         }
@@ -46,7 +45,7 @@ impl StarSearch {
         faces.try_reserve(self.tets.len())?;
         for &t in &self.tets {
             if let Some(slot) = mesh.slot_of(t, v) {
-                faces.push(mesh.face(4 * t + slot));
+                fallible::push(faces, mesh.face(4 * t + slot))?;
             }
         }
         Ok(())
@@ -63,7 +62,6 @@ impl StarSearch {
         while next < self.tets.len() {
             let t = self.tets[next];
             next += 1;
-            self.tets.try_reserve(3)?;
             for (opposite, code) in mesh.verts(t).into_iter().zip(mesh.adj(t)) {
                 let n = code >> 2;
                 if opposite == v || !self.visited.insert(n)? {
@@ -73,7 +71,7 @@ impl StarSearch {
                 if mesh.apex(code) == w {
                     return Ok(Some(n));
                 }
-                self.tets.push(n);
+                fallible::push(&mut self.tets, n)?;
             }
         }
         Ok(None)

@@ -2,7 +2,9 @@
 //!
 //! Flags in both tetrahedra at a face tell whether a subface is there, and in all tetrahedra round an edge whether a subsegment is. Regions
 //! and the names of subfaces have arrays of their own, which do not exist until they are given.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::{flag, Mesh, NONE};
 
 impl Mesh {
@@ -53,12 +55,16 @@ impl Mesh {
     /// asked for, and ghosts that are not flagged themselves take over what their neighbours have.
     ///
     /// # Errors
-    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
-    pub fn name_subfaces(&mut self, name: impl Fn(&Mesh, u32) -> Option<u32>) -> Result<(), Error> {
-        let mut names = Vec::new();
-        names.try_reserve(self.slot_count())?;
-        names.resize(self.slot_count(), [NONE; 4]);
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory); as [`Control::room`].
+    pub fn name_subfaces(
+        &mut self,
+        name: impl Fn(&Mesh, u32) -> Option<u32>,
+        control: &Control,
+    ) -> Result<(), Error> {
+        control.room(self.slot_count() * size_of::<[u32; 4]>())?;
+        let mut names = fallible::filled([NONE; 4], self.slot_count())?;
         for t in self.all() {
+            control.step()?;
             if !self.is_live(t) {
                 continue;
             }
@@ -110,12 +116,19 @@ impl Mesh {
     }
 
     /// Lets `each` choose which edges of every live tetrahedron become subsegments: it gets the vertices and returns one bit an edge.
-    pub fn mark_subsegments(&mut self, mut each: impl FnMut(&[u32; 4]) -> u16) {
+    ///
+    /// # Errors
+    /// Ends at the first error of `each`.
+    pub fn mark_subsegments(
+        &mut self,
+        mut each: impl FnMut(&[u32; 4]) -> Result<u16, Error>,
+    ) -> Result<(), Error> {
         for (v, flags) in self.verts.iter().zip(&mut self.flags) {
             if *flags & flag::DEAD == 0 {
-                *flags |= each(v) * flag::EDGE;
+                *flags |= each(v)? * flag::EDGE;
             }
         }
+        Ok(())
     }
 
     /// Forgets which edges are subsegments.
@@ -141,7 +154,10 @@ impl Mesh {
         let (flags, verts) = (&self.flags, &self.verts);
         let inside =
             |t: u32| flags[t as usize] & flag::DEAD == 0 && verts[t as usize][3] != crate::kernel::GHOST;
-        self.region.extend((0..verts.len() as u32).map(|t| if inside(t) { of(t) } else { NONE }));
+        fallible::extend(
+            &mut self.region,
+            (0..verts.len() as u32).map(|t| if inside(t) { of(t) } else { NONE }),
+        )?;
         Ok(())
     }
 }

@@ -3,6 +3,7 @@
 //! Invariants: the faces of the boundary stay; subfaces with both sides in the cavity count as boundary twice, once each way; edges inside
 //! that must stay are listed, so that every filling keeps them.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::tables::EDGE;
 use crate::kernel::visited::Visited;
 use crate::kernel::{edge_key, face_key, Mesh, NONE};
@@ -65,8 +66,7 @@ impl Cavity {
     /// Adds a tetrahedron unless it is in.
     pub fn add(&mut self, t: u32) -> Result<(), Error> {
         if self.visited.insert(t)? {
-            self.tets.try_reserve(1)?;
-            self.tets.push(t);
+            fallible::push(&mut self.tets, t)?;
         }
         Ok(())
     }
@@ -91,14 +91,12 @@ impl Cavity {
         self.find_faces(mesh, terms)?;
         self.corners.clear();
         self.corners.try_reserve(self.faces.len())?;
-        self.corners.extend(self.faces.iter().flatten());
+        fallible::add_all(&mut self.corners, self.faces.iter().flatten().copied())?;
         self.inner.clear();
         for &t in &self.tets {
-            self.corners.try_reserve(4)?;
-            self.inner.try_reserve(4)?;
             for v in mesh.verts(t) {
-                if v != terms.without && self.corners.insert(v) {
-                    self.inner.push(v);
+                if v != terms.without && fallible::add(&mut self.corners, v)? {
+                    fallible::push(&mut self.inner, v)?;
                 }
             }
         }
@@ -118,14 +116,11 @@ impl Cavity {
                 continue;
             }
             if !wall {
-                self.doors.try_reserve(1)?;
-                self.doors.push((self.faces.len() as u32, mesh.across(code)));
+                fallible::push(&mut self.doors, (self.faces.len() as u32, mesh.across(code)))?;
             }
-            self.faces.try_reserve(1)?;
-            self.faces.push(face);
+            fallible::push(&mut self.faces, face)?;
         }
-        self.faces.try_reserve(terms.walls.len())?;
-        self.faces.extend_from_slice(terms.walls);
+        fallible::append(&mut self.faces, terms.walls)?;
         Ok(())
     }
 
@@ -137,15 +132,14 @@ impl Cavity {
         self.on_boundary.clear();
         self.on_boundary.try_reserve(3 * self.faces.len())?;
         let sides = |&[x, y, z]: &[u32; 3]| [edge_key(x, y), edge_key(y, z), edge_key(z, x)];
-        self.on_boundary.extend(self.faces.iter().flat_map(sides));
+        fallible::add_all(&mut self.on_boundary, self.faces.iter().flat_map(sides))?;
         for &t in &self.tets {
             let v = mesh.verts(t);
             for [i, j] in EDGE {
                 let key = edge_key(v[i as usize], v[j as usize]);
                 let stays = terms.keep.contains(&key) && !key.contains(&terms.without);
-                if stays && self.on_boundary.insert(key) {
-                    self.edges.try_reserve(1)?;
-                    self.edges.push(key);
+                if stays && fallible::add(&mut self.on_boundary, key)? {
+                    fallible::push(&mut self.edges, key)?;
                 }
             }
         }

@@ -1,11 +1,13 @@
 //! The arrays of the mesh: slots of tetrahedra with vertices, neighbours and flags, and the list of free ones.
 //!
 //! The arrays are private to the kernel, and every access from outside is checked.
+use crate::control::Control;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::kernel::slots::Slots;
 use crate::kernel::tables::FACE;
 use crate::kernel::{flag, GHOST, MAX_TETS, NONE};
+use std::collections::TryReserveError;
 
 /// Tetrahedra with all that hangs on them.
 #[derive(Debug, Default)]
@@ -120,6 +122,9 @@ impl Mesh {
         Slots::exclusive(self)
     }
 
+    /// Bytes of a slot in the arrays that every mesh has.
+    pub(crate) const SLOT_BYTES: usize = 2 * size_of::<[u32; 4]>() + size_of::<u16>();
+
     /// A view for several writers, after appending `more` free slots for their new tetrahedra.
     pub(crate) fn share(&mut self, more: usize) -> Result<Slots<'_>, Error> {
         if self.verts.len() + more > MAX_TETS {
@@ -129,9 +134,9 @@ impl Mesh {
         self.adj.try_reserve_exact(more)?;
         self.flags.try_reserve_exact(more)?;
         let slots = self.verts.len() + more;
-        self.verts.resize(slots, [NONE; 4]);
-        self.adj.resize(slots, [NONE; 4]);
-        self.flags.resize(slots, flag::DEAD);
+        fallible::resize(&mut self.verts, slots, [NONE; 4])?;
+        fallible::resize(&mut self.adj, slots, [NONE; 4])?;
+        fallible::resize(&mut self.flags, slots, flag::DEAD)?;
         Ok(Slots::exclusive(self))
     }
 
@@ -160,17 +165,17 @@ impl Mesh {
 
     /// A slot for a new tetrahedron: a free one or a new one at the end. Its content is undefined except for the vertices.
     #[inline(always)]
-    pub(crate) fn allocate(&mut self, verts: [u32; 4]) -> u32 {
+    pub(crate) fn allocate(&mut self, verts: [u32; 4]) -> Result<u32, TryReserveError> {
         if let Some(t) = self.free.pop() {
             self.verts[t as usize] = verts;
             self.flags[t as usize] = 0;
-            t
+            Ok(t)
         } else {
             let t = self.verts.len() as u32;
-            self.verts.push(verts);
-            self.adj.push([NONE; 4]);
-            self.flags.push(0);
-            t
+            fallible::push(&mut self.verts, verts)?;
+            fallible::push(&mut self.adj, [NONE; 4])?;
+            fallible::push(&mut self.flags, 0)?;
+            Ok(t)
         }
     }
 
@@ -180,25 +185,25 @@ impl Mesh {
         slots.try_reserve(count)?;
         let recycled = count.min(self.free.len());
         let kept = self.free.len() - recycled;
-        slots.extend_from_slice(&self.free[kept..]);
+        fallible::append(slots, &self.free[kept..])?;
         self.free.truncate(kept);
         let added = count - recycled;
         if added > 0 {
             self.reserve(added)?;
             let length = self.verts.len();
-            slots.extend(length as u32..(length + added) as u32);
-            self.verts.resize(length + added, [NONE; 4]);
-            self.adj.resize(length + added, [NONE; 4]);
-            self.flags.resize(length + added, 0);
+            fallible::extend(slots, length as u32..(length + added) as u32)?;
+            fallible::resize(&mut self.verts, length + added, [NONE; 4])?;
+            fallible::resize(&mut self.adj, length + added, [NONE; 4])?;
+            fallible::resize(&mut self.flags, length + added, 0)?;
         }
         Ok(())
     }
 
-    /// Frees a slot. (There must be room in the list of free ones, which growth reserves.)
+    /// Frees a slot.
     #[inline(always)]
-    pub(crate) fn release(&mut self, t: u32) {
+    pub(crate) fn release(&mut self, t: u32) -> Result<(), TryReserveError> {
         self.flags[t as usize] = flag::DEAD;
-        self.free.push(t);
+        fallible::push(&mut self.free, t)
     }
 
     /// Whether the slot is in use.
@@ -274,8 +279,7 @@ impl Mesh {
     /// Fills `vertex_tet` for `vertex_count` vertices: a finite tetrahedron if there is one, `NONE` for absent vertices.
     pub fn index_vertices(&mut self, vertex_count: usize) -> Result<(), Error> {
         self.vertex_tet.clear();
-        self.vertex_tet.try_reserve(vertex_count)?;
-        self.vertex_tet.resize(vertex_count, NONE);
+        fallible::resize(&mut self.vertex_tet, vertex_count, NONE)?;
         for (t, v) in (0..).zip(&self.verts) {
             if self.flags[t as usize] & flag::DEAD == 0 && v[3] != GHOST {
                 for &v in v {
@@ -288,10 +292,8 @@ impl Mesh {
 
     /// Makes room for a vertex.
     pub fn add_vertex(&mut self, v: u32) -> Result<(), Error> {
-        let count = (v as usize + 1).saturating_sub(self.vertex_tet.len());
-        self.vertex_tet.try_reserve(count)?;
-        self.vertex_tet.resize(self.vertex_tet.len() + count, NONE);
-        Ok(())
+        let count = self.vertex_tet.len().max(v as usize + 1);
+        Ok(fallible::resize(&mut self.vertex_tet, count, NONE)?)
     }
 
     /// Stamps every change from here on.
@@ -329,20 +331,24 @@ impl Mesh {
         mut self,
         stays: impl Fn(&Mesh, u32) -> bool,
         point_of: impl Fn(u32) -> u32,
+        control: &Control,
     ) -> Result<[Vec<[u32; 4]>; 2], Error> {
         // Flags tell which slots stay; the list of free ones is no longer needed.
         self.free = Vec::new();
         self.vertex_tet = Vec::new();
-        let mut number = Vec::new();
-        number.try_reserve_exact(self.slot_count())?;
+        let mut number = fallible::reserved(self.slot_count())?;
         let mut count = 0;
         for t in self.all() {
             let stays = stays(&self, t);
-            number.push(if stays { count } else { NONE });
+            fallible::push(&mut number, if stays { count } else { NONE })?;
             count += u32::from(stays);
         }
         self.flags = Vec::new();
-        for (t, &n) in number.iter().enumerate().filter(|&(_, &n)| n != NONE) {
+        for (t, &n) in number.iter().enumerate() {
+            control.step()?;
+            if n == NONE {
+                continue;
+            }
             // New numbers are never larger: nothing is overwritten before it is read.
             self.verts[n as usize] = self.verts[t].map(&point_of);
             self.adj[n as usize] = self.adj[t].map(|code| number[(code >> 2) as usize]);

@@ -5,6 +5,7 @@
 //! ghosts are neighbours if only carved space lies between them. So every face has two sides, every edge a closed ring, and the star of a
 //! point inside a segment is connected, even where domains touch only along that segment. (The star of a vertex at which domains touch
 //! only in that point is not connected: nothing walks around such a vertex.)
+use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::tables::FACE;
@@ -30,12 +31,12 @@ impl Mesh {
         let mut open: FxHashMap<[u32; 3], u32> = FxHashMap::default();
         open.try_reserve(2 * (tets.len() + hull.len()))?;
         for corners in tets.iter().copied().chain(ghosts) {
-            let t = mesh.allocate(corners);
+            let t = mesh.allocate(corners)?;
             for code in 4 * t..4 * t + 4 {
                 let key = face_key(mesh.face(code));
                 match open.remove(&key) {
                     Some(other) => mesh.link(code, other),
-                    None => drop(open.insert(key, code)),
+                    None => drop(fallible::insert(&mut open, key, code)?),
                 }
             }
         }
@@ -50,56 +51,59 @@ impl Mesh {
     ///
     /// # Errors
     /// `Internal` if the boundary is not closed (the mesh is then unusable), `OutOfMemory`, `TooLarge`.
-    pub fn carve(&mut self, vertex_count: usize) -> Result<(), Error> {
+    pub fn carve(&mut self, vertex_count: usize, control: &Control) -> Result<(), Error> {
         let slots = self.slot_count();
-        let mut carved: Vec<u32> = Vec::new();
-        carved.try_reserve(slots)?;
-        carved.extend(self.all().filter(|&t| self.is_live(t) && self.region(t) == NONE));
-        self.close(slots)?;
+        control.look()?;
+        let mut carved: Vec<u32> = fallible::reserved(slots)?;
+        fallible::extend(&mut carved, self.all().filter(|&t| self.is_live(t) && self.region(t) == NONE))?;
+        self.close(slots, control)?;
         self.free.try_reserve(carved.len())?;
         for t in carved {
-            self.release(t);
+            self.release(t)?;
         }
+        control.look()?;
         self.vertex_tet = Vec::new();
         self.index_vertices(vertex_count)
     }
 
     /// Puts ghosts on all faces between what stays and what goes, and links them.
-    fn close(&mut self, slots: usize) -> Result<(), Error> {
+    fn close(&mut self, slots: usize, control: &Control) -> Result<(), Error> {
         // Per slot where its first face is in the boundary, which is in ascending order.
-        let mut first: Vec<u32> = Vec::new();
-        first.try_reserve(slots)?;
+        let mut first: Vec<u32> = fallible::reserved(slots)?;
         let mut boundary: Vec<u32> = Vec::new();
         for t in 0..slots as u32 {
-            first.push(boundary.len() as u32);
+            fallible::push(&mut first, boundary.len() as u32)?;
+            if t % 64 == 0 {
+                control.step()?;
+            }
             if self.region(t) == NONE {
                 continue;
             }
             for code in 4 * t..4 * t + 4 {
                 if self.region(self.across(code) >> 2) == NONE {
-                    boundary.try_reserve(1)?;
-                    boundary.push(code);
+                    fallible::push(&mut boundary, code)?;
                 }
             }
         }
         self.reserve(boundary.len())?;
-        let mut ghosts: Vec<u32> = Vec::new();
-        ghosts.try_reserve(boundary.len())?;
+        let mut ghosts: Vec<u32> = fallible::reserved(boundary.len())?;
         for &code in &boundary {
+            control.step()?;
             let [x, y, z] = self.face(code);
-            let g = self.allocate([x, y, z, GHOST]);
+            let g = self.allocate([x, y, z, GHOST])?;
             // No slot has a tetrahedron beyond its faces yet.
             self.adj[g as usize] = [NONE; 4];
-            ghosts.push(g);
+            fallible::push(&mut ghosts, g)?;
         }
-        self.region.try_reserve(self.slot_count() - slots)?;
-        self.region.resize(self.slot_count(), NONE);
+        let slots_now = self.slot_count();
+        fallible::resize(&mut self.region, slots_now, NONE)?;
         let ghost_of = |code: u32| {
             let from = *first.get((code >> 2) as usize)? as usize;
             let at = boundary[from..].iter().take(4).position(|&c| c == code)?;
             Some(ghosts[from + at])
         };
         for (&code, &g) in boundary.iter().zip(&ghosts) {
+            control.step()?;
             let corners = self.verts(g);
             for k in 0..3 {
                 // The way from the other side was the same.

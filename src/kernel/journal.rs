@@ -6,6 +6,7 @@
 //!
 //! Invariant: replacements are undone in reverse order, and nothing else has been replaced since.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::{flag, Mesh, NONE};
 
 /// A tetrahedron that was replaced.
@@ -42,10 +43,8 @@ impl Journal {
 
     /// Begins the entry of a replacement: `old`, in that order, are about to be replaced.
     pub(super) fn begin(&mut self, mesh: &Mesh, old: &[u32]) -> Result<(), Error> {
-        self.starts.try_reserve(1)?;
-        self.saved.try_reserve(old.len())?;
-        self.starts.push([self.saved.len(), self.fresh.len()]);
-        self.saved.extend(old.iter().map(|&slot| {
+        fallible::push(&mut self.starts, [self.saved.len(), self.fresh.len()])?;
+        let saved = |&slot: &u32| {
             let t = slot as usize;
             Saved {
                 slot,
@@ -55,15 +54,13 @@ impl Journal {
                 region: mesh.region(slot),
                 subface: mesh.subface.get(t).copied().unwrap_or([NONE; 4]),
             }
-        }));
-        Ok(())
+        };
+        Ok(fallible::extend(&mut self.saved, old.iter().map(saved))?)
     }
 
     /// Ends the entry: `fresh` are the new tetrahedra, in the order of their allocation.
     pub(super) fn end(&mut self, fresh: &[u32]) -> Result<(), Error> {
-        self.fresh.try_reserve(fresh.len())?;
-        self.fresh.extend_from_slice(fresh);
-        Ok(())
+        Ok(fallible::append(&mut self.fresh, fresh)?)
     }
 
     /// Undoes the last replacement.
@@ -73,10 +70,10 @@ impl Journal {
     pub fn take_back(&mut self, mesh: &mut Mesh) -> Result<(), Error> {
         let Some([saved, fresh]) = self.starts.pop() else { return Ok(()) };
         for t in self.fresh.drain(fresh..).rev() {
-            mesh.release(t);
+            mesh.release(t)?;
         }
         for old in self.saved[saved..].iter().rev() {
-            if mesh.allocate(old.verts) != old.slot {
+            if mesh.allocate(old.verts)? != old.slot {
                 return Err(Error::internal("a replacement is undone out of order"));
             }
             let t = old.slot as usize;

@@ -2,7 +2,9 @@
 //!
 //! Vertices are numbered along a curve, and so, roughly, are tetrahedra: consecutive lookups stay in a small part of the lists, whereas in
 //! a hash table each would touch another part of memory.
+use crate::control::{blocks, Control};
 use crate::error::Error;
+use crate::fallible;
 
 /// Up to this many entries are searched linearly.
 const FEW: usize = 8;
@@ -17,33 +19,35 @@ pub struct Lookup<const N: usize> {
 
 impl<const N: usize> Lookup<N> {
     /// A lookup of simplices given by lowest vertex, other vertices in order, and number, all different. Vertices are below `vertex_count`.
-    pub fn new(
+    pub fn new<I: Iterator<Item = (u32, [u32; N], u32)>>(
         vertex_count: usize,
-        simplices: impl Iterator<Item = (u32, [u32; N], u32)> + Clone,
+        simplices: impl Fn() -> I,
+        control: &Control,
     ) -> Result<Self, Error> {
-        let mut begin = Vec::new();
-        begin.try_reserve_exact(vertex_count + 1)?;
-        begin.resize(vertex_count + 1, 0u32);
+        let mut begin = fallible::filled(0u32, vertex_count + 1)?;
         let mut count = 0;
-        for (v, ..) in simplices.clone() {
+        for (v, ..) in simplices() {
             begin[v as usize] += 1;
             count += 1;
         }
+        control.look()?;
         let mut sum = 0;
         for begin in &mut begin {
             sum += *begin;
             *begin = sum;
         }
-        let mut entries = Vec::new();
-        entries.try_reserve_exact(count)?;
-        entries.resize(count, ([0; N], 0));
-        for (v, others, number) in simplices {
+        let mut entries = fallible::filled(([0; N], 0), count)?;
+        control.look()?;
+        for (v, others, number) in simplices() {
             let place = &mut begin[v as usize];
             *place -= 1;
             entries[*place as usize] = (others, number);
         }
-        for group in begin.windows(2) {
-            entries[group[0] as usize..group[1] as usize].sort_unstable();
+        for block in blocks(vertex_count) {
+            control.step()?;
+            for v in block {
+                entries[begin[v] as usize..begin[v + 1] as usize].sort_unstable();
+            }
         }
         Ok(Lookup { begin, entries })
     }
@@ -68,15 +72,15 @@ mod tests {
     fn all_are_found_and_no_others() {
         // A fan around vertex 0, too wide for linear search, and a chain.
         let edges: Vec<[u32; 2]> = (1..40).map(|v| [0, v]).chain((1..39).map(|v| [v, v + 1])).collect();
-        let numbered = edges.iter().zip(0..).map(|(&[a, b], i)| (a, [b], i));
-        let lookup = Lookup::new(40, numbered).unwrap();
+        let numbered = || edges.iter().zip(0..).map(|(&[a, b], i)| (a, [b], i));
+        let lookup = Lookup::new(40, numbered, &Control::free()).unwrap();
         for a in 0..40 {
             for b in 0..40 {
                 let expected = edges.iter().position(|&e| e == [a, b]).map(|i| i as u32);
                 assert_eq!(lookup.get(a, [b]), expected, "{a} {b}");
             }
         }
-        let none = Lookup::new(3, std::iter::empty()).unwrap();
+        let none = Lookup::new(3, std::iter::empty, &Control::free()).unwrap();
         assert_eq!(none.get(1, [2, 3]), None);
     }
 }

@@ -5,9 +5,11 @@
 //!
 //! Subfaces of old tetrahedra stay subfaces, with their names, where new tetrahedra have the same face. Regions come from the sector.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::journal::Journal;
 use crate::kernel::{face_key, flag, Mesh, GHOST, NONE};
 use rustc_hash::FxHashMap;
+use std::collections::TryReserveError;
 
 /// The most tetrahedra of a small replacement.
 const SMALL: usize = 32;
@@ -34,12 +36,11 @@ impl OpenFaces {
         Ok(())
     }
 
-    fn insert(&mut self, key: [u32; 3], code: u32) {
+    fn insert(&mut self, key: [u32; 3], code: u32) -> Result<(), TryReserveError> {
         if self.small {
-            self.list.push((key, code));
-        } else {
-            self.map.insert(key, code);
+            return fallible::push(&mut self.list, (key, code));
         }
+        fallible::insert(&mut self.map, key, code).map(drop)
     }
 
     fn remove(&mut self, key: &[u32; 3]) -> Option<u32> {
@@ -56,7 +57,7 @@ impl OpenFaces {
 }
 
 /// A part of a replacement between subfaces: tetrahedra that go, and those that come.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Sector {
     /// Slots of the old tetrahedra.
     pub old: Vec<u32>,
@@ -125,17 +126,14 @@ impl Replace {
         subfaces: &[([u32; 3], u32)],
     ) -> Result<(), Error> {
         self.begin(subfaces.iter().copied())?;
-        let mut parts: Vec<Part> = Vec::new();
-        parts.try_reserve(sectors.len())?;
-        parts.extend(sectors.iter().map(|s| Part { old: &s.old, new: &s.new, region: s.region }));
-        self.run(mesh, &parts)
+        let parts = sectors.iter().map(|s| Part { old: &s.old, new: &s.new, region: s.region });
+        self.run(mesh, &fallible::collect(parts)?)
     }
 
     fn begin(&mut self, subfaces: impl ExactSizeIterator<Item = ([u32; 3], u32)>) -> Result<(), Error> {
         self.subfaces.clear();
-        self.subfaces.try_reserve(subfaces.len())?;
-        self.subfaces.extend(subfaces.map(|(face, name)| (face_key(face), name)));
-        Ok(())
+        let keyed = subfaces.map(|(face, name)| (face_key(face), name));
+        Ok(fallible::insert_all(&mut self.subfaces, keyed)?)
     }
 
     fn run(&mut self, mesh: &mut Mesh, parts: &[Part]) -> Result<(), Error> {
@@ -147,11 +145,11 @@ impl Replace {
         mesh.prepare(old, new)?;
         self.read(mesh, parts)?;
         for &t in parts.iter().flat_map(|p| p.old) {
-            mesh.release(t);
+            mesh.release(t)?;
         }
         for (sector, part) in (0..).zip(parts) {
             for &corners in part.new {
-                self.put(mesh, corners, part.region, sector);
+                self.put(mesh, corners, part.region, sector)?;
             }
         }
         mesh.stamp(parts.iter().flat_map(|p| p.old).chain(&self.fresh).copied());
@@ -172,12 +170,11 @@ impl Replace {
             for code in part.old.iter().flat_map(|&t| 4 * t..4 * t + 4) {
                 let face = mesh.face(code);
                 if mesh.is_subface(code) {
-                    subfaces.try_reserve(1)?;
-                    subfaces.insert(face_key(face), mesh.subface(code));
+                    fallible::insert(subfaces, face_key(face), mesh.subface(code))?;
                 }
                 let n = mesh.across(code);
                 if mesh.flags[(n >> 2) as usize] & flag::MARK == 0 {
-                    open.insert(key(face, sector), n);
+                    open.insert(key(face, sector), n)?;
                 }
             }
         }
@@ -186,9 +183,9 @@ impl Replace {
 
     /// Puts a new tetrahedron in its slot and links it to those that are there already.
     #[inline(always)]
-    fn put(&mut self, mesh: &mut Mesh, corners: [u32; 4], region: u32, sector: u32) {
-        let t = mesh.allocate(corners);
-        self.fresh.push(t);
+    fn put(&mut self, mesh: &mut Mesh, corners: [u32; 4], region: u32, sector: u32) -> Result<(), Error> {
+        let t = mesh.allocate(corners)?;
+        fallible::push(&mut self.fresh, t)?;
         if let Some(place) = mesh.region.get_mut(t as usize) {
             *place = region;
         }
@@ -210,9 +207,10 @@ impl Replace {
             }
             match self.open.remove(&key) {
                 Some(other) => mesh.link(code, other),
-                None => self.open.insert(key, code),
+                None => self.open.insert(key, code)?,
             }
         }
+        Ok(())
     }
 }
 
@@ -223,16 +221,13 @@ impl Mesh {
         self.free.try_reserve(old)?;
         let slots = self.verts.len() + new.saturating_sub(old + self.free.len());
         if !self.region.is_empty() && self.region.len() < slots {
-            self.region.try_reserve(slots - self.region.len())?;
-            self.region.resize(slots, NONE);
+            fallible::resize(&mut self.region, slots, NONE)?;
         }
         if !self.subface.is_empty() && self.subface.len() < slots {
-            self.subface.try_reserve(slots - self.subface.len())?;
-            self.subface.resize(slots, [NONE; 4]);
+            fallible::resize(&mut self.subface, slots, [NONE; 4])?;
         }
         if self.stamps.tracked && self.stamps.changed.len() < slots {
-            self.stamps.changed.try_reserve(slots - self.stamps.changed.len())?;
-            self.stamps.changed.resize(slots, 0);
+            fallible::resize(&mut self.stamps.changed, slots, 0)?;
         }
         Ok(())
     }

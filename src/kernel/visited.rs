@@ -3,6 +3,7 @@
 //! Open addressing with linear probing, at most half full; an entry counts if it has the stamp of the current search, so clearing takes no
 //! time. Its size follows the largest search, not the mesh.
 use crate::error::Error;
+use crate::fallible;
 
 /// Entries at the start: enough for the star of most vertices.
 const FIRST: usize = 64;
@@ -66,10 +67,7 @@ impl Visited {
     #[cold]
     #[inline(never)]
     fn grow(&mut self) -> Result<(), Error> {
-        let mut larger = Vec::new();
-        let size = (2 * self.entries.len()).max(FIRST);
-        larger.try_reserve_exact(size)?;
-        larger.resize(size, (0, 0));
+        let larger = fallible::filled((0, 0), (2 * self.entries.len()).max(FIRST))?;
         let old = std::mem::replace(&mut self.entries, larger);
         self.stamp = self.stamp.max(1);
         for (t, _) in old.into_iter().filter(|entry| entry.1 == self.stamp) {

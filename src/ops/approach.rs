@@ -4,6 +4,7 @@
 //! part. So apexes are chosen by the tetrahedra that they would form with the walls, and the cavity is what these overlap, as when
 //! inserting a vertex (Watson 1981), but for an existing vertex. All this is floating-point arithmetic: it only chooses what to try.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::tables::FACE;
 use crate::kernel::visited::Visited;
 use crate::kernel::Mesh;
@@ -51,8 +52,10 @@ impl Approach {
     ) -> Result<(), Error> {
         self.apexes.clear();
         self.walls.clear();
-        self.walls.try_reserve(4)?;
-        self.walls.extend((4 * t..4 * t + 4).filter(|&c| mesh.is_wall(c)).map(|c| mesh.face(c)));
+        fallible::extend(
+            &mut self.walls,
+            (4 * t..4 * t + 4).filter(|&c| mesh.is_wall(c)).map(|c| mesh.face(c)),
+        )?;
         if self.walls.is_empty() {
             return Ok(());
         }
@@ -64,13 +67,12 @@ impl Approach {
         for i in 0..self.ranked.len().min(CANDIDATES) {
             let apex = self.ranked[i].1;
             if self.collect(mesh, points, isolated, t, apex, &mut tets)? {
-                self.sized.push((tets.len(), apex));
+                fallible::push(&mut self.sized, (tets.len(), apex))?;
             }
         }
         self.near = tets;
         self.sized.sort_unstable();
-        self.apexes.try_reserve(TRIES)?;
-        self.apexes.extend(self.sized.iter().take(TRIES).map(|s| s.1));
+        fallible::extend(&mut self.apexes, self.sized.iter().take(TRIES).map(|s| s.1))?;
         Ok(())
     }
 
@@ -78,7 +80,7 @@ impl Approach {
     fn look_round(&mut self, mesh: &Mesh, t: u32) -> Result<(), Error> {
         self.near.clear();
         self.near.try_reserve(NEAR + 4)?;
-        self.near.push(t);
+        fallible::push(&mut self.near, t)?;
         self.visited.begin();
         self.visited.insert(t)?;
         let mut i = 0;
@@ -86,7 +88,7 @@ impl Approach {
             for code in 4 * self.near[i]..4 * self.near[i] + 4 {
                 let n = mesh.across(code) >> 2;
                 if !mesh.is_wall(code) && self.visited.insert(n)? {
-                    self.near.push(n);
+                    fallible::push(&mut self.near, n)?;
                 }
             }
             i += 1;
@@ -104,8 +106,10 @@ impl Approach {
                     continue;
                 }
                 let of = |&[x, y, z]: &[u32; 3]| goal.quality(Shape::of(points, [p, x, y, z]));
-                self.ranked.try_reserve(1)?;
-                self.ranked.push((self.walls.iter().map(of).fold(f64::INFINITY, f64::min), p));
+                fallible::push(
+                    &mut self.ranked,
+                    (self.walls.iter().map(of).fold(f64::INFINITY, f64::min), p),
+                )?;
             }
         }
         self.ranked.retain(|r| r.0 > goal.above);
@@ -125,7 +129,7 @@ impl Approach {
     ) -> Result<bool, Error> {
         tets.clear();
         tets.try_reserve(MOST + 4)?;
-        tets.push(t);
+        fallible::push(tets, t)?;
         self.visited.begin();
         self.visited.insert(t)?;
         let mut i = 0;
@@ -140,7 +144,7 @@ impl Approach {
                 if self.walls.iter().any(|&[x, y, z]| overlap(points, [apex, x, y, z], verts)) {
                     whole &= !mesh.is_wall(code) && may_join(mesh, isolated, &self.visited, n);
                     self.visited.insert(n)?;
-                    tets.push(n);
+                    fallible::push(tets, n)?;
                 }
             }
             i += 1;

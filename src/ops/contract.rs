@@ -1,4 +1,5 @@
 //! Contraction: two neighbours inside become one vertex at a better position, or none if the union of their stars can be filled without.
+use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
@@ -9,9 +10,8 @@ use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::predicates::Points;
 
 /// Contracts edges; keeps its scratch space.
-#[derive(Default)]
-pub struct Contract {
-    reconnect: Reconnect,
+pub struct Contract<'a> {
+    reconnect: Reconnect<'a>,
     search: StarSearch,
     replace: Replace,
     faces: Vec<[u32; 3]>,
@@ -19,7 +19,18 @@ pub struct Contract {
     pub read: Vec<u32>,
 }
 
-impl Contract {
+impl<'a> Contract<'a> {
+    /// Searches that this control may end.
+    pub fn new(control: &'a Control<'a>) -> Self {
+        Contract {
+            reconnect: Reconnect::new(control),
+            search: StarSearch::default(),
+            replace: Replace::default(),
+            faces: Vec::new(),
+            read: Vec::new(),
+        }
+    }
+
     /// Removes `p` together with a neighbour that is also movable, by a filling without both, or replaces both by `p` at another position.
     pub fn merge(
         &mut self,
@@ -35,8 +46,7 @@ impl Contract {
             return Ok(false);
         }
         self.search.vertex_star(mesh, p, start)?;
-        self.read.try_reserve(self.search.tets.len())?;
-        self.read.extend_from_slice(&self.search.tets);
+        fallible::append(&mut self.read, &self.search.tets)?;
         let mut others = fallible::collect(self.search.tets.iter().flat_map(|&t| mesh.verts(t)))?;
         others.sort_unstable();
         others.dedup();
@@ -44,17 +54,16 @@ impl Contract {
         let star = fallible::copied(&self.search.tets)?;
         for q in others {
             self.search.vertex_star(mesh, q, mesh.vertex_tet[q as usize])?;
-            self.read.try_reserve(self.search.tets.len())?;
-            self.read.extend_from_slice(&self.search.tets);
+            fallible::append(&mut self.read, &self.search.tets)?;
             let mut old = fallible::copied(&star)?;
-            old.extend_from_slice(&self.search.tets);
+            fallible::append(&mut old, &self.search.tets)?;
             old.sort_unstable();
             old.dedup();
             self.faces.clear();
             for code in old.iter().flat_map(|&t| 4 * t..4 * t + 4) {
                 let face = mesh.face(code);
                 if !face.contains(&p) && !face.contains(&q) {
-                    self.faces.push(face);
+                    fallible::push(&mut self.faces, face)?;
                 }
             }
             let mut new = Vec::new();
@@ -67,7 +76,7 @@ impl Contract {
             }
             let at = *points.xyz(p);
             if place_at_center(points, p, &self.faces)? {
-                new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+                fallible::extend(&mut new, self.faces.iter().map(|&[x, y, z]| [p, x, y, z]))?;
                 self.replace.cavity(mesh, &old, &new, &[])?;
                 mesh.vertex_tet[q as usize] = NONE;
                 return Ok(true);

@@ -8,7 +8,9 @@
 //! If an edge is removed to make way for another, the replacing sheet is the one that obstructs the other edge least.
 //!
 //! Invariants: constrained edges and subfaces stay; the mesh is valid after every step.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::around::{EdgeRing, StarSearch};
 use crate::kernel::cavity::Edges;
 use crate::kernel::edge_key;
@@ -72,6 +74,8 @@ pub struct Site<'a> {
     pub edges: &'a Edges,
     /// Puts tetrahedra in place.
     pub replace: &'a mut Replace,
+    /// What may end the work.
+    pub control: &'a Control<'a>,
 }
 
 /// Flips; keeps its scratch space and the log of the last removal.
@@ -106,6 +110,7 @@ impl Flips {
             next = match next {
                 Next::Try(edge, ear, hint) => {
                     left = left.saturating_sub(1);
+                    site.control.step()?;
                     self.enter(site, edge, ear, hint, limits.depth)?
                 }
                 Next::Advance => self.advance(site, left)?,
@@ -127,7 +132,9 @@ impl Flips {
         self.tets.clear();
         let Flips { sheets, link, tets, .. } = self;
         link.rotate_right(1);
-        let (one, other) = (link[..=middle + 1].to_vec(), [&link[middle + 1..], &link[..1]].concat());
+        let one = fallible::copied(&link[..=middle + 1])?;
+        let mut other = fallible::copied(&link[middle + 1..])?;
+        fallible::push(&mut other, link[0])?;
         for part in [one, other] {
             if !sheets.fill(site.points, old, &part, false, tets)? {
                 return Ok(false);
@@ -165,8 +172,7 @@ impl Flips {
         }
         let obstacles = self.obstacles(site, edge)?;
         let (ring, start) = (self.link.len(), self.log.len());
-        self.frames.try_reserve(1)?;
-        self.frames.push(Frame { edge, ear, obstacles, ring, start, kept: start });
+        fallible::push(&mut self.frames, Frame { edge, ear, obstacles, ring, start, kept: start })?;
         Ok(Next::Advance)
     }
 
@@ -228,10 +234,12 @@ impl Flips {
         };
         let first = match known {
             true => hint,
-            false => match self.search.find_edge(mesh, p, q, mesh.vertex_tet[p as usize])? {
-                Some(first) => first,
-                None => return Ok(false),
-            },
+            false => {
+                let found = self.search.find_edge(mesh, p, q, mesh.vertex_tet[p as usize])?;
+                site.control.worked(self.search.tets.len());
+                let Some(first) = found else { return Ok(false) };
+                first
+            }
         };
         self.ring.clear();
         self.link.clear();
@@ -242,8 +250,8 @@ impl Flips {
             if constrained || mesh.is_ghost(t) || self.ring.len() == most {
                 return Ok(false);
             }
-            self.ring.push(t);
-            self.link.push(mesh.vertex(t, k));
+            fallible::push(&mut self.ring, t)?;
+            fallible::push(&mut self.link, mesh.vertex(t, k))?;
         }
         if let Some(v) = ear {
             let Some(at) = self.link.iter().position(|&w| w == v) else { return Ok(false) };
@@ -282,15 +290,18 @@ impl Flips {
     /// the other end obstructs it.
     fn obstacles(&self, site: &Site, [p, q]: [u32; 2]) -> Result<Vec<Obstacle>, Error> {
         let n = self.link.len();
-        let mut out = Vec::new();
-        out.try_reserve(n)?;
+        let mut out = fallible::reserved(n)?;
         for i in (0..n).rev() {
             let [a, b, c] = [i + n - 1, i, i + 1].map(|at| self.link[at % n]);
             let above = site.points.orient3d(a, b, c, q) == Sign::Positive;
             let below = site.points.orient3d(a, b, c, p) == Sign::Negative;
             match (below, above) {
-                (true, false) => out.push(Obstacle { edge: [q, b], ear: p, hint: self.ring[i] }),
-                (false, true) => out.push(Obstacle { edge: [p, b], ear: q, hint: self.ring[i] }),
+                (true, false) => {
+                    fallible::push(&mut out, Obstacle { edge: [q, b], ear: p, hint: self.ring[i] })?;
+                }
+                (false, true) => {
+                    fallible::push(&mut out, Obstacle { edge: [p, b], ear: q, hint: self.ring[i] })?;
+                }
                 _ => {}
             }
         }

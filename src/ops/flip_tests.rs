@@ -1,4 +1,5 @@
 //! Flips on random meshes: removed edges are absent, undone flips restore the mesh, and the mesh is always valid.
+use crate::control::Control;
 use crate::delaunay::Construction;
 use crate::kernel::cavity::Edges;
 use crate::kernel::check::check_topology;
@@ -76,7 +77,9 @@ fn edges_are_removed_or_nothing_changes() {
                     continue;
                 }
                 let before = tets(&mesh);
-                let mut site = Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace };
+                let control = &Control::free();
+                let mut site =
+                    Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace, control };
                 let gone = flips.remove(&mut site, edge, None, Limits { depth, rings: 300 }).unwrap();
                 check(&mesh, &points);
                 let now = edges(&mesh);
@@ -87,7 +90,9 @@ fn edges_are_removed_or_nothing_changes() {
                     continue;
                 }
                 *if depth == 0 { &mut shallow } else { &mut deep } += 1;
-                let mut site = Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace };
+                let control = &Control::free();
+                let mut site =
+                    Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace, control };
                 flips.take_back(&mut site).unwrap();
                 check(&mesh, &points);
                 assert_eq!(tets(&mesh), before);
@@ -111,7 +116,8 @@ fn an_edge_is_exchanged_for_one_that_crosses_it() {
     let (old, new) = ([0, 1], [2, 13]);
     assert!(edges(&mesh).contains(&old));
     let (mut replace, mut flips, kept) = (Replace::default(), Flips::default(), Edges::default());
-    let mut site = Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace };
+    let control = &Control::free();
+    let mut site = Site { mesh: &mut mesh, points: &points, edges: &kept, replace: &mut replace, control };
     assert!(flips.exchange(&mut site, old, new).unwrap());
     check(&mesh, &points);
     let now = edges(&mesh);
@@ -128,8 +134,9 @@ fn a_point_goes_into_the_longest_inner_stretch_or_beside_the_only_edge() {
     let points = Points::new(xyz);
     let face = |k: u32| Feature::Face([2 + 3 * k, 3 + 3 * k, 4 + 3 * k]);
     let mut places = Vec::new();
-    let mut at =
-        |features: &[Feature]| (1e6 * breakpoint(&points, [0, 1], features, &mut places)).round() / 1e6;
+    let mut at = |features: &[Feature]| {
+        (1e6 * breakpoint(&points, [0, 1], features, &mut places).unwrap()).round() / 1e6
+    };
     assert_eq!(at(&[face(0), face(1), face(2), face(3)]), 0.4);
     // Never in the tetrahedra at the ends, however long they are.
     assert_eq!(at(&[face(2), face(3)]), 0.75);
@@ -158,10 +165,11 @@ fn segments_become_unions_of_edges_with_all_rounds() {
         // Every third edge, so that not all of the mesh is given.
         let wanted: Vec<[u32; 2]> = ends.iter().copied().step_by(3).collect();
         let (pieces, [missing, split]) = {
-            let mut recovery = Recovery::new(&mut mesh, &mut points, rounds);
-            recovery.edges(&wanted, &mut |_| Ok(())).unwrap();
-            let mut segments = Segments::new(recovery.points, wanted).unwrap();
-            assert!(recovery.split_missing(&mut segments, &mut |_| Ok(())).unwrap());
+            let free = Control::free();
+            let mut recovery = Recovery::new(&mut mesh, &mut points, rounds, &free);
+            recovery.edges(&wanted).unwrap();
+            let mut segments = Segments::new(recovery.points, wanted, &Control::free()).unwrap();
+            assert!(recovery.split_missing(&mut segments).unwrap());
             (segments.pieces, [recovery.missing_edges, recovery.split])
         };
         check(&mesh, &points);

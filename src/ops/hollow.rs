@@ -71,9 +71,9 @@ impl Hollow {
         self.cavity.bound(mesh, &Terms { keep: isolated, gone, walls, without })?;
         self.edges.clear();
         self.edges.try_reserve(1 + self.cavity.edges.len())?;
-        self.edges.extend(start.edge);
-        self.edges.extend(self.cavity.edges.iter().filter(|&&edge| Some(edge) != start.edge));
-        Ok(())
+        fallible::extend(&mut self.edges, start.edge)?;
+        let others = self.cavity.edges.iter().copied().filter(|&edge| Some(edge) != start.edge);
+        Ok(fallible::extend(&mut self.edges, others)?)
     }
 
     fn fill(
@@ -107,15 +107,12 @@ impl Hollow {
         let mut new = Vec::new();
         let mut known: FxHashSet<Vec<u32>> = FxHashSet::default();
         let mut queue: Vec<Vec<u32>> = Vec::new();
-        let mut first = Vec::new();
-        first.try_reserve(start.tets.len())?;
-        first.extend_from_slice(start.tets);
+        let first = fallible::copied(start.tets)?;
         queue.try_reserve(growth.tries + 1)?;
-        queue.push(first);
+        fallible::push(&mut queue, first)?;
         let mut next = 0;
         while next < queue.len() {
-            self.read.try_reserve(queue[next].len())?;
-            self.read.extend_from_slice(&queue[next]);
+            fallible::append(&mut self.read, &queue[next])?;
             self.bound(mesh, &queue[next], start, isolated)?;
             // The caller has already tried the start itself.
             if next > 0 && self.fill(reconnect, points, growth.budget, &mut new)? {
@@ -126,13 +123,13 @@ impl Hollow {
                 continue;
             }
             for ring in self.rings(mesh, points, start)?.into_iter().take(growth.branches) {
-                let mut larger = fallible::copied(&self.cavity.tets)?;
-                larger.try_reserve(ring.len())?;
-                larger.extend(ring);
-                let mut key = larger.clone();
+                let mut larger = fallible::reserved(self.cavity.tets.len() + ring.len())?;
+                fallible::append(&mut larger, &self.cavity.tets)?;
+                fallible::append(&mut larger, &ring)?;
+                let mut key = fallible::copied(&larger)?;
                 key.sort_unstable();
-                if known.insert(key) && queue.len() <= growth.tries {
-                    queue.push(larger);
+                if fallible::add(&mut known, key)? && queue.len() <= growth.tries {
+                    fallible::push(&mut queue, larger)?;
                 }
             }
         }
@@ -146,8 +143,7 @@ impl Hollow {
         for &(face, code) in &self.cavity.doors {
             let [x, y, z] = self.cavity.faces[face as usize];
             for (p, q) in [(x, y), (y, z), (z, x)] {
-                self.at_edge.try_reserve(1)?;
-                self.at_edge.push((edge_key(p, q), face, code));
+                fallible::push(&mut self.at_edge, (edge_key(p, q), face, code))?;
             }
         }
         self.at_edge.sort_unstable();
@@ -162,14 +158,13 @@ impl Hollow {
             let Some(apex) = apex else { continue };
             let sign =
                 if [x, y, z].contains(&apex) { Sign::Negative } else { points.orient3d(apex, x, y, z) };
-            ranked.try_reserve(1)?;
-            ranked.push((sign, ring.len(), edge, ring));
+            fallible::push(&mut ranked, (sign, ring.len(), edge, ring))?;
         }
         ranked.sort_unstable();
         // Convex edges hardly ever obstruct a filling.
         let blocking = ranked.iter().filter(|r| r.0 != Sign::Positive).count();
         ranked.truncate(blocking.max(2));
-        Ok(ranked.into_iter().map(|r| r.3).collect())
+        Ok(fallible::collect(ranked.into_iter().map(|r| r.3))?)
     }
 }
 
@@ -191,15 +186,13 @@ fn ring(
         if cavity.has(t) {
             return Ok(Some(ring));
         }
-        read.try_reserve(1)?;
-        read.push(t);
+        fallible::push(read, t)?;
         let verts = mesh.verts(t);
         let taken = start.taken.iter().any(|s| s.old.contains(&t));
         if taken || ring.len() >= MOST_RING || start.avoid.iter().all(|v| verts.contains(v)) {
             return Ok(None);
         }
-        ring.try_reserve(1)?;
-        ring.push(t);
+        fallible::push(&mut ring, t)?;
         let Some(slot) = mesh.slot_of(t, left) else { return Ok(None) };
         if mesh.is_wall(4 * t + slot) {
             return Ok(None);

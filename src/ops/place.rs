@@ -3,7 +3,9 @@
 //! Candidates come from floating-point arithmetic: the point farthest from all planes, then points between it and a point `from` at which
 //! the polyhedron is known to be open, halving the distance down to the last bit, then the neighbours of `from` among doubles. Exact
 //! orientation accepts the first that sees every face.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::ops::center::{center, Plane};
 use crate::predicates::{in_range, Points, Sign};
 use crate::vector::dot;
@@ -41,7 +43,7 @@ pub fn planes(
         let length = dot(&n, &n).sqrt();
         if length > 0.0 && length.is_finite() {
             let normal = n.map(|a| a / length);
-            out.push(Plane { normal, offset: -dot(&normal, &x) });
+            fallible::push(out, Plane { normal, offset: -dot(&normal, &x) })?;
         }
     }
     Ok(size.sqrt())
@@ -55,22 +57,23 @@ pub fn place(
     faces: &[[u32; 3]],
     from: [f64; 3],
     toward: &[[f64; 3]],
+    control: &Control,
 ) -> Result<bool, Error> {
     let mut list = Vec::new();
     let size = planes(points, faces, &from, &mut list)?;
     let (best, _) = center(&list, 4.0 * size.max(f64::MIN_POSITIVE));
-    let mut ways: Vec<[f64; 3]> = Vec::new();
-    ways.try_reserve(toward.len() + 1)?;
-    ways.push(best);
+    let mut ways: Vec<[f64; 3]> = fallible::reserved(toward.len() + 1)?;
+    fallible::push(&mut ways, best)?;
     for way in toward {
         let length = dot(way, way).sqrt();
         if length > 0.0 && length.is_finite() {
-            ways.push(way.map(|x| x / length * size));
+            fallible::push(&mut ways, way.map(|x| x / length * size))?;
         }
     }
     for way in &ways {
         let mut factor = 1.0;
         for _ in 0..HALVINGS {
+            control.step()?;
             let q = [0, 1, 2].map(|k| from[k] + factor * way[k]);
             if accept(points, p, q, faces)? {
                 return Ok(true);

@@ -4,6 +4,7 @@
 //! boundary winds once around inner points and never around outer ones. So orientations are the only exact signs needed; costs only choose.
 
 use crate::error::Error;
+use crate::fallible;
 use crate::predicates::{Points, Sign};
 use crate::vector::dot;
 
@@ -38,24 +39,22 @@ impl Polygons {
         }
         let Some(turn) = turn(points, axis, polygon) else { return Ok(out) };
         if n > MOST_CORNERS {
-            out.try_reserve(1)?;
-            out.extend(clip_ears(points, axis, polygon, turn)?);
+            fallible::extend(&mut out, clip_ears(points, axis, polygon, turn)?)?;
             return Ok(out);
         }
         self.solve(points, axis, polygon, turn, wanted)?;
-        let mut apexes: Vec<(f64, usize)> = Vec::new();
-        apexes.try_reserve(n)?;
+        let mut apexes: Vec<(f64, usize)> = fallible::reserved(n)?;
         for k in 1..n - 1 {
             let cost = self.with_apex(points, axis, polygon, turn, [0, k, n - 1]);
             if cost.is_finite() {
-                apexes.push((cost, k));
+                fallible::push(&mut apexes, (cost, k))?;
             }
         }
-        apexes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        apexes.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         out.try_reserve(apexes.len())?;
         for (_, k) in apexes {
             self.apex[n - 1] = k as u8;
-            out.push(self.collect(polygon)?);
+            fallible::push(&mut out, self.collect(polygon)?)?;
         }
         Ok(out)
     }
@@ -71,11 +70,9 @@ impl Polygons {
     ) -> Result<(), Error> {
         let n = polygon.len();
         self.cost.clear();
-        self.cost.try_reserve(n * n)?;
-        self.cost.resize(n * n, 0.0);
+        fallible::resize(&mut self.cost, n * n, 0.0)?;
         self.apex.clear();
-        self.apex.try_reserve(n * n)?;
-        self.apex.resize(n * n, 0);
+        fallible::resize(&mut self.apex, n * n, 0)?;
         for length in 2..n - 1 {
             for i in 0..n - length {
                 let j = i + length;
@@ -112,19 +109,18 @@ impl Polygons {
 
     fn collect(&mut self, polygon: &[u32]) -> Result<Vec<[u32; 3]>, Error> {
         let n = polygon.len();
-        let mut triangles = Vec::new();
-        triangles.try_reserve(n)?;
+        let mut triangles = fallible::reserved(n)?;
         self.stack.clear();
         self.stack.try_reserve(2 * n)?;
-        self.stack.push((0, n - 1));
+        fallible::push(&mut self.stack, (0, n - 1))?;
         while let Some((i, j)) = self.stack.pop() {
             if j - i < 2 {
                 continue;
             }
             let k = self.apex[i * n + j] as usize;
-            triangles.push([polygon[i], polygon[k], polygon[j]]);
-            self.stack.push((i, k));
-            self.stack.push((k, j));
+            fallible::push(&mut triangles, [polygon[i], polygon[k], polygon[j]])?;
+            fallible::push(&mut self.stack, (i, k))?;
+            fallible::push(&mut self.stack, (k, j))?;
         }
         Ok(triangles)
     }
@@ -153,11 +149,8 @@ fn clip_ears(
     polygon: &[u32],
     turn: Sign,
 ) -> Result<Option<Vec<[u32; 3]>>, Error> {
-    let mut left: Vec<u32> = Vec::new();
-    left.try_reserve(polygon.len())?;
-    left.extend_from_slice(polygon);
-    let mut triangles = Vec::new();
-    triangles.try_reserve(polygon.len())?;
+    let mut left: Vec<u32> = fallible::copied(polygon)?;
+    let mut triangles = fallible::reserved(polygon.len())?;
     let mut at = 0;
     let mut refused = 0;
     while left.len() > 3 {
@@ -170,7 +163,7 @@ fn clip_ears(
                 v == a || v == b || v == c || against(a, b, v) || against(b, c, v) || against(c, a, v)
             });
         if ear {
-            triangles.push([a, b, c]);
+            fallible::push(&mut triangles, [a, b, c])?;
             left.remove(at % n);
             refused = 0;
         } else {
@@ -185,6 +178,6 @@ fn clip_ears(
     if points.orient_in_plane(axis, a, b, c) != turn {
         return Ok(None);
     }
-    triangles.push([a, b, c]);
+    fallible::push(&mut triangles, [a, b, c])?;
     Ok(Some(triangles))
 }

@@ -1,5 +1,6 @@
 //! Removal of a vertex inside: its star is filled without it, if small polyhedron reconnection finds a filling (this includes contraction
 //! to a neighbour, which is a filling with a common apex), or else a larger cavity is ([`hollow`](crate::ops::hollow)).
+use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
@@ -11,9 +12,8 @@ use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::predicates::Points;
 
 /// Removes vertices; keeps its scratch space.
-#[derive(Default)]
-pub struct RemoveVertex {
-    reconnect: Reconnect,
+pub struct RemoveVertex<'a> {
+    reconnect: Reconnect<'a>,
     search: StarSearch,
     replace: Replace,
     faces: Vec<[u32; 3]>,
@@ -22,7 +22,19 @@ pub struct RemoveVertex {
     pub read: Vec<u32>,
 }
 
-impl RemoveVertex {
+impl<'a> RemoveVertex<'a> {
+    /// Searches that this control may end.
+    pub fn new(control: &'a Control<'a>) -> Self {
+        RemoveVertex {
+            reconnect: Reconnect::new(control),
+            search: StarSearch::default(),
+            replace: Replace::default(),
+            faces: Vec::new(),
+            hollow: Hollow::default(),
+            read: Vec::new(),
+        }
+    }
+
     /// Fills the star of `p` without it, if it can; the edges `keep` stay.
     pub fn remove(
         &mut self,
@@ -38,8 +50,7 @@ impl RemoveVertex {
             return Ok(false);
         }
         self.search.link(mesh, p, &mut self.faces)?;
-        self.read.try_reserve(self.search.tets.len())?;
-        self.read.extend_from_slice(&self.search.tets);
+        fallible::append(&mut self.read, &self.search.tets)?;
         let mut new = Vec::new();
         let polyhedron = Polyhedron { faces: &self.faces, inner: &[], ..Polyhedron::default() };
         let mut old = fallible::copied(&self.search.tets)?;
@@ -58,8 +69,7 @@ impl RemoveVertex {
             };
             let Some(found) = self.hollow.grow(mesh, points, &mut self.reconnect, &start, keep, growth)?
             else {
-                self.read.try_reserve(self.hollow.read.len())?;
-                self.read.extend_from_slice(&self.hollow.read);
+                fallible::append(&mut self.read, &self.hollow.read)?;
                 return Ok(false);
             };
             new = found;

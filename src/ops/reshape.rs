@@ -5,7 +5,9 @@
 //! floating-point and only choose among fillings whose tetrahedra are positive by exact signs.
 //!
 //! Invariants: subfaces, edges on no facet, regions and vertices stay.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::around::EdgeRing;
 use crate::kernel::cavity::{Cavity, Edges, Terms};
 use crate::kernel::replace::Replace;
@@ -67,11 +69,11 @@ pub fn shape(mesh: &Mesh, points: &Points, t: u32) -> Shape {
 }
 
 /// Takes steps; keeps its scratch space.
-#[derive(Default)]
-pub struct Reshape {
+pub struct Reshape<'a> {
+    control: &'a Control<'a>,
     sheets: Sheets,
     approach: Approach,
-    reconnect: Reconnect,
+    reconnect: Reconnect<'a>,
     /// Puts tetrahedra in place.
     pub replace: Replace,
     ring: Vec<u32>,
@@ -87,7 +89,27 @@ pub struct Reshape {
     new: Vec<[u32; 4]>,
 }
 
-impl Reshape {
+impl<'a> Reshape<'a> {
+    /// Steps that this control may end.
+    pub fn new(control: &'a Control<'a>) -> Self {
+        Reshape {
+            control,
+            sheets: Sheets::default(),
+            approach: Approach::default(),
+            reconnect: Reconnect::new(control),
+            replace: Replace::default(),
+            ring: Vec::new(),
+            link: Vec::new(),
+            cavity: Cavity::default(),
+            corners: Vec::new(),
+            doors: Vec::new(),
+            faces: Vec::new(),
+            inner: Vec::new(),
+            given: Vec::new(),
+            new: Vec::new(),
+        }
+    }
+
     /// Tries all ways to improve a tetrahedron; the new ones are in `replace.fresh`.
     pub fn improve(
         &mut self,
@@ -111,7 +133,7 @@ impl Reshape {
         self.given.clear();
         for &(most, budget) in effort.cavities {
             self.ring.clear();
-            self.ring.push(t);
+            fallible::push(&mut self.ring, t)?;
             self.grow(mesh, points, isolated, t, most)?;
             if self.refill(mesh, points, aim, budget)? {
                 return Ok(true);
@@ -142,6 +164,7 @@ impl Reshape {
         t: u32,
         aim: &Aim,
     ) -> Result<bool, Error> {
+        self.control.look()?;
         let goal = aim.goal(mesh, points, &[t]);
         self.approach.find(mesh, points, isolated, t, &goal)?;
         for i in 0..self.approach.apexes.len() {
@@ -149,7 +172,7 @@ impl Reshape {
             self.approach.collect(mesh, points, isolated, t, apex, &mut self.ring)?;
             self.grow(mesh, points, isolated, t, 0)?;
             self.given.clear();
-            self.given.extend(self.approach.walls.iter().map(|&[x, y, z]| [apex, x, y, z]));
+            fallible::extend(&mut self.given, self.approach.walls.iter().map(|&[x, y, z]| [apex, x, y, z]))?;
             let small = self.corners.len() <= MOST_AT_WALL;
             if self.refill(mesh, points, aim, if small { BUDGET_AT_WALL } else { 0 })? {
                 return Ok(true);
@@ -176,10 +199,8 @@ impl Reshape {
             {
                 return Ok(false);
             }
-            self.ring.try_reserve(1)?;
-            self.ring.push(t);
-            self.link.try_reserve(1)?;
-            self.link.push(mesh.vertex(t, k));
+            fallible::push(&mut self.ring, t)?;
+            fallible::push(&mut self.link, mesh.vertex(t, k))?;
         }
         Ok(self.ring.len() >= 3 && !isolated.contains(&edge_key(p, q)))
     }
@@ -230,11 +251,13 @@ impl Reshape {
             self.cavity.add(t)?;
             for v in mesh.verts(t) {
                 if !self.corners.contains(&v) {
-                    self.corners.push(v);
+                    fallible::push(&mut self.corners, v)?;
                 }
             }
-            self.doors.try_reserve(4)?;
-            self.doors.extend((4 * t..4 * t + 4).filter(|&c| !mesh.is_wall(c)).map(|c| mesh.across(c)));
+            fallible::extend(
+                &mut self.doors,
+                (4 * t..4 * t + 4).filter(|&c| !mesh.is_wall(c)).map(|c| mesh.across(c)),
+            )?;
             if let Some(seed) = seeds.pop() {
                 next = Some(seed);
                 continue;
@@ -282,8 +305,7 @@ impl Reshape {
                     // The tetrahedron is on the other side of it.
                     Some(_) => return Ok(false),
                     None => {
-                        self.faces.try_reserve(1)?;
-                        self.faces.push(reversed(face));
+                        fallible::push(&mut self.faces, reversed(face))?;
                     }
                 }
             }
@@ -296,8 +318,7 @@ impl Reshape {
         self.cavity.bound(mesh, &Terms::keep(&Edges::default()))?;
         self.faces.clear();
         self.inner.clear();
-        self.faces.try_reserve(self.cavity.faces.len())?;
-        self.faces.extend_from_slice(&self.cavity.faces);
+        fallible::append(&mut self.faces, &self.cavity.faces)?;
         let goal = aim.goal(mesh, points, &self.cavity.tets);
         if budget == 0 || !self.cut_given(points, &goal)? {
             return Ok(false);
@@ -305,7 +326,7 @@ impl Reshape {
         self.inner.try_reserve(self.corners.len())?;
         let (faces, given) = (&self.faces, &self.given);
         let covered = |v: &u32| faces.iter().any(|f| f.contains(v)) || given.iter().any(|t| t.contains(v));
-        self.inner.extend(self.corners.iter().filter(|&v| !covered(v)));
+        fallible::extend(&mut self.inner, self.corners.iter().copied().filter(|v| !covered(v)))?;
         let polyhedron = Polyhedron { faces: &self.faces, inner: &self.inner, edges: &[] };
         self.new.clear();
         let found = if given.is_empty() {
@@ -316,8 +337,7 @@ impl Reshape {
         if !found {
             return Ok(false);
         }
-        self.new.try_reserve(self.given.len())?;
-        self.new.extend_from_slice(&self.given);
+        fallible::append(&mut self.new, &self.given)?;
         self.replace.cavity(mesh, &self.cavity.tets, &self.new, &[])?;
         Ok(true)
     }

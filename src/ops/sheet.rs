@@ -8,6 +8,7 @@
 //!
 //! Signs are exact; quality, and which tetrahedra meet the segment, are floating-point and only choose among valid sheets.
 use crate::error::Error;
+use crate::fallible;
 use crate::ops::quality::quality;
 use crate::ops::shape::{Goal, Shape};
 use crate::predicates::{Points, Sign};
@@ -54,8 +55,7 @@ impl Sheets {
         }
         if n == 3 {
             let [a, b, c] = [0, 1, 2].map(|i| link[i]);
-            tets.try_reserve(2)?;
-            tets.extend([[a, b, c, q], [b, a, c, p]]);
+            fallible::extend(tets, [[a, b, c, q], [b, a, c, p]])?;
             return Ok(true);
         }
         self.plan_valid(points, link, ear, |_| 0, [p, q], tets)
@@ -119,9 +119,8 @@ impl Sheets {
         }
         let apexes = &mut self.apexes;
         apexes.clear();
-        apexes.try_reserve(n * n)?;
         // Sides of the polygon need no apex.
-        apexes.resize(n * n, u64::MAX);
+        fallible::resize(apexes, n * n, u64::MAX)?;
         for (i, j) in chords(n, ear) {
             let mut set = 0;
             for k in first_apex(n, ear, [i, j])..j {
@@ -177,8 +176,7 @@ impl Sheets {
             return Ok(false);
         }
         self.best.clear();
-        self.best.try_reserve(n * n)?;
-        self.best.resize(n * n, Best { worst: f64::INFINITY, met: 0, apex: 0 });
+        fallible::resize(&mut self.best, n * n, Best { worst: f64::INFINITY, met: 0, apex: 0 })?;
         for (i, j) in chords(n, ear) {
             let mut best = Best { worst: above, met: u32::MAX, apex: 0 };
             for k in first_apex(n, ear, [i, j])..j {
@@ -201,15 +199,15 @@ impl Sheets {
         tets.try_reserve(2 * (n - 2))?;
         self.stack.clear();
         self.stack.try_reserve(n)?;
-        self.stack.push((0, n as u8 - 1));
+        fallible::push(&mut self.stack, (0, n as u8 - 1))?;
         while let Some((i, j)) = self.stack.pop() {
             if j - i < 2 {
                 continue;
             }
             let k = self.best[i as usize * n + j as usize].apex;
             let [a, b, c] = [i, k, j].map(|at| link[at as usize]);
-            tets.extend([[a, b, c, q], [b, a, c, p]]);
-            self.stack.extend([(i, k), (k, j)]);
+            fallible::extend(tets, [[a, b, c, q], [b, a, c, p]])?;
+            fallible::extend(&mut self.stack, [(i, k), (k, j)])?;
         }
         Ok(true)
     }

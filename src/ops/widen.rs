@@ -7,8 +7,10 @@
 //! tetrahedra it has does not depend on the order of the work.
 //!
 //! Points inside that the cavity swallows are no longer needed; other vertices must stay on its boundary.
+use crate::control::Control;
 use crate::elementary::power_of_two;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::cavity::{Cavity, Terms};
 use crate::kernel::face_key;
 use crate::kernel::Mesh;
@@ -46,17 +48,26 @@ pub struct Rays<'a> {
     pub toward: &'a [[f64; 3]],
 }
 
+/// What a cavity respects besides its start.
+#[derive(Clone, Copy, Debug)]
+pub struct Kept<'a> {
+    /// Edges that must stay.
+    pub isolated: &'a FxHashSet<[u32; 2]>,
+    /// The points inside: all that it may swallow.
+    pub inside: &'a [u32],
+}
+
 impl Widen {
     /// Moves the point to a position from which a cavity that holds the start is star-shaped. Returns the new tetrahedra, or nothing;
-    /// the old ones are in `self.cavity`. `known`: the points inside.
+    /// the old ones are in `self.cavity`.
     pub fn place(
         &mut self,
         mesh: &Mesh,
         points: &mut Points,
         start: &Start,
-        isolated: &FxHashSet<[u32; 2]>,
-        known: &[u32],
+        kept: Kept,
         rays: &Rays,
+        control: &Control,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
         let p = rays.point;
         self.read.clear();
@@ -71,13 +82,11 @@ impl Widen {
                     continue;
                 }
                 points.move_to(p, at)?;
-                if self.grow(mesh, points, p, start)? && self.keeps(mesh, start, isolated, known)? {
-                    let mut new = Vec::new();
+                if self.grow(mesh, points, p, start, control)? && self.keeps(mesh, start, kept)? {
                     let faces = &self.cavity.faces;
                     let (boundary, walls) = faces.split_at(faces.len() - start.walls.len());
-                    new.try_reserve(faces.len())?;
-                    new.extend(walls.iter().chain(boundary).map(|&[x, y, z]| [p, x, y, z]));
-                    return Ok(Some(new));
+                    let new = walls.iter().chain(boundary).map(|&[x, y, z]| [p, x, y, z]);
+                    return Ok(Some(fallible::collect(new)?));
                 }
             }
         }
@@ -85,7 +94,14 @@ impl Widen {
     }
 
     /// The smallest cavity that holds the start and is star-shaped from `p`; false if there is none.
-    fn grow(&mut self, mesh: &Mesh, points: &Points, p: u32, start: &Start) -> Result<bool, Error> {
+    fn grow(
+        &mut self,
+        mesh: &Mesh,
+        points: &Points,
+        p: u32,
+        start: &Start,
+        control: &Control,
+    ) -> Result<bool, Error> {
         let sees = |[x, y, z]: [u32; 3]| points.orient3d(p, x, y, z) == Sign::Positive;
         if !start.walls.iter().all(|&face| sees(face)) {
             return Ok(false);
@@ -93,8 +109,9 @@ impl Widen {
         self.cavity.set(start.tets)?;
         self.doors.clear();
         self.doors.try_reserve(4 * start.tets.len())?;
-        self.doors.extend(start.tets.iter().flat_map(|&t| 4 * t..4 * t + 4));
+        fallible::extend(&mut self.doors, start.tets.iter().flat_map(|&t| 4 * t..4 * t + 4))?;
         while let Some(code) = self.doors.pop() {
+            control.step()?;
             let n = mesh.across(code);
             let wall = mesh.is_wall(code);
             if !wall && self.cavity.has(n >> 2) {
@@ -108,32 +125,23 @@ impl Widen {
                 return Ok(false);
             }
             let (t, verts) = (n >> 2, mesh.verts(n >> 2));
-            self.read.try_reserve(1)?;
-            self.read.push(t);
+            fallible::push(&mut self.read, t)?;
             if start.taken.iter().any(|s| s.old.contains(&t)) || start.avoid.iter().all(|v| verts.contains(v))
             {
                 return Ok(false);
             }
             self.cavity.add(t)?;
-            self.doors.try_reserve(3)?;
-            self.doors.extend((4 * t..4 * t + 4).filter(|&code| code != n));
+            fallible::extend(&mut self.doors, (4 * t..4 * t + 4).filter(|&code| code != n))?;
         }
         Ok(true)
     }
 
     /// Collects the faces of the cavity; false if a vertex or an edge that must stay is on none of them.
-    fn keeps(
-        &mut self,
-        mesh: &Mesh,
-        start: &Start,
-        isolated: &FxHashSet<[u32; 2]>,
-        known: &[u32],
-    ) -> Result<bool, Error> {
+    fn keeps(&mut self, mesh: &Mesh, start: &Start, kept: Kept) -> Result<bool, Error> {
         let Start { gone, walls, without, .. } = *start;
-        self.cavity.bound(mesh, &Terms { keep: isolated, gone, walls, without })?;
+        self.cavity.bound(mesh, &Terms { keep: kept.isolated, gone, walls, without })?;
         self.swallowed.clear();
-        self.swallowed.try_reserve(self.cavity.inner.len())?;
-        self.swallowed.extend_from_slice(&self.cavity.inner);
-        Ok(self.cavity.edges.is_empty() && self.swallowed.iter().all(|v| known.contains(v)))
+        fallible::append(&mut self.swallowed, &self.cavity.inner)?;
+        Ok(self.cavity.edges.is_empty() && self.swallowed.iter().all(|v| kept.inside.contains(v)))
     }
 }

@@ -1,11 +1,13 @@
 //! Dropping the points that belong to no tetrahedron, and the way back, which a check against the input needs.
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::output::{SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::INVALID;
 
 /// What was dropped with the points that belong to no tetrahedron
 /// ([`Options::drop_unmeshed_points`](crate::Options::drop_unmeshed_points)): the map from old to new point indices, and everything that
 /// the mesh can no longer refer to.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Dropped {
     /// For each old point (the input points, then the Steiner points) its new index, or that of the earlier point that it equals;
@@ -36,6 +38,22 @@ impl Dropped {
         self.kept().filter(|&old| old < self.input_point_count)
     }
 
+    /// A copy; unlike `clone` it returns an error if memory runs out.
+    pub(crate) fn try_clone(&self) -> Result<Dropped, Error> {
+        // By name, so that a new field cannot be forgotten here.
+        let Dropped { new_index, input_point_count, points, steiner, steiner_terms, subfaces, subsegments } =
+            self;
+        Ok(Dropped {
+            new_index: fallible::copied(new_index)?,
+            input_point_count: *input_point_count,
+            points: fallible::copied(points)?,
+            steiner: fallible::copied(steiner)?,
+            steiner_terms: fallible::copied(steiner_terms)?,
+            subfaces: fallible::copied(subfaces)?,
+            subsegments: fallible::copied(subsegments)?,
+        })
+    }
+
     /// All remaining points, by their old indices.
     fn kept(&self) -> impl Iterator<Item = u32> + '_ {
         let mut next = 0;
@@ -47,19 +65,12 @@ impl Dropped {
     }
 }
 
-fn reserved<T>(count: usize) -> Result<Vec<T>, Error> {
-    let mut list = Vec::new();
-    list.try_reserve_exact(count)?;
-    Ok(list)
-}
-
 impl TetMesh {
     /// Drops every point that belongs to no tetrahedron and is no end of a remaining Steiner point's edge, together with the unmeshed
     /// pieces.
     pub(crate) fn drop_unmeshed_points(&mut self) -> Result<(), Error> {
         let (count, inputs) = (self.points.len(), self.input_point_count as usize);
-        let mut keep = reserved(count)?;
-        keep.resize(count, false);
+        let mut keep = fallible::filled(false, count)?;
         for &v in self.tets.iter().flatten() {
             keep[v as usize] = true;
         }
@@ -72,15 +83,16 @@ impl TetMesh {
             keep[i] = false;
         }
         let mut dropped = Dropped { input_point_count: self.input_point_count, ..Dropped::default() };
-        let mut new_index: Vec<u32> = reserved(count)?;
+        let mut new_index: Vec<u32> = fallible::reserved(count)?;
         let mut left = 0;
         for (old, &kept) in keep.iter().enumerate() {
             let alias = self.point_alias.get(old).map_or(old, |&alias| alias as usize);
-            new_index.push(match new_index.get(alias) {
+            let new = match new_index.get(alias) {
                 Some(&earlier) => earlier,
                 None if kept => left,
                 None => INVALID,
-            });
+            };
+            fallible::push(&mut new_index, new)?;
             left += u32::from(kept);
         }
         self.split_steiner(&keep, &new_index, &mut dropped)?;
@@ -94,7 +106,7 @@ impl TetMesh {
         self.points.retain(|_| kept.next().is_some_and(|&kept| kept));
         self.input_point_count = keep[..inputs].iter().filter(|&&kept| kept).count() as u32;
         self.point_alias.clear();
-        self.point_alias.extend(0..self.input_point_count);
+        fallible::extend(&mut self.point_alias, 0..self.input_point_count)?;
         self.unmeshed_points.retain(|&v| keep[v as usize]);
         self.unmeshed_points.iter_mut().for_each(now);
         dropped.subfaces = std::mem::take(&mut self.unmeshed_subfaces);
@@ -112,7 +124,8 @@ impl TetMesh {
         dropped: &mut Dropped,
     ) -> Result<(), Error> {
         let inputs = self.input_point_count as usize;
-        let (mut steiner, mut terms) = (reserved(self.steiner.len())?, reserved(self.steiner_terms.len())?);
+        let (mut steiner, mut terms) =
+            (fallible::reserved(self.steiner.len())?, fallible::reserved(self.steiner_terms.len())?);
         let mut all_terms = self.steiner_terms.iter().peekable();
         for (i, point) in self.steiner.iter().enumerate() {
             let (points, of) = match keep[inputs + i] {
@@ -120,14 +133,11 @@ impl TetMesh {
                 false => (&mut dropped.steiner, &mut dropped.steiner_terms),
             };
             while let Some(term) = all_terms.next_if(|term| term.steiner as usize == i) {
-                of.try_reserve(1)?;
-                of.push(SteinerTerm { steiner: points.len() as u32, ..*term });
+                fallible::push(of, SteinerTerm { steiner: points.len() as u32, ..*term })?;
             }
-            points.try_reserve(1)?;
-            points.push(*point);
+            fallible::push(points, *point)?;
             if !keep[inputs + i] {
-                dropped.points.try_reserve(1)?;
-                dropped.points.push(self.points[inputs + i]);
+                fallible::push(&mut dropped.points, self.points[inputs + i])?;
             }
         }
         for point in steiner.iter_mut().filter(|point| !point.is_inside()) {
@@ -142,13 +152,13 @@ impl TetMesh {
     /// # Errors
     /// [`Status::CheckFailed`] if the map does not fit the mesh and the input; [`Status::OutOfMemory`].
     pub fn with_dropped(&self, inputs: &[[f64; 3]]) -> Result<TetMesh, Error> {
-        let Some(dropped) = &self.dropped else { return Ok(self.clone()) };
+        let Some(dropped) = &self.dropped else { return self.try_clone() };
         let misfit = || {
             Error::new(Status::CheckFailed, "the map of dropped points does not match the mesh and the input")
         };
         let before = dropped.new_index.len();
-        let mut old_index: Vec<u32> = reserved(self.points.len())?;
-        old_index.extend(dropped.kept());
+        let mut old_index: Vec<u32> = fallible::reserved(self.points.len())?;
+        fallible::extend(&mut old_index, dropped.kept())?;
         let steiner_count = before.checked_sub(inputs.len()).ok_or_else(misfit)?;
         let kept_steiner = old_index.len().checked_sub(dropped.kept_inputs().count()).ok_or_else(misfit)?;
         if inputs.len() != dropped.input_point_count as usize
@@ -159,13 +169,14 @@ impl TetMesh {
         {
             return Err(misfit());
         }
-        let mut mesh = self.clone();
+        let mut mesh = self.try_clone()?;
         mesh.dropped = None;
         mesh.input_point_count = dropped.input_point_count;
         mesh.point_alias.clear();
-        mesh.points = reserved(before)?;
-        mesh.points.extend_from_slice(inputs);
-        (mesh.steiner, mesh.steiner_terms) = (reserved(steiner_count)?, Vec::new());
+        mesh.points = fallible::reserved(before)?;
+        fallible::append(&mut mesh.points, inputs)?;
+        mesh.steiner = fallible::reserved(steiner_count)?;
+        mesh.steiner_terms.clear();
         let (mut ours, mut theirs) = (0, 0);
         let mut kept = old_index.iter().peekable();
         for old in 0..before {
@@ -191,12 +202,11 @@ impl TetMesh {
             }
             ours += usize::from(is_kept);
             theirs += usize::from(!is_kept);
-            mesh.points.push(at);
-            mesh.steiner.push(point);
+            fallible::push(&mut mesh.points, at)?;
+            fallible::push(&mut mesh.steiner, point)?;
             let from = terms.partition_point(|term| (term.steiner as usize) < index);
             for term in terms[from..].iter().take_while(|term| term.steiner as usize == index) {
-                mesh.steiner_terms.try_reserve(1)?;
-                mesh.steiner_terms.push(SteinerTerm { steiner: number as u32, ..*term });
+                fallible::push(&mut mesh.steiner_terms, SteinerTerm { steiner: number as u32, ..*term })?;
             }
         }
         // An invalid index stays invalid: the check reports it.
@@ -206,8 +216,8 @@ impl TetMesh {
         mesh.subsegments.iter_mut().for_each(|edge| edge.ends.iter_mut().for_each(back));
         mesh.crowded.iter_mut().for_each(back);
         mesh.unmeshed_points.clear();
-        mesh.unmeshed_subfaces = dropped.subfaces.clone();
-        mesh.unmeshed_subsegments = dropped.subsegments.clone();
+        mesh.unmeshed_subfaces = fallible::copied(&dropped.subfaces)?;
+        mesh.unmeshed_subsegments = fallible::copied(&dropped.subsegments)?;
         Ok(mesh)
     }
 }

@@ -1,5 +1,6 @@
 //! From the engine's arrays to the output: what stays, renumbered, in the caller's coordinates.
-use crate::domain::Regions;
+use crate::control::Control;
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::facets::subface::Subfaces;
 use crate::fallible;
@@ -16,49 +17,52 @@ use crate::segments::recovery::Segments;
 use crate::INVALID;
 use rustc_hash::FxHashMap;
 
-/// What the mesh of a surface keeps of it.
+/// What the output holds of a tetrahedron: corners, neighbours and region.
+const BYTES_PER_TET: usize = size_of::<[u32; 9]>();
+
+/// What the mesh of a surface comes from.
 #[derive(Clone, Copy)]
-pub(super) struct Constraints<'a> {
+pub(super) struct Origin<'a> {
+    pub(super) plc: &'a Plc,
+    pub(super) surface: &'a Surface,
     pub(super) segments: &'a Segments,
-    pub(super) subfaces: &'a Subfaces,
+    pub(super) regions: &'a Domain,
 }
 
 /// The output mesh.
 pub(super) fn mesh(
     engine: &Engine,
-    plc: &Plc,
-    surface: &Surface,
-    regions: &Regions,
+    origin: Origin,
+    subfaces: &Subfaces,
     rounded: &Rounded,
-    constraints: Option<Constraints>,
+    control: &Control,
 ) -> Result<TetMesh, Error> {
-    let mut out = without_elements(plc, surface, regions)?;
+    let Origin { plc, surface, segments, .. } = origin;
+    let mut out = without_elements(origin)?;
     let steiner_count = engine.points.len() - engine.input_of.len();
     out.points.try_reserve(plc.points.len() + steiner_count)?;
-    out.points.extend_from_slice(&plc.points);
+    fallible::append(&mut out.points, &plc.points)?;
     for p in &rounded.xyz[engine.input_of.len()..engine.points.len()] {
-        out.points.push(p.map(|x| scale(x, -engine.scale)));
+        fallible::push(&mut out.points, p.map(|x| scale(x, -engine.scale)))?;
     }
     let point_of = |v: u32| match engine.input_of.get(v as usize) {
         Some(&input) => input,
         None => (plc.points.len() + v as usize - engine.input_of.len()) as u32,
     };
     fallible::extend(&mut out.crowded, rounded.crowded.iter().map(|&v| point_of(v)))?;
-    let number = tets(&engine.mesh, &mut out, point_of)?;
-    out.replaced.try_reserve(rounded.replaced.len())?;
-    out.replaced.extend(rounded.replaced.iter().map(|&t| number[t as usize]));
+    let number = tets(&engine.mesh, &mut out, point_of, control)?;
+    fallible::extend(&mut out.replaced, rounded.replaced.iter().map(|&t| number[t as usize]))?;
     out.replaced.sort_unstable();
-    if let Some(Constraints { segments, subfaces }) = constraints {
-        steiner(engine, segments, surface, rounded, &mut out, point_of)?;
-        subsegments(plc, surface, segments, &mut out, point_of)?;
-        let list = subfaces.verts.iter().copied().zip(subfaces.facet.iter().copied());
-        faces(&engine.mesh, plc, list, &number, &mut out, point_of)?;
-    }
+    steiner(engine, segments, surface, rounded, &mut out, point_of, control)?;
+    subsegments(plc, surface, segments, &mut out, point_of, control)?;
+    let list = subfaces.verts.iter().copied().zip(subfaces.facet.iter().copied());
+    faces(&engine.mesh, plc, list, &number, &mut out, point_of, control)?;
     Ok(out)
 }
 
 /// What does not depend on the tetrahedra.
-fn without_elements(plc: &Plc, surface: &Surface, regions: &Regions) -> Result<TetMesh, Error> {
+fn without_elements(origin: Origin) -> Result<TetMesh, Error> {
+    let Origin { plc, surface, regions, .. } = origin;
     Ok(TetMesh {
         input_point_count: plc.points.len() as u32,
         point_alias: fallible::copied(&surface.alias)?,
@@ -71,44 +75,40 @@ fn without_elements(plc: &Plc, surface: &Surface, regions: &Regions) -> Result<T
 /// The output mesh of a domain without points on its surface, or on its outer boundary.
 pub(super) fn preserved(
     engine: &Engine,
-    plc: &Plc,
-    surface: &Surface,
+    origin: Origin,
     mesh: &Mesh,
     freed: &Freed,
-    segments: &Segments,
-    regions: &Regions,
+    control: &Control,
 ) -> Result<TetMesh, Error> {
-    let mut out = TetMesh { preserved: true, ..without_elements(plc, surface, regions)? };
-    let mut number_of: Vec<u32> = Vec::new();
-    number_of.try_reserve(engine.points.len())?;
-    number_of.extend_from_slice(&engine.input_of);
-    number_of.resize(engine.points.len(), INVALID);
+    let Origin { plc, surface, segments, .. } = origin;
+    let mut out = TetMesh { preserved: true, ..without_elements(origin)? };
+    let mut number_of: Vec<u32> = fallible::reserved(engine.points.len())?;
+    fallible::append(&mut number_of, &engine.input_of)?;
+    fallible::resize(&mut number_of, engine.points.len(), INVALID)?;
     let inside = &freed.inside.list;
     out.points.try_reserve(plc.points.len() + freed.settled.len() + inside.len())?;
-    out.points.extend_from_slice(&plc.points);
+    fallible::append(&mut out.points, &plc.points)?;
     for v in freed.settled.iter().map(|point| point.v).chain(inside.iter().copied()) {
         number_of[v as usize] = out.points.len() as u32;
-        out.points.push(engine.points.xyz(v).map(|x| scale(x, -engine.scale)));
+        fallible::push(&mut out.points, engine.points.xyz(v).map(|x| scale(x, -engine.scale)))?;
     }
     out.steiner.try_reserve(freed.settled.len() + inside.len())?;
-    settled(engine, freed, segments, surface, &mut out)?;
-    out.steiner.extend(inside.iter().map(|_| SteinerPoint::INSIDE));
-    let number = tets(mesh, &mut out, |v| number_of[v as usize])?;
-    let chains = chains(engine, freed, segments, surface)?;
+    settled(engine, freed, segments, surface, &mut out, control)?;
+    fallible::extend(&mut out.steiner, inside.iter().map(|_| SteinerPoint::INSIDE))?;
+    let number = tets(mesh, &mut out, |v| number_of[v as usize], control)?;
+    let chains = chains(engine, freed, segments, surface, control)?;
     let mut chains = chains.into_iter().peekable();
     for (s, (&ends, &segment)) in surface.segments.iter().zip(&surface.segment_parent).enumerate() {
         let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);
         let mut from = ends[0];
         while let Some((_, v)) = chains.next_if(|x| x.0 == s) {
             let to = number_of[v as usize];
-            out.subsegments.try_reserve(1)?;
-            out.subsegments.push(Subsegment { ends: [from, to], segment, marker });
+            fallible::push(&mut out.subsegments, Subsegment { ends: [from, to], segment, marker })?;
             from = to;
         }
-        out.subsegments.try_reserve(1)?;
-        out.subsegments.push(Subsegment { ends: [from, ends[1]], segment, marker });
+        fallible::push(&mut out.subsegments, Subsegment { ends: [from, ends[1]], segment, marker })?;
     }
-    faces(mesh, plc, freed.subfaces.iter().copied(), &number, &mut out, |v| number_of[v as usize])?;
+    faces(mesh, plc, freed.subfaces.iter().copied(), &number, &mut out, |v| number_of[v as usize], control)?;
     Ok(out)
 }
 
@@ -131,20 +131,25 @@ fn settled(
     segments: &Segments,
     surface: &Surface,
     out: &mut TetMesh,
+    control: &Control,
 ) -> Result<(), Error> {
     for (i, point) in freed.settled.iter().enumerate() {
+        control.step()?;
         let index = point.v - segments.first_steiner;
         let (s, t) = (segments.steiner_segment[index as usize], segments.steiner_t[index as usize]);
         let at = *engine.points.xyz(point.v);
         // Scaling back may lose bits of subnormal coordinates.
         let returned = at.map(|x| scale(scale(x, -engine.scale), engine.scale)) == at;
         let parent = segment_of(engine, segments, surface, s);
-        out.steiner.push(SteinerPoint {
-            ends: segments.ends[s as usize].map(|v| engine.input_of[v as usize]),
-            t,
-            segment: parent.map_or(INVALID, |(found, _)| surface.segment_parent[found]),
-            exact: point.exact && returned,
-        });
+        fallible::push(
+            &mut out.steiner,
+            SteinerPoint {
+                ends: segments.ends[s as usize].map(|v| engine.input_of[v as usize]),
+                t,
+                segment: parent.map_or(INVALID, |(found, _)| surface.segment_parent[found]),
+                exact: point.exact && returned,
+            },
+        )?;
         let Some(exact) = segments.fine.get(&index) else { continue };
         push_terms(exact, t, i as u32, out)?;
     }
@@ -153,10 +158,10 @@ fn settled(
 
 /// The terms of a Steiner point's parameter beyond its double.
 fn push_terms(exact: &Expansion, t: f64, steiner: u32, out: &mut TetMesh) -> Result<(), Error> {
-    let rest = exact.difference(&t.into()).compressed();
+    let rest = exact.difference(&Expansion::from(t)).compressed();
     out.steiner_terms.try_reserve(rest.components().len())?;
     let term = |&value: &f64| SteinerTerm { steiner, value };
-    out.steiner_terms.extend(rest.components().iter().rev().map(term));
+    fallible::extend(&mut out.steiner_terms, rest.components().iter().rev().map(term))?;
     Ok(())
 }
 
@@ -166,18 +171,20 @@ fn chains(
     freed: &Freed,
     segments: &Segments,
     surface: &Surface,
+    control: &Control,
 ) -> Result<Vec<(usize, u32)>, Error> {
     let mut chains = Vec::new();
     if freed.settled.is_empty() {
         return Ok(chains);
     }
     chains.try_reserve(freed.settled.len())?;
-    let list = segments.steiner_by_segment()?;
+    let list = segments.steiner_by_segment(control)?;
     for run in list.chunk_by(|x, y| x.0 == y.0) {
+        control.step()?;
         let Some((s, turned)) = segment_of(engine, segments, surface, run[0].0) else { continue };
         let from = chains.len();
         let stays = |v: &u32| freed.settled.binary_search_by_key(v, |point| point.v).is_ok();
-        chains.extend(run.iter().map(|x| x.2).filter(stays).map(|v| (s, v)));
+        fallible::extend(&mut chains, run.iter().map(|x| x.2).filter(stays).map(|v| (s, v)))?;
         if turned {
             chains[from..].reverse();
         }
@@ -187,12 +194,17 @@ fn chains(
 }
 
 /// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
-pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<TetMesh, Error> {
+pub(super) fn delaunay(
+    engine: Engine,
+    plc: &Plc,
+    alias: Vec<u32>,
+    control: &Control,
+) -> Result<TetMesh, Error> {
     // Destructured by name, since fields left in the struct would live until the end.
     let Engine { points, mesh, inserter, input_of, rounds: _, engine_of, scale: _ } = engine;
     drop((points, engine_of, inserter));
     let stays = |mesh: &Mesh, t| mesh.is_live(t) && !mesh.is_ghost(t);
-    let [tets, neighbors] = mesh.into_arrays(stays, |v| input_of[v as usize])?;
+    let [tets, neighbors] = mesh.into_arrays(stays, |v| input_of[v as usize], control)?;
     drop(input_of);
     let mut out = TetMesh {
         input_point_count: plc.points.len() as u32,
@@ -205,29 +217,35 @@ pub(super) fn delaunay(engine: Engine, plc: &Plc, alias: Vec<u32>) -> Result<Tet
         ..TetMesh::default()
     };
     out.points.try_reserve_exact(plc.points.len())?;
-    out.points.extend_from_slice(&plc.points);
+    fallible::append(&mut out.points, &plc.points)?;
     out.tet_region.try_reserve_exact(out.tets.len())?;
-    out.tet_region.resize(out.tets.len(), 0);
+    fallible::resize(&mut out.tet_region, out.tets.len(), 0)?;
     Ok(out)
 }
 
 /// Tetrahedra that stay, their neighbours and regions; returns the new number of each slot.
-fn tets(mesh: &Mesh, out: &mut TetMesh, point_of: impl Fn(u32) -> u32) -> Result<Vec<u32>, Error> {
-    let mut number = Vec::new();
-    number.try_reserve(mesh.slot_count())?;
+fn tets(
+    mesh: &Mesh,
+    out: &mut TetMesh,
+    point_of: impl Fn(u32) -> u32,
+    control: &Control,
+) -> Result<Vec<u32>, Error> {
+    let mut number = fallible::reserved(mesh.slot_count())?;
     let mut count = 0;
     for t in mesh.all() {
         let stays = mesh.is_live(t) && mesh.region(t) != NONE;
-        number.push(if stays { count } else { INVALID });
+        fallible::push(&mut number, if stays { count } else { INVALID })?;
         count += u32::from(stays);
     }
+    control.room(count as usize * BYTES_PER_TET)?;
     out.tets.try_reserve(count as usize)?;
     out.neighbors.try_reserve(count as usize)?;
     out.tet_region.try_reserve(count as usize)?;
     for t in mesh.all().filter(|&t| number[t as usize] != INVALID) {
-        out.tets.push(mesh.verts(t).map(&point_of));
-        out.neighbors.push(mesh.adj(t).map(|code| number[(code >> 2) as usize]));
-        out.tet_region.push(mesh.region(t));
+        control.step()?;
+        fallible::push(&mut out.tets, mesh.verts(t).map(&point_of))?;
+        fallible::push(&mut out.neighbors, mesh.adj(t).map(|code| number[(code >> 2) as usize]))?;
+        fallible::push(&mut out.tet_region, mesh.region(t))?;
     }
     Ok(number)
 }
@@ -239,20 +257,25 @@ fn steiner(
     rounded: &Rounded,
     out: &mut TetMesh,
     point_of: impl Fn(u32) -> u32,
+    control: &Control,
 ) -> Result<(), Error> {
     out.steiner.try_reserve(segments.steiner_t.len())?;
     for (i, (&s, &t)) in segments.steiner_segment.iter().zip(&segments.steiner_t).enumerate() {
+        control.step()?;
         let v = segments.first_steiner + i as u32;
         let exact = engine.points.is_explicit(v) && rounded.xyz[v as usize] == *engine.points.xyz(v);
         // Scaling back may lose bits of subnormal coordinates.
         let returned =
             out.points[point_of(v) as usize].map(|x| scale(x, engine.scale)) == rounded.xyz[v as usize];
-        out.steiner.push(SteinerPoint {
-            ends: segments.ends[s as usize].map(&point_of),
-            t,
-            segment: surface.segment_parent[s as usize],
-            exact: exact && returned,
-        });
+        fallible::push(
+            &mut out.steiner,
+            SteinerPoint {
+                ends: segments.ends[s as usize].map(&point_of),
+                t,
+                segment: surface.segment_parent[s as usize],
+                exact: exact && returned,
+            },
+        )?;
         let Some(exact) = segments.fine.get(&(i as u32)) else { continue };
         push_terms(exact, t, i as u32, out)?;
     }
@@ -265,17 +288,22 @@ fn subsegments(
     segments: &Segments,
     out: &mut TetMesh,
     point_of: impl Fn(u32) -> u32,
+    control: &Control,
 ) -> Result<(), Error> {
     out.subsegments.try_reserve(segments.pieces.len())?;
     let mut pieces = fallible::collect(segments.pieces.iter())?;
-    pieces.sort_unstable_by(|x, y| {
+    control.sort_by(&mut pieces, |x, y| {
         let order = || segments.order(x.segment, [x.ends[0], y.ends[0]], [x.t[0], y.t[0]]);
         x.segment.cmp(&y.segment).then_with(order)
-    });
+    })?;
     for piece in pieces {
+        control.step()?;
         let segment = surface.segment_parent[piece.segment as usize];
         let marker = plc.segments.get(segment as usize).map_or(0, |s| s.marker);
-        out.subsegments.push(Subsegment { ends: piece.ends.map(&point_of), segment, marker });
+        fallible::push(
+            &mut out.subsegments,
+            Subsegment { ends: piece.ends.map(&point_of), segment, marker },
+        )?;
     }
     Ok(())
 }
@@ -288,15 +316,20 @@ fn faces(
     number: &[u32],
     out: &mut TetMesh,
     point_of: impl Fn(u32) -> u32,
+    control: &Control,
 ) -> Result<(), Error> {
     let mut code_of: FxHashMap<[u32; 3], u32> = FxHashMap::default();
     code_of.try_reserve(subfaces.len())?;
-    // One side is enough.
-    for code in mesh.subfaces() {
-        code_of.insert(face_key(mesh.face(code)), code);
+    for t in mesh.all().filter(|&t| mesh.is_live(t)) {
+        control.step()?;
+        // One side is enough.
+        for code in (4 * t..4 * t + 4).filter(|&code| mesh.is_subface(code) && code < mesh.across(code)) {
+            fallible::insert(&mut code_of, face_key(mesh.face(code)), code)?;
+        }
     }
     out.subfaces.try_reserve(subfaces.len())?;
     for (corners, facet) in subfaces {
+        control.step()?;
         let marker = plc.facet_marker(facet as usize);
         let Some(&code) = code_of.get(&face_key(corners)) else {
             // Everything around it was carved, and is no longer even in the mesh.
@@ -304,8 +337,10 @@ fn faces(
                 return Err(Error::internal("a subface is no face of the mesh"));
             }
             let corners = corners.map(&point_of);
-            out.unmeshed_subfaces.try_reserve(1)?;
-            out.unmeshed_subfaces.push(Subface { corners, facet, marker, tets: [INVALID; 2] });
+            fallible::push(
+                &mut out.unmeshed_subfaces,
+                Subface { corners, facet, marker, tets: [INVALID; 2] },
+            )?;
             continue;
         };
         // (apex, x, y, z) is positive, so (x, y, z, apex) is not: the normal of (x, y, z) points away from the apex.
@@ -322,10 +357,9 @@ fn faces(
         }
         let subface = Subface { corners, facet, marker, tets };
         if tets == [INVALID; 2] {
-            out.unmeshed_subfaces.try_reserve(1)?;
-            out.unmeshed_subfaces.push(subface);
+            fallible::push(&mut out.unmeshed_subfaces, subface)?;
         } else {
-            out.subfaces.push(subface);
+            fallible::push(&mut out.subfaces, subface)?;
         }
     }
     Ok(())

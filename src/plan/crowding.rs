@@ -1,5 +1,6 @@
 //! The error for places where doubles are too coarse: it names the elements that are too close together.
-use crate::error::{Defect, DefectKind, Element, Error, Status};
+use crate::control::Control;
+use crate::error::{Defect, DefectKind, Element, Error, Message, Status};
 use crate::fallible;
 use crate::plc::near::Home;
 use crate::plc::surface::Surface;
@@ -12,6 +13,7 @@ pub(super) fn crowding(
     places: &[(Home, [f64; 3])],
     hint: &str,
     max_defects: usize,
+    control: &Control,
 ) -> Error {
     let mut defects: Vec<Defect> = Vec::new();
     for &(home, at) in places {
@@ -22,7 +24,10 @@ pub(super) fn crowding(
             Home::Edge(ends) => surface.element_of_edge(ends),
             Home::Facet(facet) => Element::Facet(facet),
         };
-        let second = surface.nearest_element(&at, home);
+        let second = match surface.nearest_element(&at, home, control) {
+            Ok(second) => second,
+            Err(ended) => return ended,
+        };
         if defects.iter().any(|old| (old.first, old.second) == (first, second)) {
             continue;
         }
@@ -30,16 +35,15 @@ pub(super) fn crowding(
         if let Err(short) =
             fallible::push(&mut defects, Defect { kind: DefectKind::Rounding, first, second, point })
         {
-            return short.into();
+            return Error::from(short);
         }
     }
     let count = defects.len();
     let message = match defects.first() {
-        Some(Defect { first, second: Some(second), .. }) => format_args!(
+        Some(Defect { first, second: Some(second), .. }) => Message::from(format_args!(
             "{first} and {second} are too close to each other: a point is needed between them and has no position in doubles{hint}"
-        )
-        .into(),
-        _ => format_args!("a point is needed and has no position in doubles{hint}").into(),
+        )),
+        _ => Message::from(format_args!("a point is needed and has no position in doubles{hint}")),
     };
     defects.truncate(max_defects);
     Error::with_defects(Status::Rounding, message, defects, count)

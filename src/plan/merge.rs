@@ -5,7 +5,7 @@
 //! without it. To compare the number of points, recovery without merging is also run, until it is certain to take as many: each missing
 //! piece of a segment takes at least one point. So it usually ends early, and it is not started if nothing was flipped, or if at least as
 //! many segments are missing at the start.
-use crate::error::{Error, Status};
+use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::options::{Mode, Options};
@@ -14,7 +14,7 @@ use crate::plan::{Engine, Recovered, Run};
 use crate::plc::merge::{Guide, Merger};
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
-use crate::progress::{report, Phase};
+use crate::progress::Phase;
 use crate::segments::recovery::Segments;
 use rustc_hash::FxHashMap;
 
@@ -36,25 +36,19 @@ struct Merged {
 
 /// For each segment whether merging made it off the input's surface.
 fn edges_beside(surface: &Surface) -> Result<Vec<bool>, Error> {
-    let mut beside = Vec::new();
-    beside.try_reserve_exact(surface.segments.len())?;
-    beside.extend(surface.segments.iter().map(|edge| surface.edges_beside.binary_search(edge).is_ok()));
+    let beside = fallible::collect(
+        surface.segments.iter().map(|edge| surface.edges_beside.binary_search(edge).is_ok()),
+    )?;
     Ok(beside)
 }
 
 /// The edges that have Steiner points.
 fn split_edges(surface: &Surface, segments: &Segments) -> Result<Vec<[u32; 2]>, Error> {
-    let mut split = Vec::new();
-    split.try_reserve(segments.steiner_segment.len())?;
-    split.extend(segments.steiner_segment.iter().map(|&s| surface.segments[s as usize]));
+    let mut split =
+        fallible::collect(segments.steiner_segment.iter().map(|&s| surface.segments[s as usize]))?;
     split.sort_unstable();
     split.dedup();
     Ok(split)
-}
-
-/// Whether another way to the mesh may succeed after this error: it is neither a request of the caller nor a limit of the machine.
-fn may_be_avoided(error: &Error) -> bool {
-    !matches!(error.status, Status::Cancelled | Status::OutOfMemory | Status::TooLarge)
 }
 
 impl Run<'_> {
@@ -68,7 +62,7 @@ impl Run<'_> {
         self.unmerged_at_least = 0;
         let merged = match self.mesh_surface(plc, options, prepared.copied()?) {
             Ok(mesh) if mesh.steiner.len() as u64 <= self.unmerged_at_least => return Ok(mesh),
-            Err(error) if !may_be_avoided(&error) => return Err(error),
+            Err(error) if error.status.is_final() => return Err(error),
             other => other,
         };
         let seeds = std::mem::take(&mut self.seeds);
@@ -77,22 +71,22 @@ impl Run<'_> {
         let promise = std::mem::take(&mut self.promise);
         self.statistics.seconds = seconds;
         self.statistics.duplicate_points = statistics.duplicate_points;
-        let options = Options { merge_facets: None, ..options.clone() };
+        let options = Options { merge_facets: None, ..options.copied() };
         let unmerged = self.mesh_surface(plc, &options, prepared);
         let fewer = match (&merged, &unmerged) {
             (Ok(merged), Ok(unmerged)) => unmerged.steiner.len() < merged.steiner.len(),
-            (Ok(_), Err(error)) if may_be_avoided(error) => false,
+            (Ok(_), Err(error)) if !error.status.is_final() => false,
             _ => true,
         };
         if fewer {
             match &merged {
                 Err(error) if unmerged.is_ok() => {
-                    self.observer.log(&fallible::text(format_args!(
+                    self.control.log(&fallible::text(format_args!(
                         "facets are not merged, since merging fails: {}",
                         error.message
                     ))?);
                 }
-                _ => self.observer.log(FEWER),
+                _ => self.control.log(FEWER),
             }
             return unmerged;
         }
@@ -113,7 +107,7 @@ impl Run<'_> {
         prepared: Prepared,
         engine: &mut Engine,
     ) -> Result<(Surface, Recovered), Error> {
-        let merged = self.merge_and_recover(plc, options, degrees, &prepared, engine)?;
+        let merged = self.merge_and_recover(plc, degrees, &prepared, engine)?;
         if options.mode == Mode::Preserve {
             // The points on the surface will go.
             *engine = merged.engine;
@@ -121,22 +115,22 @@ impl Run<'_> {
         }
         self.unmerged_at_least = merged.segments.steiner_t.len() as u64;
         if !merged.surface.diagonals.is_empty() {
-            return self.compare_polygons(plc, options, prepared, merged, engine);
+            return self.compare_polygons(plc, prepared, merged, engine);
         }
         if !merged.is_flipped {
             // The same would be done again.
             *engine = merged.engine;
             return Ok((merged.surface, Recovered::of(merged.segments)));
         }
-        let surface = prepared.connect(plc, self.observer)?;
-        let mut plain = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
-        match self.recover_fewer(&mut plain, &surface, options, engine, Some(self.unmerged_at_least)) {
+        let surface = prepared.connect(plc, self.control)?;
+        let mut plain = Segments::new(&engine.points, engine.map(&surface.segments)?, self.control)?;
+        match self.recover_fewer(&mut plain, &surface, engine, Some(self.unmerged_at_least)) {
             Ok(true) => {
                 self.unmerged_at_least = plain.steiner_t.len() as u64;
-                self.observer.log(FEWER);
+                self.control.log(FEWER);
                 return Ok((surface, Recovered::of(plain)));
             }
-            Err(error) if !may_be_avoided(&error) => return Err(error),
+            Err(error) if error.status.is_final() => return Err(error),
             // As many points, or not possible at all.
             Ok(false) | Err(_) => {}
         }
@@ -148,26 +142,25 @@ impl Run<'_> {
     fn compare_polygons(
         &mut self,
         plc: &Plc,
-        options: &Options,
         prepared: Prepared,
         merged: Merged,
         engine: &mut Engine,
     ) -> Result<(Surface, Recovered), Error> {
-        let surface = prepared.connect(plc, self.observer)?;
-        let mut trial = engine.copied()?;
-        let plain = Segments::new(&trial.points, trial.map(&surface.segments)?)?;
-        match self.recover_with_polygons(&surface, plain, options, &mut trial, true) {
+        let surface = prepared.connect(plc, self.control)?;
+        let mut trial = engine.copied(self.control)?;
+        let plain = Segments::new(&trial.points, trial.map(&surface.segments)?, self.control)?;
+        match self.recover_with_polygons(&surface, plain, &mut trial, true) {
             Ok(plain)
                 if !merged.is_flipped || plain.segments.steiner_t.len() < merged.segments.steiner_t.len() =>
             {
                 if merged.is_flipped {
-                    self.observer.log(FEWER);
+                    self.control.log(FEWER);
                 }
                 self.unmerged_at_least = plain.segments.steiner_t.len() as u64;
                 *engine = trial;
                 return Ok((surface, plain));
             }
-            Err(error) if !may_be_avoided(&error) => return Err(error),
+            Err(error) if error.status.is_final() => return Err(error),
             _ => {}
         }
         *engine = merged.engine;
@@ -183,7 +176,6 @@ impl Run<'_> {
     fn merge_and_recover(
         &mut self,
         plc: &Plc,
-        options: &Options,
         degrees: f64,
         prepared: &Prepared,
         engine: &Engine,
@@ -192,27 +184,28 @@ impl Run<'_> {
         for attempt in 0..=MERGE_ATTEMPTS {
             let avoid_all = attempt == MERGE_ATTEMPTS;
             let mut prepared = prepared.copied()?;
-            let mut merger = prepared.merger(plc, degrees)?;
-            let mut trial = engine.copied()?;
+            let mut merger = prepared.merger(plc, degrees, self.control)?;
+            let mut trial = engine.copied(self.control)?;
             let mut segments: Option<Segments> = None;
             for _ in 0..MENDINGS {
                 self.merge(&mut merger, &mut trial, &avoid, avoid_all)?;
                 let surface = merger.surface();
                 let ends = trial.map(&surface.segments)?;
                 let mut current = match segments.take() {
-                    None => Segments::new(&trial.points, ends)?,
-                    Some(earlier) => earlier.exchange(&trial.points, ends)?,
+                    None => Segments::new(&trial.points, ends, self.control)?,
+                    Some(earlier) => earlier.exchange(&trial.points, ends, self.control)?,
                 };
+                self.control.look()?;
                 current.deferred = edges_beside(surface)?;
-                self.recover_segments(&mut current, surface, options, &mut trial)?;
+                self.control.look()?;
+                self.recover_segments(&mut current, surface, &mut trial)?;
                 if current.waiting.is_empty() {
                     let is_flipped = merger.is_flipped();
-                    let surface = prepared.into_surface()?;
+                    let surface = prepared.into_surface(self.control)?;
                     return Ok(Merged { surface, segments: current, engine: trial, is_flipped });
                 }
                 let known = avoid.len();
-                avoid.try_reserve(current.waiting.len())?;
-                avoid.extend(current.waiting.iter().map(|&s| surface.segments[s as usize]));
+                fallible::extend(&mut avoid, current.waiting.iter().map(|&s| surface.segments[s as usize]))?;
                 avoid.sort_unstable();
                 avoid.dedup();
                 if avoid.len() == known {
@@ -235,7 +228,7 @@ impl Run<'_> {
         avoid_all: bool,
     ) -> Result<(), Error> {
         let Engine { mesh, engine_of, .. } = engine;
-        let mut search = StarSearch::default();
+        let (mut search, control) = (StarSearch::default(), self.control);
         // Every edge is looked up many times. Never iterated.
         let mut known: FxHashMap<[u32; 2], bool> = FxHashMap::default();
         let mut failed = None;
@@ -250,14 +243,14 @@ impl Run<'_> {
                 failed = Some(error);
                 None
             });
-            if known.try_reserve(1).is_ok() {
-                known.insert(key, answer.is_some());
-            }
+            control.worked(search.tets.len());
+            // Without memory, it will be looked up again.
+            let _ = fallible::insert(&mut known, key, answer.is_some());
             answer.is_some()
         };
-        let run = merger.run(Some(&mut Guide { is_edge: &mut is_edge, avoid, avoid_all }), self.observer);
+        let run = merger.run(Some(&mut Guide { is_edge: &mut is_edge, avoid, avoid_all }), self.control);
         failed.map_or(run, Err)?;
-        report(self.observer, Phase::Validate, 1.0)?;
+        self.control.progress(Phase::Validate, 1.0)?;
         self.lap(Phase::Validate);
         Ok(())
     }

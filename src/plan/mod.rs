@@ -1,10 +1,11 @@
 //! The pipeline: prepare → Delaunay → segments → facets → regions → rounding → output → audit. The only place that knows the
 //! order.
 use crate::check::{audit, audit_promise, Promise};
+use crate::control::{controlled, Control};
 use crate::delaunay::insert::Inserter;
 use crate::delaunay::order::{insertion_order, Order};
 use crate::delaunay::Construction;
-use crate::domain::{components, label, Regions, Seeds};
+use crate::domain::{components, label, Domain, Seeds};
 use crate::error::{Element, Error, Status};
 use crate::facets::polygons::{retriangulate, Polygons, Retriangulated};
 use crate::facets::recovery::FacetRecovery;
@@ -14,11 +15,12 @@ use crate::kernel::edge_key;
 use crate::kernel::Mesh;
 use crate::options::{Mode, Options};
 use crate::output::{Statistics, TetMesh};
+use crate::plan::assemble::Origin;
 use crate::plc::near::Home;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
 use crate::predicates::{scale, Points};
-use crate::progress::{report, Observer, Phase, Steady};
+use crate::progress::{Observer, Phase};
 use crate::rounding::round;
 use crate::segments::recovery::{Recovery, Segments};
 use crate::warning::Warnings;
@@ -35,7 +37,7 @@ mod unrounded;
 mod warn;
 
 use crowding::crowding;
-use preserve::Embedded;
+use preserve::D2;
 
 /// Makes a tetrahedral mesh of a PLC.
 ///
@@ -43,16 +45,24 @@ use preserve::Embedded;
 /// the returned doubles, and input points come back first, in order, bit for bit. See [`Status`] for what can fail; a
 /// valid PLC does not.
 pub fn tetrahedralize(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<TetMesh, Error> {
+    controlled(options.limits(), observer, |control| tetrahedralize_with(plc, options, control))
+}
+
+/// The same as a part of a run with a control of its own, whose limits count instead of those of `options`: one that also reads and writes
+/// files, for example.
+///
+/// # Errors
+/// As [`tetrahedralize`].
+pub fn tetrahedralize_with(plc: &Plc, options: &Options, control: &Control) -> Result<TetMesh, Error> {
     let (statistics, warnings) = (Statistics::default(), Warnings::default());
     let promise = Promise::default();
-    let observer = &mut Steady::new(observer);
     let seeds = Warnings::default();
     let mut run =
-        Run { clock: Instant::now(), statistics, warnings, seeds, unmerged_at_least: 0, promise, observer };
+        Run { clock: Instant::now(), statistics, warnings, seeds, unmerged_at_least: 0, promise, control };
     let outcome = run.mesh(plc, options);
     match &outcome {
-        Ok(mesh) => mesh.warnings.log(run.observer),
-        Err(_) => run.warnings.log(run.observer),
+        Ok(mesh) => mesh.warnings.log(control),
+        Err(_) => run.warnings.log(control),
     }
     outcome
 }
@@ -89,7 +99,7 @@ impl Recovered {
     }
 }
 
-/// Clock, counts and the caller's observer.
+/// Clock, counts and control.
 struct Run<'a> {
     clock: Instant,
     statistics: Statistics,
@@ -100,7 +110,7 @@ struct Run<'a> {
     unmerged_at_least: u64,
     /// What the mesh must have, if it is to keep the surface.
     promise: Promise,
-    observer: &'a mut dyn Observer,
+    control: &'a Control<'a>,
 }
 
 /// The working state: vertices in insertion order and their triangulation.
@@ -122,37 +132,47 @@ pub(crate) struct Engine {
 
 impl Engine {
     /// Orders the distinct points and sets up the exact arithmetic.
-    fn new(surface: &Surface, options: &Options) -> Result<Self, Error> {
-        Ok(Self::numbered(surface, options, &[])?.0)
+    fn new(surface: &Surface, options: &Options, control: &Control) -> Result<Self, Error> {
+        Ok(Self::numbered(surface, options, &[], control)?.0)
     }
 
     /// The same, where the given points get the lowest ids; and the order in which to insert the vertices.
-    fn numbered(surface: &Surface, options: &Options, first: &[u32]) -> Result<(Self, Vec<u32>), Error> {
-        let mut distinct = Vec::new();
-        distinct.try_reserve_exact(surface.alias.len())?;
-        distinct.extend((0u32..).zip(&surface.alias).filter(|&(i, &a)| i == a).map(|(i, _)| i));
+    fn numbered(
+        surface: &Surface,
+        options: &Options,
+        first: &[u32],
+        control: &Control,
+    ) -> Result<(Self, Vec<u32>), Error> {
+        let mut distinct = fallible::reserved(surface.alias.len())?;
+        fallible::extend(
+            &mut distinct,
+            (0u32..).zip(&surface.alias).filter(|&(i, &a)| i == a).map(|(i, _)| i),
+        )?;
         let Order { ids: sorted, rounds } = if options.points_sorted {
             Order { ids: distinct, rounds: Vec::new() }
         } else {
-            insertion_order(&surface.points, &distinct)?
+            insertion_order(&surface.points, &distinct, control)?
         };
+        control.look()?;
         let mut engine_of = fallible::filled(INVALID, surface.points.len())?;
         for (engine, &input) in first.iter().enumerate() {
             engine_of[input as usize] = engine as u32;
         }
-        let mut input_of = Vec::new();
-        input_of.try_reserve(sorted.len())?;
-        input_of.extend_from_slice(first);
-        input_of.extend(sorted.iter().filter(|&&i| engine_of[i as usize] == INVALID));
+        let mut input_of = fallible::reserved(sorted.len())?;
+        fallible::append(&mut input_of, first)?;
+        fallible::extend(
+            &mut input_of,
+            sorted.iter().copied().filter(|&i| engine_of[i as usize] == INVALID),
+        )?;
         for (engine, &input) in input_of.iter().enumerate() {
             engine_of[input as usize] = engine as u32;
         }
+        control.look()?;
         for i in 0..surface.alias.len() {
             engine_of[i] = engine_of[surface.alias[i] as usize];
         }
-        let mut xyz = Vec::new();
-        xyz.try_reserve(input_of.len())?;
-        xyz.extend(input_of.iter().map(|&i| surface.points[i as usize]));
+        control.room(input_of.len() * size_of::<[f64; 3]>())?;
+        let xyz = fallible::collect(input_of.iter().map(|&i| surface.points[i as usize]))?;
         let mut order = sorted;
         for v in &mut order {
             *v = engine_of[*v as usize];
@@ -163,16 +183,19 @@ impl Engine {
     }
 
     /// A copy.
-    fn copied(&self) -> Result<Engine, Error> {
-        Ok(Engine {
-            points: self.points.clone(),
+    fn copied(&self, control: &Control) -> Result<Engine, Error> {
+        control.room(self.mesh.bytes() + self.points.len() * size_of::<[f64; 3]>())?;
+        let copy = Engine {
+            points: self.points.copied()?,
             mesh: self.mesh.copied()?,
             inserter: Inserter::default(),
             input_of: fallible::copied(&self.input_of)?,
             rounds: fallible::copied(&self.rounds)?,
             engine_of: fallible::copied(&self.engine_of)?,
             scale: self.scale,
-        })
+        };
+        control.look()?;
+        Ok(copy)
     }
 
     /// Nothing.
@@ -194,9 +217,7 @@ impl Engine {
     }
 
     fn map<const N: usize>(&self, list: &[[u32; N]]) -> Result<Vec<[u32; N]>, Error> {
-        let mut mapped = Vec::new();
-        mapped.try_reserve(list.len())?;
-        mapped.extend(list.iter().map(|v| v.map(|i| self.engine_of[i as usize])));
+        let mapped = fallible::collect(list.iter().map(|v| v.map(|i| self.engine_of[i as usize])))?;
         Ok(mapped)
     }
 }
@@ -207,12 +228,12 @@ impl Run<'_> {
         let prepared = self.prepare(plc, options)?;
         let mut mesh = match options.mode {
             Mode::Delaunay => {
-                let mut engine = Engine::new(prepared.surface(), options)?;
+                let mut engine = Engine::new(prepared.surface(), options, self.control)?;
                 // The surface's copy of the points would coexist with the mesh at its peak size.
                 let alias = fallible::copied(&prepared.surface().alias)?;
                 drop(prepared);
                 self.delaunay(&mut engine, options.worker_threads())?;
-                assemble::delaunay(engine, plc, alias)?
+                assemble::delaunay(engine, plc, alias, self.control)?
             }
             Mode::Constrained | Mode::Preserve => {
                 let made = match options.merge_facets {
@@ -221,19 +242,22 @@ impl Run<'_> {
                 };
                 match made {
                     Err(error) if error.status == Status::Rounding && options.mode == Mode::Preserve => {
-                        return Err(unrounded::with_hint(plc, options, error, self.observer))
+                        return Err(unrounded::with_hint(plc, options, error, self.control))
                     }
                     made => made?,
                 }
             }
         };
+        self.control.steiner(mesh.steiner.len() as u64, mesh.subsegments.len())?;
         self.audit(plc, options, &mut mesh)?;
-        unmeshed::set_apart(&mut mesh)?;
+        unmeshed::set_apart(&mut mesh, self.control)?;
         self.warnings.append(&self.seeds);
-        warn::about_mesh(&mesh, options, &mut self.warnings)?;
+        warn::about_mesh(&mesh, options, &mut self.warnings, self.control)?;
         mesh.warnings = std::mem::take(&mut self.warnings);
         if options.drop_unmeshed_points {
+            self.control.look()?;
             mesh.drop_unmeshed_points()?;
+            self.control.look()?;
         }
         Ok(mesh)
     }
@@ -245,12 +269,12 @@ impl Run<'_> {
     }
 
     fn prepare(&mut self, plc: &Plc, options: &Options) -> Result<Prepared, Error> {
-        report(self.observer, Phase::Validate, 0.0)?;
+        self.control.progress(Phase::Validate, 0.0)?;
         let prepared = match options.mode {
-            Mode::Constrained | Mode::Preserve => crate::plc::check_and_split(plc, options, self.observer)?,
+            Mode::Constrained | Mode::Preserve => crate::plc::check_and_split(plc, options, self.control)?,
             Mode::Delaunay => {
                 let points_only = Plc { points: fallible::copied(&plc.points)?, ..Plc::default() };
-                crate::plc::check_and_split(&points_only, options, self.observer)?
+                crate::plc::check_and_split(&points_only, options, self.control)?
             }
         };
         self.statistics.duplicate_points =
@@ -264,7 +288,7 @@ impl Run<'_> {
         if options.mode == Mode::Preserve {
             return self.preserve(plc, options, prepared);
         }
-        let mut engine = Engine::new(prepared.surface(), options)?;
+        let mut engine = Engine::new(prepared.surface(), options, self.control)?;
         self.delaunay(&mut engine, options.worker_threads())?;
         let (surface, recovered) = self.connect_and_recover(plc, options, prepared, &mut engine, true)?;
         self.constrain(plc, &surface, options, recovered, &mut engine)
@@ -280,14 +304,16 @@ impl Run<'_> {
         engine: &mut Engine,
         any_diagonals: bool,
     ) -> Result<(Surface, Recovered), Error> {
+        self.control.look()?;
         engine.mesh.index_vertices(engine.points.len())?;
+        self.control.look()?;
         if let Some(degrees) = options.merge_facets {
             return self.merge_and_compare(plc, options, degrees, prepared, engine);
         }
-        let surface = prepared.connect(plc, self.observer)?;
+        let surface = prepared.connect(plc, self.control)?;
         self.lap(Phase::Validate);
-        let segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
-        let recovered = self.recover_with_polygons(&surface, segments, options, engine, any_diagonals)?;
+        let segments = Segments::new(&engine.points, engine.map(&surface.segments)?, self.control)?;
+        let recovered = self.recover_with_polygons(&surface, segments, engine, any_diagonals)?;
         Ok((surface, recovered))
     }
 
@@ -296,45 +322,39 @@ impl Run<'_> {
         &mut self,
         surface: &Surface,
         mut segments: Segments,
-        options: &Options,
         engine: &mut Engine,
         any_diagonals: bool,
     ) -> Result<Recovered, Error> {
         if surface.diagonals.is_empty() || !any_diagonals {
-            self.recover_segments(&mut segments, surface, options, engine)?;
+            self.recover_segments(&mut segments, surface, engine)?;
             return Ok(Recovered::of(segments));
         }
-        let mut soft: Vec<bool> = Vec::new();
-        soft.try_reserve_exact(surface.segments.len())?;
-        soft.resize(surface.segments.len(), false);
+        let mut soft: Vec<bool> = fallible::filled(false, surface.segments.len())?;
         surface.diagonals.iter().for_each(|d| soft[d.0 as usize] = true);
         let corners = engine.map(&surface.triangles)?;
         loop {
             segments.deferred.clear();
             segments.deferred.try_reserve_exact(soft.len())?;
-            segments.deferred.extend_from_slice(&soft);
-            self.recover_segments(&mut segments, surface, options, engine)?;
+            fallible::append(&mut segments.deferred, &soft)?;
+            self.recover_segments(&mut segments, surface, engine)?;
             if segments.waiting.is_empty() {
                 return Ok(Recovered::of(segments));
             }
             segments.waiting.sort_unstable();
             let waits = |s: &u32| segments.waiting.binary_search(s).is_ok();
             // Diagonals are in the order of segments, not of facets.
-            let mut wanted: Vec<u32> = Vec::new();
-            wanted.try_reserve(segments.waiting.len())?;
-            wanted.extend(surface.diagonals.iter().filter(|d| waits(&d.0)).map(|d| d.1));
+            let mut wanted: Vec<u32> = fallible::reserved(segments.waiting.len())?;
+            fallible::extend(&mut wanted, surface.diagonals.iter().filter(|d| waits(&d.0)).map(|d| d.1))?;
             wanted.sort_unstable();
             wanted.dedup();
             let polygons = Polygons { corners: &corners, facet: &surface.triangle_facet, soft: &soft };
             let Engine { mesh, points, .. } = &mut *engine;
-            let (polygons, left) = retriangulate(mesh, points, &segments, &polygons, &wanted)?;
+            let (polygons, left) = retriangulate(mesh, points, &segments, &polygons, &wanted, self.control)?;
             if left.is_empty() {
-                let mut gone: Vec<bool> = Vec::new();
-                gone.try_reserve_exact(soft.len())?;
-                gone.resize(soft.len(), false);
+                let mut gone: Vec<bool> = fallible::filled(false, soft.len())?;
                 let theirs = surface.diagonals.iter().filter(|d| polygons.has(d.1));
                 theirs.for_each(|d| gone[d.0 as usize] = soft[d.0 as usize]);
-                segments.give_up(&gone)?;
+                segments.give_up(&gone, self.control)?;
                 return Ok(Recovered { segments, polygons });
             }
             for &(segment, facet) in &surface.diagonals {
@@ -343,15 +363,16 @@ impl Run<'_> {
             }
             let ends = engine.map(&surface.segments)?;
             let careful = std::mem::take(&mut segments.careful);
-            segments = segments.exchange(&engine.points, ends)?;
+            segments = segments.exchange(&engine.points, ends, self.control)?;
             segments.careful = careful;
         }
     }
 
     /// Records the current size of the engine's arrays.
     fn note_peak(&mut self, engine: &Engine) {
-        self.statistics.peak_bytes =
-            self.statistics.peak_bytes.max((engine.mesh.bytes() + engine.inserter.bytes()) as u64);
+        let bytes = engine.mesh.bytes() + engine.inserter.bytes();
+        self.control.tables(bytes);
+        self.statistics.peak_bytes = self.statistics.peak_bytes.max(bytes as u64);
     }
 
     fn delaunay(&mut self, engine: &mut Engine, threads: usize) -> Result<(), Error> {
@@ -361,13 +382,10 @@ impl Run<'_> {
 
     /// Inserts the vertices in this order.
     fn delaunay_in(&mut self, engine: &mut Engine, order: &mut [u32], threads: usize) -> Result<(), Error> {
-        let total = order.len().max(1) as f64;
-        let observer = &mut *self.observer;
+        let part = self.control.whole(Phase::Delaunay);
         let (mesh, inserter) = (std::mem::take(&mut engine.mesh), std::mem::take(&mut engine.inserter));
         let mut construction = Construction::with(mesh, inserter);
-        construction.build_rounds(&engine.points, order, &engine.rounds, threads, &mut |done| {
-            report(observer, Phase::Delaunay, done as f64 / total)
-        })?;
+        construction.build_rounds(&engine.points, order, &engine.rounds, threads, part)?;
         (engine.mesh, engine.inserter) = (construction.mesh, construction.inserter);
         self.note_peak(engine);
         self.lap(Phase::Delaunay);
@@ -403,9 +421,15 @@ impl Run<'_> {
             };
             let segments = &mut recovered.segments;
             let regions = self.find_regions(plc, surface, options, engine)?;
-            report(self.observer, Phase::Round, 0.0)?;
-            let rounded =
-                round(&mut engine.mesh, &mut engine.points, segments, engine.scale, !options.exact_form)?;
+            self.control.progress(Phase::Round, 0.0)?;
+            let rounded = round(
+                &mut engine.mesh,
+                &mut engine.points,
+                segments,
+                engine.scale,
+                !options.exact_form,
+                self.control,
+            )?;
             self.lap(Phase::Round);
             // At least once, and as long as each attempt leaves at most half as many; not if other points might be needed on edges made by
             // merging.
@@ -440,17 +464,17 @@ impl Run<'_> {
                 let engine = engine.take();
                 let patch = fallible::copied(&surface.triangle_patch)?;
                 let segments = recovered.segments;
-                let embedded = Embedded { engine, segments, subfaces, patch, inside: Vec::new(), attempt: 0 };
-                return self.without_boundary_points(plc, surface, options, embedded).map_err(|other| {
+                let d2 = D2 { engine, segments, subfaces, patch, inside: Vec::new(), attempt: 0 };
+                return self.without_boundary_points(plc, surface, options, d2).map_err(|other| {
                     if other.status != Status::Rounding {
                         return other;
                     }
                     let hint = "; nor is there room in any mesh without points on the surface";
-                    crowding(surface, &places, hint, options.max_defects)
+                    crowding(surface, &places, hint, options.max_defects, self.control)
                 });
             }
-            let constraints = Some(assemble::Constraints { segments, subfaces: &subfaces });
-            let mut mesh = assemble::mesh(engine, plc, surface, &regions, &rounded, constraints)?;
+            let origin = Origin { plc, surface, segments, regions: &regions };
+            let mut mesh = assemble::mesh(engine, origin, &subfaces, &rounded, self.control)?;
             mesh.hull_kept = options.keep_hull;
             self.seeds = warn::about_seeds(plc, &regions, options);
             self.statistics.missing_segments = segments.missing;
@@ -475,21 +499,22 @@ impl Run<'_> {
     ) -> Result<Recovered, Error> {
         engine.points.truncate(first_steiner as usize);
         self.delaunay(engine, options.worker_threads())?;
+        self.control.look()?;
         engine.mesh.index_vertices(engine.points.len())?;
-        let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?)?;
+        self.control.look()?;
+        let mut segments = Segments::new(&engine.points, engine.map(&surface.segments)?, self.control)?;
         segments.careful.try_reserve_exact(careful.len())?;
-        segments.careful.extend_from_slice(careful);
-        self.recover_with_polygons(surface, segments, options, engine, any_diagonals)
+        fallible::append(&mut segments.careful, careful)?;
+        self.recover_with_polygons(surface, segments, engine, any_diagonals)
     }
 
     fn recover_segments(
         &mut self,
         segments: &mut Segments,
         surface: &Surface,
-        options: &Options,
         engine: &mut Engine,
     ) -> Result<(), Error> {
-        self.recover_fewer(segments, surface, options, engine, None).map(|_| ())
+        self.recover_fewer(segments, surface, engine, None).map(|_| ())
     }
 
     /// The same, given up with `false` as soon as it is certain to take `enough` Steiner points.
@@ -497,25 +522,18 @@ impl Run<'_> {
         &mut self,
         segments: &mut Segments,
         surface: &Surface,
-        options: &Options,
         engine: &mut Engine,
         enough: Option<u64>,
     ) -> Result<bool, Error> {
-        report(self.observer, Phase::Segments, 0.0)?;
-        let observer = &mut *self.observer;
-        let mut best = 0.0f64;
-        let limit = options.steiner_limit.unwrap_or(100_000 + 100 * segments.ends.len() as u64);
+        self.control.progress(Phase::Segments, 0.0)?;
         let mut recovery = Recovery::new(
             (&mut engine.mesh, &mut engine.inserter),
             &mut engine.points,
             segments,
-            Some(limit),
+            self.control,
         );
         recovery.enough = enough;
-        let done = recovery.run(&mut |done, known| {
-            best = best.max(done as f64 / known.max(1) as f64);
-            report(observer, Phase::Segments, best)
-        });
+        let done = recovery.run();
         drop(recovery);
         let done = done.map_err(|e| in_terms_of_input(e, segments, &engine.input_of, surface))?;
         self.lap(Phase::Segments);
@@ -528,31 +546,31 @@ impl Run<'_> {
         Recovered { segments, polygons }: &Recovered,
         engine: &mut Engine,
     ) -> Result<Subfaces, Error> {
-        report(self.observer, Phase::Facets, 0.0)?;
+        self.control.progress(Phase::Facets, 0.0)?;
         let corners = engine.map(&surface.triangles)?;
         let (facet, patch) = (&surface.triangle_facet, &surface.triangle_patch);
         let patch_count = surface.patch_count as usize;
         let subfaces = if polygons.facets.is_empty() {
             let triangles = Triangles { corners: &corners, facet, patch, patch_count };
-            Subfaces::build(&engine.points, &triangles, segments)?
+            Subfaces::build(&engine.points, &triangles, segments, self.control)?
         } else {
             let (mut rest, mut rest_facet, mut rest_patch) = (Vec::new(), Vec::new(), Vec::new());
+            self.control.look()?;
             rest.try_reserve_exact(corners.len())?;
             rest_facet.try_reserve_exact(corners.len())?;
             rest_patch.try_reserve_exact(corners.len())?;
             for t in (0..corners.len()).filter(|&t| !polygons.has(facet[t])) {
-                rest.push(corners[t]);
-                rest_facet.push(facet[t]);
-                rest_patch.push(patch[t]);
+                fallible::push(&mut rest, corners[t])?;
+                fallible::push(&mut rest_facet, facet[t])?;
+                fallible::push(&mut rest_patch, patch[t])?;
             }
             let triangles = Triangles { corners: &rest, facet: &rest_facet, patch: &rest_patch, patch_count };
-            let mut subfaces = Subfaces::build(&engine.points, &triangles, segments)?;
-            subfaces.add_single(&engine.points, &polygons.corners, &polygons.facet)?;
+            let mut subfaces = Subfaces::build(&engine.points, &triangles, segments, self.control)?;
+            subfaces.add_single(&engine.points, &polygons.corners, &polygons.facet, self.control)?;
             subfaces
         };
-        let observer = &mut *self.observer;
-        let mut recovery = FacetRecovery::new(&mut engine.mesh, &engine.points, &subfaces)?;
-        recovery.run(&mut |done, all| report(observer, Phase::Facets, done as f64 / all.max(1) as f64))?;
+        let mut recovery = FacetRecovery::new(&mut engine.mesh, &engine.points, &subfaces, self.control)?;
+        recovery.run()?;
         self.statistics.missing_regions = recovery.regions;
         drop(recovery);
         self.lap(Phase::Facets);
@@ -565,19 +583,23 @@ impl Run<'_> {
         surface: &Surface,
         options: &Options,
         engine: &mut Engine,
-    ) -> Result<Regions, Error> {
-        report(self.observer, Phase::Regions, 0.0)?;
+    ) -> Result<Domain, Error> {
+        self.control.progress(Phase::Regions, 0.0)?;
         engine.mesh.clear_subsegments();
-        let components = components(&engine.mesh)?;
+        self.control.look()?;
+        let components = components(&engine.mesh, self.control)?;
         let regions = label(
             &engine.mesh,
             &mut engine.points,
             &components,
             &Seeds { holes: &plc.holes, regions: &plc.regions, exponent: engine.scale },
             options.keep_hull,
+            self.control,
         )
         .map_err(|error| match error.status {
-            Status::NothingEnclosed => warn::nothing_enclosed(plc, surface, options.max_defects),
+            Status::NothingEnclosed => {
+                warn::nothing_enclosed(plc, surface, options.max_defects, self.control)
+            }
             _ => error,
         })?;
         engine.mesh.set_regions(|t| regions.of_component[components.of[t as usize] as usize])?;
@@ -588,14 +610,15 @@ impl Run<'_> {
 
     /// The exact audit of the output.
     fn audit(&mut self, plc: &Plc, options: &Options, mesh: &mut TetMesh) -> Result<(), Error> {
-        report(self.observer, Phase::Audit, 0.0)?;
-        let audited = audit(plc, mesh, options.max_defects);
-        let audited = audited.and_then(|()| audit_promise(mesh, &self.promise, options.max_defects));
+        self.control.progress(Phase::Audit, 0.0)?;
+        let audited = audit(plc, mesh, options.max_defects, self.control);
+        let audited =
+            audited.and_then(|()| audit_promise(mesh, &self.promise, options.max_defects, self.control));
         audited.map_err(|e| match e.status {
             Status::CheckFailed => Error { status: Status::Internal, ..e.at(format_args!("audit")) },
             _ => e,
         })?;
-        report(self.observer, Phase::Audit, 1.0)?;
+        self.control.progress(Phase::Audit, 1.0)?;
         self.lap(Phase::Audit);
         mesh.statistics = std::mem::take(&mut self.statistics);
         Ok(())

@@ -1,5 +1,6 @@
 //! Polygons that are planar only up to rounding: their diagonals are chosen freely and take no points.
 use crate::check::{check_mesh, check_preserved};
+use crate::control::Control;
 use crate::plan::{tetrahedralize, Promise, Run, Statistics, Warnings};
 use crate::{Element, Facet, Mode, Options, Plc, Silent, Status, TetMesh};
 use std::collections::{BTreeMap, BTreeSet};
@@ -254,7 +255,7 @@ fn a_broken_promise_is_internal() {
         seeds: Warnings::default(),
         unmerged_at_least: 0,
         promise: Promise::default(),
-        observer: &mut Silent,
+        control: &Control::free(),
     };
     run.audit(&plc, &options, &mut mesh).unwrap();
     let face = mesh.subfaces.pop().unwrap();

@@ -4,6 +4,7 @@
 //! points on the edges that resist ([`recover`](crate::preserve::recover::edges)). If that is given up, and if the hull is kept or facets are
 //! merged, the start is the constrained Delaunay tetrahedralization, which always exists. Either way points on the surface are removed
 //! again ([`from_constrained`]).
+use crate::control::Control;
 use crate::elementary::{exponent_above, power_of_two};
 use crate::error::{Error, Status};
 use crate::facets::recovery::FacetRecovery;
@@ -12,6 +13,7 @@ use crate::fallible;
 use crate::kernel::edge_key;
 use crate::options::{Options, Preserve};
 use crate::output::{Guarantee, TetMesh};
+use crate::plan::assemble::Origin;
 use crate::plan::crowding::crowding;
 use crate::plan::promise::promise;
 use crate::plan::{assemble, in_terms_of_input, warn, Engine, Recovered, Run};
@@ -25,12 +27,12 @@ use crate::preserve::recover::order::first_points;
 use crate::preserve::release::patches::Target;
 use crate::preserve::whole::{fill_hull, Wanted};
 use crate::preserve::{carve, from_constrained, Failure, Spot};
-use crate::progress::{report, Phase};
+use crate::progress::Phase;
 use crate::segments::recovery::Segments;
 use rustc_hash::FxHashMap;
 
-/// A mesh with the surface in it, perhaps with points on its segments.
-pub(super) struct Embedded {
+/// The tetrahedralization D2: the whole surface is in it, perhaps with points on its segments.
+pub(super) struct D2 {
     pub(super) engine: Engine,
     pub(super) segments: Segments,
     pub(super) subfaces: Subfaces,
@@ -42,8 +44,8 @@ pub(super) struct Embedded {
     pub(super) attempt: u32,
 }
 
-/// A Delaunay tetrahedralization with the segments in it; facets come next.
-struct Exact {
+/// The Delaunay tetrahedralization D1, with the segments in it; facets come next.
+struct D1 {
     engine: Engine,
     recovered: Recovered,
     /// How many attempts have failed.
@@ -60,13 +62,13 @@ impl Run<'_> {
     ) -> Result<TetMesh, Error> {
         let mut first = Vec::new();
         if !options.keep_hull && options.merge_facets.is_none() {
-            let surface = prepared.copied()?.connect(plc, self.observer)?;
-            first = first_points(&surface)?;
+            let surface = prepared.copied()?.connect(plc, self.control)?;
+            first = first_points(&surface, self.control)?;
             self.lap(Phase::Validate);
             for rounds in ROUNDS {
                 // What is given up once would only take longer with more levels.
-                let Some(embedded) = self.reconnect(&surface, options, &first, rounds)? else { break };
-                match self.free_surface(plc, &surface, options, embedded) {
+                let Some(d2) = self.reconnect(&surface, options, &first, rounds)? else { break };
+                match self.free_surface(plc, &surface, options, d2) {
                     // Another mesh may leave more room.
                     Err(e) if e.status == Status::Rounding => self.statistics.preserve = Default::default(),
                     done => return done,
@@ -74,12 +76,12 @@ impl Run<'_> {
             }
             self.statistics.preserve = Default::default();
         }
-        let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first)?;
+        let (mut engine, mut order) = Engine::numbered(prepared.surface(), options, &first, self.control)?;
         self.delaunay_in(&mut engine, &mut order, options.worker_threads())?;
         let (surface, recovered) = self.connect_and_recover(plc, options, prepared, &mut engine, false)?;
         let careful = more_careful(&[], &surface, &recovered.segments)?;
         let retries = retries(recovered.segments.steiner_t.len());
-        match self.free_recovered(plc, &surface, options, Exact { engine, recovered, attempt: 0 }) {
+        match self.free_recovered(plc, &surface, options, D1 { engine, recovered, attempt: 0 }) {
             Err(e) if e.status == Status::Rounding => match self.whole(plc, &surface, options)? {
                 Some(mesh) => Ok(mesh),
                 None => self.try_again(plc, &surface, options, careful, retries)?.ok_or(e),
@@ -97,22 +99,22 @@ impl Run<'_> {
         options: &Options,
     ) -> Result<Option<TetMesh>, Error> {
         self.statistics.preserve = Default::default();
-        let mut engine = Engine::new(surface, options)?;
+        let mut engine = Engine::new(surface, options, self.control)?;
         let corners = engine.map(&surface.triangles)?;
-        let edges = edges_of(surface)?;
-        let Relaxed { patch, patch_count, .. } = relax(surface, &edges, &[])?;
-        let segments = Segments::new(&engine.points, engine.map(&edges)?)?;
+        let edges = edges_of(surface, self.control)?;
+        let Relaxed { patch, patch_count, .. } = relax(surface, &edges, &[], self.control)?;
+        let segments = Segments::new(&engine.points, engine.map(&edges)?, self.control)?;
         let wanted = Wanted { triangles: &corners, edges: &segments.ends };
-        let observer = &mut *self.observer;
-        let mut tick = || report(observer, Phase::Preserve, 0.0);
-        let filled = fill_hull(&mut engine.mesh, &mut engine.points, wanted, &mut tick)?;
+        let control = self.control;
+        control.progress(Phase::Preserve, 0.0)?;
+        let filled = fill_hull(&mut engine.mesh, &mut engine.points, wanted, control)?;
         let Some(inside) = filled else { return Ok(None) };
         let triangles =
             Triangles { corners: &corners, facet: &surface.triangle_facet, patch: &patch, patch_count };
-        let subfaces = Subfaces::build(&engine.points, &triangles, &segments)?;
-        FacetRecovery::new(&mut engine.mesh, &engine.points, &subfaces)?.run(&mut |_, _| Ok(()))?;
-        let embedded = Embedded { engine, segments, subfaces, patch, inside, attempt: 0 };
-        match self.free_surface(plc, surface, options, embedded) {
+        let subfaces = Subfaces::build(&engine.points, &triangles, &segments, control)?;
+        FacetRecovery::new(&mut engine.mesh, &engine.points, &subfaces, control)?.run()?;
+        let d2 = D2 { engine, segments, subfaces, patch, inside, attempt: 0 };
+        match self.free_surface(plc, surface, options, d2) {
             Err(e) if e.status == Status::Rounding => Ok(None),
             made => made.map(Some),
         }
@@ -130,17 +132,17 @@ impl Run<'_> {
     ) -> Result<Option<TetMesh>, Error> {
         for attempt in 1..=retries {
             self.statistics.preserve = Default::default();
-            let mut engine = Engine::new(surface, options)?;
+            let mut engine = Engine::new(surface, options, self.control)?;
             let first = engine.points.len() as u32;
             let again = match self.recover_anew(surface, options, &mut engine, first, &careful, false) {
                 Ok(recovered) => {
                     careful = more_careful(&careful, surface, &recovered.segments)?;
-                    self.free_recovered(plc, surface, options, Exact { engine, recovered, attempt })
+                    self.free_recovered(plc, surface, options, D1 { engine, recovered, attempt })
                 }
                 Err(other) => Err(other),
             };
             match again {
-                Err(e) if !matches!(e.status, Status::Cancelled | Status::OutOfMemory) => {}
+                Err(e) if !e.status.is_final() => {}
                 done => return done.map(Some),
             }
         }
@@ -153,17 +155,17 @@ impl Run<'_> {
         plc: &Plc,
         surface: &Surface,
         options: &Options,
-        exact: Exact,
+        exact: D1,
     ) -> Result<TetMesh, Error> {
-        let Exact { mut engine, recovered, attempt } = exact;
+        let D1 { mut engine, recovered, attempt } = exact;
         let subfaces = self.recover_facets(surface, &recovered, &mut engine)?;
         let segments = recovered.segments;
         let counts = &mut self.statistics.preserve;
         counts.missing_edges = segments.missing;
         counts.by_splits = segments.missing;
         let patch = fallible::copied(&surface.triangle_patch)?;
-        let embedded = Embedded { engine, segments, subfaces, patch, inside: Vec::new(), attempt };
-        self.free_surface(plc, surface, options, embedded)
+        let d2 = D2 { engine, segments, subfaces, patch, inside: Vec::new(), attempt };
+        self.free_surface(plc, surface, options, d2)
     }
 
     /// Carves the domain and takes all points off the surface.
@@ -172,15 +174,15 @@ impl Run<'_> {
         plc: &Plc,
         surface: &Surface,
         options: &Options,
-        embedded: Embedded,
+        d2: D2,
     ) -> Result<TetMesh, Error> {
-        let Embedded { mut engine, segments, subfaces, patch, inside, attempt } = embedded;
+        let D2 { mut engine, segments, subfaces, patch, inside, attempt } = d2;
         let regions = self.find_regions(plc, surface, options, &mut engine)?;
-        report(self.observer, Phase::Preserve, 0.0)?;
+        self.control.progress(Phase::Preserve, 0.0)?;
         let mut mesh = std::mem::take(&mut engine.mesh);
-        carve(&mut mesh, engine.points.len(), &subfaces)?;
+        carve(&mut mesh, engine.points.len(), &subfaces, self.control)?;
         drop(subfaces);
-        self.promise = promise(&engine, surface, &patch, &mesh, &segments, options.preserve)?;
+        self.promise = promise(&engine, surface, &patch, &mesh, &segments, options.preserve, self.control)?;
         let target = Target {
             triangles: &engine.map(&surface.triangles)?,
             patch: &patch,
@@ -189,7 +191,7 @@ impl Run<'_> {
             preserve: options.preserve,
             attempt,
         };
-        let observer = &mut *self.observer;
+        let control = self.control;
         let freed = from_constrained(
             &mut mesh,
             &mut engine.points,
@@ -197,7 +199,7 @@ impl Run<'_> {
             &target,
             Inside::of(inside),
             &mut self.statistics.preserve,
-            &mut |fraction| report(observer, Phase::Preserve, fraction),
+            control.whole(Phase::Preserve),
         )
         .map_err(|failure| match failure {
             Failure::Other(error) => error,
@@ -208,15 +210,16 @@ impl Run<'_> {
                     Spot::Facet(facet, at) => (Home::Facet(facet), at),
                 };
                 match fallible::collect(spots.iter().map(place)) {
-                    Ok(places) => crowding(surface, &places, "", options.max_defects),
-                    Err(short) => short.into(),
+                    Ok(places) => crowding(surface, &places, "", options.max_defects, control),
+                    Err(short) => Error::from(short),
                 }
             }
         })?;
         self.statistics.missing_segments = segments.missing;
         self.statistics.steiner = freed.settled.len() as u64;
         self.statistics.steiner_moved = freed.settled.iter().filter(|point| point.moved).count() as u64;
-        let mut mesh = assemble::preserved(&engine, plc, surface, &mesh, &freed, &segments, &regions)?;
+        let origin = Origin { plc, surface, segments: &segments, regions: &regions };
+        let mut mesh = assemble::preserved(&engine, origin, &mesh, &freed, control)?;
         self.statistics.steiner_exact =
             mesh.steiner.iter().filter(|point| point.exact && !point.is_inside()).count() as u64;
         mesh.hull_kept = options.keep_hull;
@@ -237,8 +240,8 @@ impl Run<'_> {
         options: &Options,
         first: &[u32],
         rounds: &'static [Round],
-    ) -> Result<Option<Embedded>, Error> {
-        let (mut engine, inner) = Engine::numbered(surface, options, first)?;
+    ) -> Result<Option<D2>, Error> {
+        let (mut engine, inner) = Engine::numbered(surface, options, first, self.control)?;
         let count = engine.points.len() as u32;
         for corner in surrounding_box(engine.points.coordinates()) {
             engine.points.push(corner)?;
@@ -248,40 +251,39 @@ impl Run<'_> {
         }
         let mut order = fallible::collect((count..count + 8).chain(inner))?;
         self.delaunay_in(&mut engine, &mut order, options.worker_threads())?;
+        self.control.look()?;
         engine.mesh.index_vertices(engine.points.len())?;
 
-        report(self.observer, Phase::Segments, 0.0)?;
-        let all_edges = edges_of(surface)?;
+        self.control.progress(Phase::Segments, 0.0)?;
+        let all_edges = edges_of(surface, self.control)?;
         let edges = engine.map(&all_edges)?;
         let corners = engine.map(&surface.triangles)?;
         let Engine { mesh, points, input_of, .. } = &mut engine;
-        let observer = &mut *self.observer;
-        let mut recovery = Recovery::new(mesh, points, rounds);
-        let missing = recovery.edges(&edges, &mut |f| report(observer, Phase::Segments, f))?;
-        let relaxed = relax(surface, &all_edges, &missing)?;
-        let mut kept = Vec::new();
-        kept.try_reserve(edges.len())?;
-        kept.extend(edges.iter().zip(&relaxed.keep).filter(|e| *e.1).map(|e| *e.0));
-        let mut segments = Segments::new(recovery.points, kept)?;
+        let control = self.control;
+        let mut recovery = Recovery::new(mesh, points, rounds, control);
+        let missing = recovery.edges(&edges)?;
+        let relaxed = relax(surface, &all_edges, &missing, control)?;
+        let mut kept = fallible::reserved(edges.len())?;
+        fallible::extend(&mut kept, edges.iter().zip(&relaxed.keep).filter(|e| *e.1).map(|e| *e.0))?;
+        let mut segments = Segments::new(recovery.points, kept, control)?;
         segments.missing = recovery.missing_edges;
         let split = recovery
-            .split_missing(&mut segments, &mut |f| report(observer, Phase::Segments, f))
+            .split_missing(&mut segments)
             .map_err(|e| in_terms_of_input(e, &segments, input_of, surface))?;
         self.lap(Phase::Segments);
         if !split {
             return Ok(None);
         }
 
-        report(self.observer, Phase::Facets, 0.0)?;
+        self.control.progress(Phase::Facets, 0.0)?;
         let triangles = Triangles {
             corners: &corners,
             facet: &surface.triangle_facet,
             patch: &relaxed.patch,
             patch_count: relaxed.patch_count,
         };
-        let mut subfaces = Subfaces::build(recovery.points, &triangles, &segments)?;
-        let observer = &mut *self.observer;
-        let found = recovery.faces(&mut subfaces, &mut |f| report(observer, Phase::Facets, f))?;
+        let mut subfaces = Subfaces::build(recovery.points, &triangles, &segments, control)?;
+        let found = recovery.faces(&mut subfaces)?;
         let counts = &mut self.statistics.preserve;
         counts.missing_edges = recovery.missing_edges;
         counts.missing_faces = recovery.missing_faces;
@@ -292,7 +294,7 @@ impl Run<'_> {
         drop(recovery);
         self.lap(Phase::Facets);
         self.note_peak(&engine);
-        Ok(found.then_some(Embedded { engine, segments, subfaces, patch: relaxed.patch, inside, attempt: 0 }))
+        Ok(found.then_some(D2 { engine, segments, subfaces, patch: relaxed.patch, inside, attempt: 0 }))
     }
 }
 
@@ -323,44 +325,48 @@ struct Relaxed {
 }
 
 /// Gives up missing flat edges: the triangles on both sides become one patch.
-fn relax(surface: &Surface, edges: &[[u32; 2]], missing: &[u32]) -> Result<Relaxed, Error> {
-    let mut keep = Vec::new();
-    keep.try_reserve(edges.len())?;
-    keep.resize(edges.len(), true);
+fn relax(
+    surface: &Surface,
+    edges: &[[u32; 2]],
+    missing: &[u32],
+    control: &Control,
+) -> Result<Relaxed, Error> {
+    let mut keep = fallible::filled(true, edges.len())?;
     let mut dropped: Vec<[u32; 2]> = Vec::new();
     for &edge in missing {
+        control.step()?;
         let ends = edges[edge as usize];
         if surface.segments.binary_search(&ends).is_err() {
             keep[edge as usize] = false;
-            dropped.try_reserve(1)?;
-            dropped.push(ends);
+            fallible::push(&mut dropped, ends)?;
         }
     }
     dropped.sort_unstable();
     let mut patches = Patches::new(surface.triangles.len())?;
     let mut first: FxHashMap<[u32; 2], u32> = FxHashMap::default();
     for (t, &[a, b, c]) in surface.triangles.iter().enumerate() {
+        control.step()?;
         for key in [edge_key(a, b), edge_key(b, c), edge_key(c, a)] {
             if dropped.binary_search(&key).is_ok() {
-                let other = *first.entry(key).or_insert(t as u32);
+                let other = *fallible::entry(&mut first, key)?.or_insert(t as u32);
                 patches.join(other, t as u32);
             }
         }
     }
+    control.look()?;
     let mut patch = Vec::new();
     let patch_count = patches.number(&mut patch)? as usize;
     Ok(Relaxed { keep, patch, patch_count })
 }
 
 /// All edges of triangles, and the other segments.
-fn edges_of(surface: &Surface) -> Result<Vec<[u32; 2]>, Error> {
-    let mut edges = Vec::new();
-    edges.try_reserve(3 * surface.triangles.len() + surface.segments.len())?;
+fn edges_of(surface: &Surface, control: &Control) -> Result<Vec<[u32; 2]>, Error> {
+    let mut edges = fallible::reserved(3 * surface.triangles.len() + surface.segments.len())?;
     for &[a, b, c] in &surface.triangles {
-        edges.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
+        fallible::extend(&mut edges, [edge_key(a, b), edge_key(b, c), edge_key(c, a)])?;
     }
-    edges.extend(surface.segments.iter().map(|&[a, b]| edge_key(a, b)));
-    edges.sort_unstable();
+    fallible::extend(&mut edges, surface.segments.iter().map(|&[a, b]| edge_key(a, b)))?;
+    control.sort(&mut edges)?;
     edges.dedup();
     Ok(edges)
 }

@@ -1,5 +1,6 @@
 //! Mode preserve end to end, where doubles leave no room: every mesh proved by the exact checker.
 use crate::check::{check_preserved, check_preserved_outer};
+use crate::control::Control;
 use crate::error::{Defect, Error};
 use crate::plan::tetrahedralize;
 use crate::plan::unrounded::with_hint;
@@ -254,7 +255,7 @@ fn the_error_names_what_is_too_close_and_the_mode_that_works() {
     assert_eq!(error.message, said);
     // The same error, of a surface that mode cdt does mesh.
     plc.points = lattice.map(|p: [u64; 3]| p.map(|x| x as f64)).to_vec();
-    let error = with_hint(&plc, &options, Error::new(Status::Rounding, "no room"), &mut Silent);
+    let error = with_hint(&plc, &options, Error::new(Status::Rounding, "no room"), &Control::free());
     assert_eq!(error.status, Status::Rounding);
     assert_eq!(error.message, "no room; mode cdt, which may put points on the surface, meshes it");
 }

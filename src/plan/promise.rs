@@ -1,5 +1,6 @@
 //! What mode preserve promises for a carved domain, recorded before anything is removed from its surface.
 use crate::check::Promise;
+use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
@@ -22,8 +23,9 @@ pub(super) fn promise(
     mesh: &Mesh,
     segments: &Segments,
     preserve: Preserve,
+    control: &Control,
 ) -> Result<Promise, Error> {
-    let internal = Internal::find(preserve, mesh, segments)?;
+    let internal = Internal::find(preserve, mesh, segments, control)?;
     // Whether a patch is in the domain and must be kept.
     let in_mesh = || mesh.subfaces().map(|code| mesh.subface(code));
     let patches = patch.iter().copied().chain(in_mesh());
@@ -36,33 +38,33 @@ pub(super) fn promise(
     let mut edges: Vec<([u32; 2], u32)> = Vec::new();
     let mut polygons: Vec<u32> = Vec::new();
     for ((&corners, &facet), &patch) in surface.triangles.iter().zip(&surface.triangle_facet).zip(patch) {
+        control.step()?;
         if !kept[patch as usize] {
             continue;
         }
         if facet < surface.first_polygon {
-            promise.triangles.push((corners, facet));
+            fallible::push(&mut promise.triangles, (corners, facet))?;
             continue;
         }
         let [a, b, c] = corners;
-        edges.try_reserve(3)?;
-        edges.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)].map(|edge| (edge, facet)));
-        polygons.try_reserve(1)?;
-        polygons.push(facet);
+        fallible::extend(
+            &mut edges,
+            [edge_key(a, b), edge_key(b, c), edge_key(c, a)].map(|edge| (edge, facet)),
+        )?;
+        fallible::push(&mut polygons, facet)?;
     }
-    edges.sort_unstable();
-    polygons.sort_unstable();
+    control.sort(&mut edges)?;
+    control.sort(&mut polygons)?;
     for run in edges.chunk_by(|x, y| x.0 == y.0) {
         if !matches!(run, [(_, f), (_, g)] if f == g) {
-            promise.polygon_edges.try_reserve(1)?;
-            promise.polygon_edges.push(run[0]);
+            fallible::push(&mut promise.polygon_edges, run[0])?;
         }
     }
     for run in polygons.chunk_by(|x, y| x == y) {
-        promise.polygons.try_reserve(1)?;
-        promise.polygons.push((run[0], run.len() as u32));
+        fallible::push(&mut promise.polygons, (run[0], run.len() as u32))?;
     }
     if preserve == Preserve::All {
-        promise.segments = whole_segments(engine, surface, mesh, segments)?;
+        promise.segments = whole_segments(engine, surface, mesh, segments, control)?;
     }
     Ok(promise)
 }
@@ -73,22 +75,23 @@ fn whole_segments(
     surface: &Surface,
     mesh: &Mesh,
     segments: &Segments,
+    control: &Control,
 ) -> Result<Vec<([u32; 2], u32)>, Error> {
     let mut whole: Vec<([u32; 2], u32)> = Vec::new();
     if surface.segment_parent.iter().all(|&parent| parent == INVALID) {
         return Ok(whole);
     }
     // Per segment its ends in the input and its parent, or that it has none.
-    let mut known: Vec<Option<([u32; 2], u32)>> = Vec::new();
-    known.try_reserve_exact(segments.ends.len())?;
-    known.extend(segments.ends.iter().map(|ends| {
+    control.look()?;
+    let mut known: Vec<Option<([u32; 2], u32)>> = fallible::collect(segments.ends.iter().map(|ends| {
         let [a, b] = ends.map(|v| engine.input_of[v as usize]);
         let found = surface.segments.binary_search(&edge_key(a, b)).ok()?;
         let parent = surface.segment_parent[found];
         (parent != INVALID).then_some(([a, b], parent))
-    }));
+    }))?;
     let mut search = StarSearch::default();
     for piece in &segments.pieces {
+        control.step()?;
         let known = &mut known[piece.segment as usize];
         if known.is_none() {
             continue;
@@ -98,8 +101,9 @@ fn whole_segments(
         if start == NONE || search.find_edge(mesh, a, b, start)?.is_none() {
             *known = None;
         }
+        control.worked(search.tets.len());
     }
     whole.try_reserve(known.len())?;
-    whole.extend(known.into_iter().flatten());
+    fallible::extend(&mut whole, known.into_iter().flatten())?;
     Ok(whole)
 }

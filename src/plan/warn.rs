@@ -1,6 +1,8 @@
 //! Warnings about a mesh that is valid nonetheless.
-use crate::domain::Regions;
+use crate::control::Control;
+use crate::domain::Domain;
 use crate::error::{Element, Error};
+use crate::fallible;
 use crate::kernel::edge_key;
 use crate::options::{Mode, Options};
 use crate::output::{Subface, TetMesh};
@@ -39,7 +41,7 @@ pub(super) fn about_input(plc: &Plc, alias: &[u32], options: &Options, warnings:
 }
 
 /// Warns of seeds that have no effect.
-pub(super) fn about_seeds(plc: &Plc, regions: &Regions, options: &Options) -> Warnings {
+pub(super) fn about_seeds(plc: &Plc, regions: &Domain, options: &Options) -> Warnings {
     let mut warnings = Warnings::default();
     for &hole in &regions.holes_outside {
         let (kind, first) = (WarningKind::HoleOutside, Element::Hole(hole));
@@ -58,14 +60,19 @@ pub(super) fn about_seeds(plc: &Plc, regions: &Regions, options: &Options) -> Wa
 }
 
 /// Warns of what is not meshed, and of the open edges where it leaks.
-pub(super) fn about_mesh(mesh: &TetMesh, options: &Options, warnings: &mut Warnings) -> Result<(), Error> {
+pub(super) fn about_mesh(
+    mesh: &TetMesh,
+    options: &Options,
+    warnings: &mut Warnings,
+    control: &Control,
+) -> Result<(), Error> {
     let limit = options.max_defects;
     let at = |v: u32| mesh.points.get(v as usize).copied().unwrap_or_default();
     let middle = |list: &[u32]| {
         let weight = 1.0 / list.len() as f64;
         Some([0, 1, 2].map(|k| list.iter().map(|&v| at(v)[k] * weight).sum()))
     };
-    for ends in open_edges(mesh)? {
+    for ends in open_edges(mesh, control)? {
         let [first, second] = ends.map(Element::Point);
         let (kind, point) = (WarningKind::OpenEdge, middle(&ends));
         warnings.push(Warning { kind, first, second: Some(second), point }, limit);
@@ -89,42 +96,49 @@ pub(super) fn about_mesh(mesh: &TetMesh, options: &Options, warnings: &mut Warni
 }
 
 /// The input's edges (ends ascending; sorted) with only one facet, which bounds no tetrahedron there.
-fn open_edges(mesh: &TetMesh) -> Result<Vec<[u32; 2]>, Error> {
+fn open_edges(mesh: &TetMesh, control: &Control) -> Result<Vec<[u32; 2]>, Error> {
     let edges = |face: &Subface| {
         let [a, b, c] = face.corners;
         [edge_key(a, b), edge_key(b, c), edge_key(c, a)]
     };
-    let mut open: Vec<[u32; 2]> = Vec::new();
-    open.try_reserve_exact(3 * mesh.unmeshed_subfaces.len())?;
-    open.extend(mesh.unmeshed_subfaces.iter().flat_map(edges));
+    let mut open: Vec<[u32; 2]> = fallible::reserved(3 * mesh.unmeshed_subfaces.len())?;
+    fallible::extend(&mut open, mesh.unmeshed_subfaces.iter().flat_map(edges))?;
     if open.is_empty() {
         return Ok(open);
     }
+    control.look()?;
     open.sort_unstable();
     // Once among those that are not meshed, and on no other subface.
-    let mut once: Vec<([u32; 2], bool)> = Vec::new();
-    once.try_reserve_exact(open.len())?;
-    once.extend(open.chunk_by(|x, y| x == y).filter(|run| run.len() == 1).map(|run| (run[0], true)));
+    let mut once: Vec<([u32; 2], bool)> = fallible::reserved(open.len())?;
+    fallible::extend(
+        &mut once,
+        open.chunk_by(|x, y| x == y).filter(|run| run.len() == 1).map(|run| (run[0], true)),
+    )?;
     for edge in mesh.subfaces.iter().flat_map(edges) {
+        control.step()?;
         if let Ok(found) = once.binary_search_by_key(&edge, |x| x.0) {
             once[found].1 = false;
         }
     }
     // Pieces of one input edge, between the points added on it, count as one.
     open.clear();
-    open.extend(once.into_iter().filter(|x| x.1).map(|([a, b], _)| {
-        let added = |v: u32| v.checked_sub(mesh.input_point_count).and_then(|i| mesh.steiner.get(i as usize));
-        let parent = added(a).or(added(b)).filter(|point| !point.is_inside());
-        parent.map_or([a, b], |point| edge_key(point.ends[0], point.ends[1]))
-    }));
+    fallible::extend(
+        &mut open,
+        once.into_iter().filter(|x| x.1).map(|([a, b], _)| {
+            let added =
+                |v: u32| v.checked_sub(mesh.input_point_count).and_then(|i| mesh.steiner.get(i as usize));
+            let parent = added(a).or(added(b)).filter(|point| !point.is_inside());
+            parent.map_or([a, b], |point| edge_key(point.ends[0], point.ends[1]))
+        }),
+    )?;
     open.sort_unstable();
     open.dedup();
     Ok(open)
 }
 
 /// The error for an input that encloses nothing, with the open edges where it leaks.
-pub(super) fn nothing_enclosed(plc: &Plc, surface: &Surface, max_defects: usize) -> Error {
-    match crate::plc::open::open_edges(surface) {
+pub(super) fn nothing_enclosed(plc: &Plc, surface: &Surface, max_defects: usize, control: &Control) -> Error {
+    match crate::plc::open::open_edges(surface, control) {
         Ok(open) => crate::plc::prepare::nothing_enclosed(plc, surface, &open, max_defects),
         Err(error) => error,
     }

@@ -5,8 +5,9 @@
 //! to rounding, and no value leaves the range of its neighbours. This is no topological decision, so doubles suffice.
 use crate::elementary::{exponent, power_of_two, quotient};
 use crate::error::Error;
+use crate::fallible;
 use crate::output::TetMesh;
-use crate::plc::Plc;
+use crate::plc::{MarkerName, Plc};
 use std::borrow::Cow;
 
 /// The input restricted to the points that remain in the mesh, for their markers and attributes. Facets are not copied, since their corners
@@ -23,28 +24,21 @@ pub fn as_meshed<'a>(plc: &'a Plc, mesh: &TetMesh) -> Result<Cow<'a, Plc>, Error
     let width = plc.point_attribute_count;
     let mut left = Plc {
         point_attribute_count: width,
-        segments: copied(&plc.segments)?,
-        regions: copied(&plc.regions)?,
-        names: plc.names.clone(),
+        segments: fallible::copied(&plc.segments)?,
+        regions: fallible::copied(&plc.regions)?,
+        names: fallible::each(&plc.names, MarkerName::try_clone)?,
         ..Plc::default()
     };
     left.points.try_reserve_exact(mesh.input_point_count as usize)?;
     left.point_markers.try_reserve_exact(plc.point_markers.len())?;
     left.point_attributes.try_reserve_exact(plc.point_attributes.len())?;
     for old in dropped.kept_inputs().map(|old| old as usize) {
-        left.points.extend(plc.points.get(old));
-        left.point_markers.extend(plc.point_markers.get(old));
+        fallible::extend(&mut left.points, plc.points.get(old).copied())?;
+        fallible::extend(&mut left.point_markers, plc.point_markers.get(old).copied())?;
         let row = plc.point_attributes.get(old * width..(old + 1) * width);
-        left.point_attributes.extend(row.unwrap_or_default());
+        fallible::append(&mut left.point_attributes, row.unwrap_or_default())?;
     }
     Ok(Cow::Owned(left))
-}
-
-fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, Error> {
-    let mut copy = Vec::new();
-    copy.try_reserve_exact(list.len())?;
-    copy.extend_from_slice(list);
-    Ok(copy)
 }
 
 /// The attributes of the Steiner points of `mesh`: `plc.point_attribute_count` numbers per point, in their order.
@@ -58,19 +52,16 @@ pub fn continue_attributes(plc: &Plc, mesh: &TetMesh) -> Result<Vec<f64>, Error>
         return Ok(added);
     }
     added.try_reserve_exact(width * mesh.steiner.len())?;
-    added.resize(width * mesh.steiner.len(), 0.0);
+    fallible::resize(&mut added, width * mesh.steiner.len(), 0.0)?;
     let given = |p: u32, k: usize| plc.point_attributes.get(p as usize * width + k).copied().unwrap_or(0.0);
     let inputs = mesh.points.len().saturating_sub(mesh.steiner.len());
-    let mut known: Vec<bool> = Vec::new();
-    known.try_reserve_exact(mesh.points.len())?;
-    known.resize(mesh.points.len(), true);
+    let mut known: Vec<bool> = fallible::filled(true, mesh.points.len())?;
     let mut inside: Vec<u32> = Vec::new();
     for (i, steiner) in mesh.steiner.iter().enumerate() {
         if steiner.is_inside() {
             if let Some(known) = known.get_mut(inputs + i) {
                 *known = false;
-                inside.try_reserve(1)?;
-                inside.push((inputs + i) as u32);
+                fallible::push(&mut inside, (inputs + i) as u32)?;
             }
             continue;
         }
@@ -121,8 +112,7 @@ fn stars(mesh: &TetMesh, known: &[bool]) -> Result<Vec<(u32, u32)>, Error> {
     let sound = |tet: &[u32; 4]| tet.iter().all(|&v| (v as usize) < known.len());
     for (t, tet) in mesh.tets.iter().enumerate().filter(|(_, tet)| sound(tet)) {
         for &v in tet.iter().filter(|&&v| !known[v as usize]) {
-            stars.try_reserve(1)?;
-            stars.push((v, t as u32));
+            fallible::push(&mut stars, (v, t as u32))?;
         }
     }
     stars.sort_unstable();
@@ -131,6 +121,7 @@ fn stars(mesh: &TetMesh, known: &[bool]) -> Result<Vec<(u32, u32)>, Error> {
 
 /// Four known points around `v` and its weights in them: of all pairs of a vertex of the star and a triangle of the star's boundary, the
 /// one with the largest smallest weight. `None` if there is none.
+#[expect(clippy::disallowed_methods, reason = "the iterator goes over slices: a copy of it owns no memory")]
 fn enclosing(
     mesh: &TetMesh,
     v: u32,

@@ -1,5 +1,7 @@
 //! Equal points: each is mapped to the first point equal to it, by sorting. `-0.0` equals `0.0`.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::radix::sort_keyed;
 
 /// A key that sorts like the finite number itself; both zeros get the same key.
@@ -14,19 +16,17 @@ fn key(value: f64) -> u64 {
 }
 
 /// For each point the index of the first point equal to it (itself if it is the first). Points must be finite.
-pub fn first_equal(points: &[[f64; 3]]) -> Result<Vec<u32>, Error> {
-    let mut alias = Vec::new();
-    alias.try_reserve_exact(points.len())?;
-    alias.extend(0..points.len() as u32);
-    let mut order: Vec<(u64, u32)> = Vec::new();
-    order.try_reserve_exact(points.len())?;
-    order.extend(points.iter().enumerate().map(|(i, p)| (key(p[0]), i as u32)));
-    sort_keyed(&mut order)?;
+pub fn first_equal(points: &[[f64; 3]], control: &Control) -> Result<Vec<u32>, Error> {
+    let mut alias = fallible::collect(0..points.len() as u32)?;
+    let mut order: Vec<(u64, u32)> =
+        fallible::collect(points.iter().enumerate().map(|(i, p)| (key(p[0]), i as u32)))?;
+    sort_keyed(&mut order, control)?;
     let mut begin = 0;
     while begin < order.len() {
         let x = order[begin].0;
         let end = begin + order[begin..].iter().take_while(|entry| entry.0 == x).count();
         if end - begin > 1 {
+            control.steps((end - begin) as u32)?;
             alias_run(points, &mut order[begin..end], &mut alias);
         }
         begin = end;
@@ -61,7 +61,7 @@ mod tests {
             [0., -0., -1.],
             [-1., 0., 0.],
         ];
-        assert_eq!(first_equal(&points).unwrap(), [0, 1, 0, 1, 4, 1, 6]);
+        assert_eq!(first_equal(&points, &Control::free()).unwrap(), [0, 1, 0, 1, 4, 1, 6]);
     }
 
     #[test]

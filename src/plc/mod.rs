@@ -18,7 +18,8 @@ pub mod split;
 pub mod surface;
 
 use crate::error::Error;
-pub use prepare::{check, check_and_split, prepare, Prepared};
+use crate::fallible;
+pub use prepare::{check, check_and_split, check_with, prepare, Prepared};
 #[cfg(test)]
 mod tests;
 
@@ -34,6 +35,7 @@ pub enum Interior {
 }
 
 /// A facet: a planar polygonal region, given by corner indices.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Facet {
     /// Polygons: corner indices in order, not repeated at the end. One or two corners: an isolated vertex or edge in the facet.
@@ -68,6 +70,7 @@ pub struct RegionSeed {
 }
 
 /// The name of a facet marker: that of the group, solid, material or colour of a file that the marker stands for, or one set by the caller.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MarkerName {
     /// The marker.
@@ -77,6 +80,7 @@ pub struct MarkerName {
 }
 
 /// A piecewise linear complex, as given.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Plc {
     /// The points: x, y, z.
@@ -117,16 +121,13 @@ impl Plc {
     /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
     pub fn set_marker_name(&mut self, marker: i32, name: &str) -> Result<(), Error> {
         let line = name_line(name);
-        let mut kept = String::new();
-        kept.try_reserve_exact(line.len())?;
-        kept.push_str(line);
+        let kept = fallible::copied_text(line)?;
         match (self.names.binary_search_by_key(&marker, |n| n.marker), kept.is_empty()) {
             (Ok(at), true) => drop(self.names.remove(at)),
             (Ok(at), false) => self.names[at].name = kept,
             (Err(_), true) => {}
             (Err(at), false) => {
-                self.names.try_reserve(1)?;
-                self.names.insert(at, MarkerName { marker, name: kept });
+                fallible::insert_at(&mut self.names, at, MarkerName { marker, name: kept })?;
             }
         }
         Ok(())
@@ -157,17 +158,17 @@ impl Plc {
             names,
         } = self;
         Ok(Plc {
-            points: copied(points)?,
+            points: fallible::copied(points)?,
             point_attribute_count: *point_attribute_count,
-            point_attributes: copied(point_attributes)?,
-            point_markers: copied(point_markers)?,
-            segments: copied(segments)?,
-            triangles: copied(triangles)?,
-            triangle_markers: copied(triangle_markers)?,
-            facets: each(facets, Facet::try_clone)?,
-            holes: copied(holes)?,
-            regions: copied(regions)?,
-            names: each(names, MarkerName::try_clone)?,
+            point_attributes: fallible::copied(point_attributes)?,
+            point_markers: fallible::copied(point_markers)?,
+            segments: fallible::copied(segments)?,
+            triangles: fallible::copied(triangles)?,
+            triangle_markers: fallible::copied(triangle_markers)?,
+            facets: fallible::each(facets, Facet::try_clone)?,
+            holes: fallible::copied(holes)?,
+            regions: fallible::copied(regions)?,
+            names: fallible::each(names, MarkerName::try_clone)?,
         })
     }
 
@@ -187,35 +188,14 @@ pub(crate) fn name_line(name: &str) -> &str {
 
 impl MarkerName {
     fn try_clone(&self) -> Result<MarkerName, Error> {
-        let mut name = String::new();
-        name.try_reserve_exact(self.name.len())?;
-        name.push_str(&self.name);
-        Ok(MarkerName { marker: self.marker, name })
+        Ok(MarkerName { marker: self.marker, name: fallible::copied_text(&self.name)? })
     }
 }
 
 impl Facet {
     fn try_clone(&self) -> Result<Facet, Error> {
         let Facet { polygons, holes, interior, marker } = self;
-        let polygons = each(polygons, |polygon| copied(polygon))?;
-        Ok(Facet { polygons, holes: copied(holes)?, interior: *interior, marker: *marker })
+        let polygons = fallible::each(polygons, |polygon| fallible::copied(polygon))?;
+        Ok(Facet { polygons, holes: fallible::copied(holes)?, interior: *interior, marker: *marker })
     }
-}
-
-/// A copy of a list, or an error if memory ran out.
-pub(crate) fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, Error> {
-    let mut copy = Vec::new();
-    copy.try_reserve_exact(list.len())?;
-    copy.extend_from_slice(list);
-    Ok(copy)
-}
-
-/// A list of the results of `make` for each element. Fails if `make` does.
-fn each<T, R>(list: &[T], mut make: impl FnMut(&T) -> Result<R, Error>) -> Result<Vec<R>, Error> {
-    let mut made = Vec::new();
-    made.try_reserve_exact(list.len())?;
-    for element in list {
-        made.push(make(element)?);
-    }
-    Ok(made)
 }

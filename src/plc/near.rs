@@ -1,5 +1,6 @@
 //! The element of the surface nearest to a point: only for messages, in floating-point arithmetic.
-use crate::error::Element;
+use crate::control::Control;
+use crate::error::{Element, Error};
 use crate::plc::surface::Surface;
 use crate::vector::{cross, dot, sub};
 use crate::INVALID;
@@ -26,7 +27,15 @@ impl Surface {
     }
 
     /// The facet, segment or point nearest to a point, other than its home or a part of that; `None` if there is none.
-    pub fn nearest_element(&self, at: &[f64; 3], home: Home) -> Option<Element> {
+    ///
+    /// # Errors
+    /// What ends the run.
+    pub fn nearest_element(
+        &self,
+        at: &[f64; 3],
+        home: Home,
+        control: &Control,
+    ) -> Result<Option<Element>, Error> {
         let corner = |v: u32| &self.points[v as usize];
         let mut best: Option<(f64, Element)> = None;
         let mut consider = |distance: f64, element: Element| {
@@ -49,6 +58,7 @@ impl Surface {
         };
         let patch = patch.map(|t| self.triangle_patch[t]);
         for (t, corners) in self.triangles.iter().enumerate() {
+            control.step()?;
             if !own_triangle(t) && Some(self.triangle_patch[t]) != patch {
                 let triangle = corners.map(|v| *corner(v));
                 let mut distance = to_triangle(at, triangle);
@@ -71,6 +81,9 @@ impl Surface {
         };
         let own_edge = |ends: [u32; 2]| ends.iter().all(|&v| own_point(v));
         for (&ends, &parent) in self.segments.iter().zip(&self.segment_parent) {
+            if parent != INVALID {
+                control.look()?;
+            }
             if parent != INVALID && !own_edge(ends) {
                 let other = ends.map(|v| *corner(v));
                 let whole = apart(&ends).map_or(f64::INFINITY, |own| between_edges(own, other));
@@ -78,6 +91,7 @@ impl Surface {
             }
         }
         for (v, p) in (0..).zip(&self.points) {
+            control.step()?;
             let d = sub(p, at);
             let distance = dot(&d, &d).sqrt();
             let first = self.alias.get(v as usize).is_none_or(|&a| a == v);
@@ -85,7 +99,7 @@ impl Surface {
                 best = Some((distance, Element::Point(v)));
             }
         }
-        best.map(|b| b.1)
+        Ok(best.map(|b| b.1))
     }
 }
 
@@ -134,6 +148,9 @@ mod tests {
 
     #[test]
     fn the_other_of_two_sheets_is_nearest() {
+        let nearest = |surface: &Surface, at: [f64; 3], home| {
+            surface.nearest_element(&at, home, &Control::free()).unwrap()
+        };
         let surface = Surface {
             points: vec![
                 [0.0, 0.0, 0.0],
@@ -152,11 +169,11 @@ mod tests {
             patch_count: 2,
             ..Surface::default()
         };
-        assert_eq!(surface.nearest_element(&[1.0, 1.0, 0.25], Home::Facet(5)), Some(Element::Facet(6)));
-        assert_eq!(surface.nearest_element(&[2.0, 0.0, 0.0], Home::Edge([0, 1])), Some(Element::Facet(6)));
-        assert_eq!(surface.nearest_element(&[0.5, 0.5, -1.5], Home::Facet(5)), Some(Element::Point(6)));
-        assert_eq!(surface.nearest_element(&[1.9, 1.9, 0.5], Home::Edge([3, 4])), Some(Element::Facet(5)));
-        assert_eq!(surface.nearest_element(&[2.0, 2.0, 0.0], Home::Edge([0, 2])), Some(Element::Segment(7)));
+        assert_eq!(nearest(&surface, [1.0, 1.0, 0.25], Home::Facet(5)), Some(Element::Facet(6)));
+        assert_eq!(nearest(&surface, [2.0, 0.0, 0.0], Home::Edge([0, 1])), Some(Element::Facet(6)));
+        assert_eq!(nearest(&surface, [0.5, 0.5, -1.5], Home::Facet(5)), Some(Element::Point(6)));
+        assert_eq!(nearest(&surface, [1.9, 1.9, 0.5], Home::Edge([3, 4])), Some(Element::Facet(5)));
+        assert_eq!(nearest(&surface, [2.0, 2.0, 0.0], Home::Edge([0, 2])), Some(Element::Segment(7)));
         // Edges that pass close by count, wherever on them the point is.
         let mut crossing = surface;
         crossing.points[6] = [-1.0, 2.0, 0.125];
@@ -164,7 +181,7 @@ mod tests {
         crossing.triangles.push([6, 7, 8]);
         crossing.triangle_facet.push(9);
         crossing.triangle_patch.push(2);
-        assert_eq!(crossing.nearest_element(&[0.0, 0.25, 0.0], Home::Edge([0, 2])), Some(Element::Facet(9)));
+        assert_eq!(nearest(&crossing, [0.0, 0.25, 0.0], Home::Edge([0, 2])), Some(Element::Facet(9)));
         let surface = crossing;
         assert_eq!(surface.element_of_edge([1, 2]), Element::Segment(7));
         assert_eq!(surface.element_of_edge([4, 3]), Element::Facet(6));

@@ -4,7 +4,9 @@
 //! markers, exactly coplanar and on opposite sides of it, and nothing else requires the edge. Every other edge is a segment; those that
 //! only divide a polygon are recorded as its diagonals, since others would do as well.
 //! Edges are grouped by a counting sort on their smaller end, so the segments come out sorted.
+use crate::control::{blocks, Control};
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::plc::polygon::project;
 use crate::plc::surface::Surface;
 use crate::predicates::{orient2d, orient3d, Sign};
@@ -23,7 +25,12 @@ pub struct FixedEdge {
 type Use = (u32, u32);
 
 /// Sets the surface's segments and patches from its triangles.
-pub fn connect(surface: &mut Surface, fixed: &[FixedEdge], marker: impl Fn(u32) -> i32) -> Result<(), Error> {
+pub fn connect(
+    surface: &mut Surface,
+    fixed: &[FixedEdge],
+    marker: impl Fn(u32) -> i32,
+    control: &Control,
+) -> Result<(), Error> {
     let count = surface.triangles.len();
     if 3 * count + fixed.len() >= INVALID as usize {
         return Err(Error::new(
@@ -31,7 +38,7 @@ pub fn connect(surface: &mut Surface, fixed: &[FixedEdge], marker: impl Fn(u32) 
             "the facets have more triangles than 32-bit indices can address",
         ));
     }
-    let (begin, uses) = group_uses(surface, fixed)?;
+    let (begin, uses) = group_uses(surface, fixed, control)?;
     let mut patches = Patches::new(count)?;
     surface.segments.clear();
     surface.segment_parent.clear();
@@ -39,6 +46,7 @@ pub fn connect(surface: &mut Surface, fixed: &[FixedEdge], marker: impl Fn(u32) 
     for low in 0..surface.points.len() {
         let mut rest = &uses[begin[low] as usize..begin[low + 1] as usize];
         while let Some(&(high, _)) = rest.first() {
+            control.step()?;
             let (edge, others) = rest.split_at(rest.iter().take_while(|u| u.0 == high).count());
             rest = others;
             if let [(_, t), (_, u)] = *edge {
@@ -50,17 +58,14 @@ pub fn connect(surface: &mut Surface, fixed: &[FixedEdge], marker: impl Fn(u32) 
                     |t: u32| surface.triangle_facet.get(t as usize).filter(|f| **f >= surface.first_polygon);
                 if let (Some(&f), Some(&g)) = (facet(t), facet(u)) {
                     if f == g {
-                        surface.diagonals.try_reserve(1)?;
-                        surface.diagonals.push((surface.segments.len() as u32, f));
+                        fallible::push(&mut surface.diagonals, (surface.segments.len() as u32, f))?;
                     }
                 }
             }
-            surface.segments.try_reserve(1)?;
-            surface.segment_parent.try_reserve(1)?;
-            surface.segments.push([low as u32, high]);
+            fallible::push(&mut surface.segments, [low as u32, high])?;
             let parents =
                 edge.iter().filter_map(|&(_, u)| Some(fixed.get((u as usize).checked_sub(count)?)?.parent));
-            surface.segment_parent.push(parents.min().unwrap_or(INVALID));
+            fallible::push(&mut surface.segment_parent, parents.min().unwrap_or(INVALID))?;
         }
     }
     surface.patch_count = patches.number(&mut surface.triangle_patch)?;
@@ -68,7 +73,11 @@ pub fn connect(surface: &mut Surface, fixed: &[FixedEdge], marker: impl Fn(u32) 
 }
 
 /// All uses of edges, grouped by the smaller end and sorted within each group, and the beginning of each group.
-fn group_uses(surface: &Surface, fixed: &[FixedEdge]) -> Result<(Vec<u32>, Vec<Use>), Error> {
+fn group_uses(
+    surface: &Surface,
+    fixed: &[FixedEdge],
+    control: &Control,
+) -> Result<(Vec<u32>, Vec<Use>), Error> {
     let each = |f: &mut dyn FnMut(u32, u32, u32)| {
         for (t, &[a, b, c]) in surface.triangles.iter().enumerate() {
             for (u, v) in [(a, b), (b, c), (c, a)] {
@@ -81,24 +90,23 @@ fn group_uses(surface: &Surface, fixed: &[FixedEdge]) -> Result<(Vec<u32>, Vec<U
         }
     };
     let total = 3 * surface.triangles.len() + fixed.len();
-    let mut begin: Vec<u32> = Vec::new();
-    begin.try_reserve_exact(surface.points.len() + 2)?;
-    begin.resize(surface.points.len() + 2, 0);
+    let mut begin: Vec<u32> = fallible::filled(0, surface.points.len() + 2)?;
+    control.look()?;
     each(&mut |low, _, _| begin[low as usize + 2] += 1);
+    control.look()?;
     for i in 2..begin.len() {
         begin[i] += begin[i - 1];
     }
-    let mut uses: Vec<Use> = Vec::new();
-    uses.try_reserve_exact(total)?;
-    uses.resize(total, (0, 0));
+    let mut uses: Vec<Use> = fallible::filled((0, 0), total)?;
     each(&mut |low, high, user| {
         let place = &mut begin[low as usize + 1];
         uses[*place as usize] = (high, user);
         *place += 1;
     });
     begin.pop();
-    for i in 0..surface.points.len() {
-        uses[begin[i] as usize..begin[i + 1] as usize].sort_unstable();
+    for block in blocks(surface.points.len()) {
+        control.step()?;
+        block.for_each(|i| uses[begin[i] as usize..begin[i + 1] as usize].sort_unstable());
     }
     Ok((begin, uses))
 }
@@ -135,9 +143,7 @@ pub struct Patches {
 impl Patches {
     /// Every triangle alone.
     pub fn new(count: usize) -> Result<Self, Error> {
-        let mut parent = Vec::new();
-        parent.try_reserve_exact(count)?;
-        parent.extend(0..count as u32);
+        let parent = fallible::collect(0..count as u32)?;
         Ok(Patches { parent })
     }
 
@@ -166,7 +172,7 @@ impl Patches {
             let root = self.find(t);
             let number = if root == t { count } else { patch[root as usize] };
             count += u32::from(root == t);
-            patch.push(number);
+            fallible::push(patch, number)?;
         }
         Ok(count)
     }

@@ -2,6 +2,7 @@
 //!
 //! Indices and coordinates come first, since nothing else can be examined while they are wrong; then equal points, each facet by itself,
 //! then (in [`split`](crate::plc::split) and [`patch`](crate::plc::patch)) what the facets share.
+use crate::control::{controlled, Control, Part};
 use crate::elementary::quotient;
 use crate::error::{Defect, DefectKind, Element, Error, KindCounts, Message, Status};
 use crate::fallible;
@@ -17,7 +18,7 @@ use crate::plc::split::split;
 use crate::plc::surface::Surface;
 use crate::plc::{Facet, Interior, Plc};
 use crate::predicates::{far_from_most, range_scale, scale};
-use crate::progress::{report, Observer, Phase};
+use crate::progress::{Observer, Phase};
 use crate::warning::{Warning, WarningKind, Warnings};
 use crate::INVALID;
 use std::fmt;
@@ -45,8 +46,9 @@ impl Defects {
     ) {
         self.count += 1;
         self.kinds.add(kind);
-        if self.list.len() < self.limit && self.list.try_reserve(1).is_ok() {
-            self.list.push(Defect { kind, first, second, point });
+        if self.list.len() < self.limit {
+            // Without memory, the defect is only counted.
+            let _ = fallible::push(&mut self.list, Defect { kind, first, second, point });
         }
     }
 
@@ -63,8 +65,8 @@ impl Defects {
         let (count, plural) = (self.count, if self.count == 1 { "" } else { "s" });
         let kinds = self.kinds.shown(" ");
         let message = match count.saturating_sub(listed) {
-            0 => format_args!("{count} defect{plural}: {kinds}").into(),
-            more => format_args!("{count} defect{plural}: {kinds}, {more} not listed").into(),
+            0 => Message::from(format_args!("{count} defect{plural}: {kinds}")),
+            more => Message::from(format_args!("{count} defect{plural}: {kinds}, {more} not listed")),
         };
         Err(Error::with_defects(status, message, self.list, count))
     }
@@ -121,10 +123,10 @@ impl Prepared {
     ///
     /// # Errors
     /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
-    pub fn connect(self, plc: &Plc, observer: &mut dyn Observer) -> Result<Surface, Error> {
+    pub fn connect(self, plc: &Plc, control: &Control) -> Result<Surface, Error> {
         let Prepared { mut surface, fixed } = self;
-        connect(&mut surface, &fixed, |facet| plc.facet_marker(facet as usize))?;
-        report(observer, Phase::Validate, 1.0)?;
+        connect(&mut surface, &fixed, |facet| plc.facet_marker(facet as usize), control)?;
+        control.progress(Phase::Validate, 1.0)?;
         Ok(surface)
     }
 
@@ -132,16 +134,21 @@ impl Prepared {
     ///
     /// # Errors
     /// [`Status::OutOfMemory`].
-    pub fn merger<'a>(&'a mut self, plc: &'a Plc, degrees: f64) -> Result<Merger<'a>, Error> {
-        Merger::new(&mut self.surface, std::mem::take(&mut self.fixed), plc, degrees)
+    pub fn merger<'a>(
+        &'a mut self,
+        plc: &'a Plc,
+        degrees: f64,
+        control: &Control,
+    ) -> Result<Merger<'a>, Error> {
+        Merger::new(&mut self.surface, std::mem::take(&mut self.fixed), plc, degrees, control)
     }
 
     /// The surface after merging, listing only net flips.
     ///
     /// # Errors
     /// [`Status::OutOfMemory`].
-    pub fn into_surface(mut self) -> Result<Surface, Error> {
-        self.surface.facet_flips = net_flips(&self.surface.facet_flips)?;
+    pub fn into_surface(mut self, control: &Control) -> Result<Surface, Error> {
+        self.surface.facet_flips = net_flips(&self.surface.facet_flips, control)?;
         Ok(self.surface)
     }
 }
@@ -151,50 +158,50 @@ impl Prepared {
 /// # Errors
 /// All defects found, with the most severe status; without `options.validate`, elements are not checked for crossings.
 /// [`Status::Cancelled`], [`Status::OutOfMemory`], [`Status::TooLarge`].
-pub fn prepare(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Surface, Error> {
-    let mut prepared = check_and_split(plc, options, observer)?;
-    let Some(degrees) = options.merge_facets else { return prepared.connect(plc, observer) };
-    prepared.merger(plc, degrees)?.run(None, observer)?;
-    prepared.into_surface()
+pub fn prepare(plc: &Plc, options: &Options, control: &Control) -> Result<Surface, Error> {
+    let mut prepared = check_and_split(plc, options, control)?;
+    let Some(degrees) = options.merge_facets else { return prepared.connect(plc, control) };
+    prepared.merger(plc, degrees, control)?.run(None, control)?;
+    prepared.into_surface(control)
 }
 
 /// The first part of [`prepare`]: everything that does not depend on the Delaunay tetrahedralization.
 ///
 /// # Errors
 /// As [`prepare`].
-pub fn check_and_split(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Prepared, Error> {
-    report(observer, Phase::Validate, 0.0)?;
-    check_references(plc, options.max_defects)?;
+pub fn check_and_split(plc: &Plc, options: &Options, control: &Control) -> Result<Prepared, Error> {
+    control.progress(Phase::Validate, 0.0)?;
+    check_references(plc, options.max_defects, control)?;
     let mut defects = Defects::new(options.max_defects);
     let mut surface = Surface::default();
     scale_points(plc, &mut surface, &mut defects)?;
-    surface.alias = first_equal(&surface.points)?;
-    report(observer, Phase::Validate, 0.05)?;
+    control.look()?;
+    surface.alias = first_equal(&surface.points, control)?;
+    control.progress(Phase::Validate, 0.05)?;
     let mut fixed = Fixed::default();
     alias_segments(plc, &surface, &mut fixed, &mut defects)?;
-    triangulate_facets(plc, &mut surface, &mut fixed, &mut defects, observer)?;
+    control.look()?;
+    triangulate_facets(plc, &mut surface, &mut fixed, &mut defects, control)?;
     let marker = |facet: u32| plc.facet_marker(facet as usize);
     if options.validate {
-        let found = intersect(&surface, &mut fixed, &mut defects, observer)?;
+        let found = intersect(&surface, &mut fixed, &mut defects, control)?;
         if defects.is_empty() {
             let may_join = |f: u32, g: u32| f == g || marker(f) == marker(g);
-            let crossings = split(&mut surface, &mut fixed.edges, &found, may_join)?;
+            let crossings = split(&mut surface, &mut fixed.edges, &found, may_join, control)?;
             let pair = |&(edge, triangle): &(u32, u32)| {
                 let facet = Element::Facet(surface.triangle_facet[triangle as usize]);
                 let owner = fixed.owner[edge as usize];
                 [owner.min(facet), owner.max(facet)]
             };
-            let mut pairs: Vec<[Element; 2]> = Vec::new();
-            pairs.try_reserve_exact(crossings.len())?;
-            pairs.extend(crossings.iter().map(pair));
-            pairs.sort_unstable();
+            let mut pairs: Vec<[Element; 2]> = fallible::collect(crossings.iter().map(pair))?;
+            control.sort(&mut pairs)?;
             pairs.dedup();
             for [first, second] in pairs {
                 defects.push(DefectKind::SegmentSegment, first, Some(second), None);
             }
         }
     } else {
-        find_duplicates(&surface, &mut defects)?;
+        find_duplicates(&surface, &mut defects, control)?;
     }
     defects.into_result()?;
     Ok(Prepared { surface, fixed: fixed.edges })
@@ -209,29 +216,10 @@ struct Fixed {
 
 impl Fixed {
     fn push(&mut self, ends: [u32; 2], owner: Element) -> Result<(), Error> {
-        self.edges.try_reserve(1)?;
-        self.owner.try_reserve(1)?;
         let parent = if let Element::Segment(i) = owner { i } else { INVALID };
-        self.edges.push(FixedEdge { ends, parent });
-        self.owner.push(owner);
+        fallible::push(&mut self.edges, FixedEdge { ends, parent })?;
+        fallible::push(&mut self.owner, owner)?;
         Ok(())
-    }
-}
-
-/// Reports progress as a part of a phase's.
-struct Part<'a> {
-    observer: &'a mut dyn Observer,
-    from: f64,
-    to: f64,
-}
-
-impl Observer for Part<'_> {
-    fn progress(&mut self, phase: Phase, fraction: f64) -> std::ops::ControlFlow<()> {
-        self.observer.progress(phase, self.from + (self.to - self.from) * fraction)
-    }
-
-    fn log(&mut self, message: &str) {
-        self.observer.log(message);
     }
 }
 
@@ -240,22 +228,19 @@ fn intersect(
     surface: &Surface,
     fixed: &mut Fixed,
     defects: &mut Defects,
-    observer: &mut dyn Observer,
+    control: &Control,
 ) -> Result<Intersections, Error> {
     let given = fixed.edges.len();
-    let mut part = Part { observer: &mut *observer, from: 0.3, to: 0.8 };
-    let mut found = contacts(surface, fixed, given, defects.limit, &mut part)?;
+    let whole = control.whole(Phase::Validate);
+    let mut found = contacts(surface, fixed, given, defects.limit, whole.part(0.3, 0.8))?;
     let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
-    let mut known: Vec<[u32; 2]> = Vec::new();
-    known.try_reserve_exact(given)?;
-    known.extend(fixed.edges.iter().map(|edge| sorted(edge.ends)));
-    known.sort_unstable();
+    let mut known: Vec<[u32; 2]> = fallible::collect(fixed.edges.iter().map(|edge| sorted(edge.ends)))?;
+    control.sort(&mut known)?;
     for &(edge, facet) in found.edge_in_facet.iter().filter(|x| known.binary_search(&x.0).is_err()) {
         fixed.push(edge, Element::Facet(facet))?;
     }
     if fixed.edges.len() > given {
-        let mut part = Part { observer, from: 0.8, to: 0.9 };
-        found = contacts(surface, fixed, given, defects.limit, &mut part)?;
+        found = contacts(surface, fixed, given, defects.limit, whole.part(0.8, 0.9))?;
     }
     for d in &found.defects {
         let point = d.point.map(|p| p.map(|x| scale(x, -surface.scale)));
@@ -271,14 +256,14 @@ fn contacts(
     fixed: &Fixed,
     given: usize,
     max_defects: usize,
-    observer: &mut dyn Observer,
+    part: Part,
 ) -> Result<Intersections, Error> {
-    let mut vertices: Vec<u32> = Vec::new();
-    vertices.try_reserve_exact(surface.points.len())?;
-    vertices.extend((0..).zip(&surface.alias).filter(|(i, alias)| i == *alias).map(|(i, _)| i));
-    let mut segments: Vec<[u32; 2]> = Vec::new();
-    segments.try_reserve_exact(fixed.edges.len())?;
-    segments.extend(fixed.edges.iter().map(|edge| edge.ends));
+    let mut vertices: Vec<u32> = fallible::reserved(surface.points.len())?;
+    fallible::extend(
+        &mut vertices,
+        (0..).zip(&surface.alias).filter(|(i, alias)| i == *alias).map(|(i, _)| i),
+    )?;
+    let segments: Vec<[u32; 2]> = fallible::collect(fixed.edges.iter().map(|edge| edge.ends))?;
     let input = IntersectInput {
         points: &surface.points,
         vertices: &vertices,
@@ -288,22 +273,31 @@ fn contacts(
     };
     let names = Names { owners: &fixed.owner, edges_from: given };
     // At least one is requested: its kind determines the status.
-    find_named_intersections(&input, names, max_defects.max(1), observer)
+    find_named_intersections(&input, names, max_defects.max(1), part)
 }
 
-/// Reports every defect of a PLC. Only the options `max_defects`, and `keep_hull` and `mode`, which allow open surfaces, have an effect.
+/// Reports every defect of a PLC. Only the options `max_defects`, the limits,
+/// and `keep_hull` and `mode`, which allow open surfaces, have an effect.
 /// Returns warnings about shells that enclose nothing if others do.
 ///
 /// # Errors
 /// As [`prepare`] with validation on; [`Status::NothingEnclosed`], with the open edges, if the whole surface encloses nothing.
 pub fn check(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Result<Warnings, Error> {
+    controlled(options.limits(), observer, |control| check_with(plc, options, control))
+}
+
+/// The same in a run with a control of its own, whose limits count instead of those of `options`.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_with(plc: &Plc, options: &Options, control: &Control) -> Result<Warnings, Error> {
     let strict = Options { max_defects: options.max_defects, ..Options::default() };
-    let surface = prepare(plc, &strict, observer)?;
+    let surface = prepare(plc, &strict, control)?;
     let mut warnings = Warnings::default();
     if options.mode == Mode::Delaunay || surface.triangles.is_empty() {
         return Ok(warnings);
     }
-    let (open, all) = open_shells(&surface)?;
+    let (open, all) = open_shells(&surface, control)?;
     if all && !options.keep_hull {
         return Err(nothing_enclosed(plc, &surface, &open, options.max_defects));
     }
@@ -317,17 +311,14 @@ pub fn check(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Resul
 
 /// The error for a surface that encloses nothing, with its open edges.
 pub(crate) fn nothing_enclosed(plc: &Plc, surface: &Surface, open: &[OpenEdge], max_defects: usize) -> Error {
-    let mut defects = Vec::new();
-    let listed = open.len().min(max_defects);
+    let listed = open[..open.len().min(max_defects)].iter().map(|edge| Defect {
+        kind: DefectKind::OpenEdge,
+        first: Element::Point(edge.ends[0]),
+        second: Some(Element::Point(edge.ends[1])),
+        point: edge.middle(surface),
+    });
     // When memory is short, the message alone must suffice.
-    if defects.try_reserve_exact(listed).is_ok() {
-        defects.extend(open[..listed].iter().map(|edge| Defect {
-            kind: DefectKind::OpenEdge,
-            first: Element::Point(edge.ends[0]),
-            second: Some(Element::Point(edge.ends[1])),
-            point: edge.middle(surface),
-        }));
-    }
+    let defects = fallible::collect(listed).unwrap_or_default();
     let because = |reason: fmt::Arguments<'_>| {
         Message::from(format_args!("the surface encloses nothing: {reason}, or keep the convex hull"))
     };
@@ -349,7 +340,7 @@ pub(crate) fn nothing_enclosed(plc: &Plc, surface: &Surface, open: &[OpenEdge], 
 }
 
 /// Fails unless coordinates are finite and indices refer to points.
-fn check_references(plc: &Plc, max_defects: usize) -> Result<(), Error> {
+fn check_references(plc: &Plc, max_defects: usize, control: &Control) -> Result<(), Error> {
     if plc.points.len() >= INVALID as usize
         || plc.facet_count() >= INVALID as usize
         || plc.segments.len() >= INVALID as usize
@@ -370,6 +361,7 @@ fn check_references(plc: &Plc, max_defects: usize) -> Result<(), Error> {
     for (i, r) in plc.regions.iter().enumerate().filter(|(_, r)| !finite(&r.point)) {
         defects.push(DefectKind::NonFinite, Element::Region(i as u32), None, Some(r.point));
     }
+    control.look()?;
     let known = |v: &u32| (*v as usize) < plc.points.len();
     let mut bad = |element: Element| defects.push(DefectKind::IndexOutOfRange, element, None, None);
     for (i, _) in plc.segments.iter().enumerate().filter(|(_, s)| !s.ends.iter().all(known)) {
@@ -381,6 +373,7 @@ fn check_references(plc: &Plc, max_defects: usize) -> Result<(), Error> {
     for (i, _) in plc.facets.iter().enumerate().filter(|(_, f)| !f.polygons.iter().flatten().all(known)) {
         bad(Element::Facet((plc.triangles.len() + i) as u32));
     }
+    control.look()?;
     for (i, facet) in plc.facets.iter().enumerate() {
         for p in facet.holes.iter().filter(|p| !finite(p)) {
             defects.push(
@@ -407,7 +400,7 @@ fn scale_points(plc: &Plc, surface: &mut Surface, defects: &mut Defects) -> Resu
             return std::mem::replace(defects, Defects::new(0)).into_result();
         }
     }
-    surface.points.extend(plc.points.iter().map(|p| p.map(|x| scale(x, surface.scale))));
+    fallible::extend(&mut surface.points, plc.points.iter().map(|p| p.map(|x| scale(x, surface.scale))))?;
     Ok(())
 }
 
@@ -436,19 +429,20 @@ fn triangulate_facets(
     surface: &mut Surface,
     fixed: &mut Fixed,
     defects: &mut Defects,
-    observer: &mut dyn Observer,
+    control: &Control,
 ) -> Result<(), Error> {
     surface.first_polygon = plc.triangles.len() as u32;
     surface.triangles.try_reserve(plc.triangles.len())?;
     surface.triangle_facet.try_reserve(plc.triangles.len())?;
     for (i, corners) in plc.triangles.iter().enumerate() {
+        control.step()?;
         let corners = corners.map(|v| surface.alias[v as usize]);
         if collinear(&surface.points, corners[0], corners[1], corners[2]) {
             let point = plc.points[corners[0] as usize];
             defects.push(DefectKind::DegenerateFacet, Element::Facet(i as u32), None, Some(point));
         } else {
-            surface.triangles.push(corners);
-            surface.triangle_facet.push(i as u32);
+            fallible::push(&mut surface.triangles, corners)?;
+            fallible::push(&mut surface.triangle_facet, i as u32)?;
         }
     }
     if plc.facets.is_empty() {
@@ -457,15 +451,15 @@ fn triangulate_facets(
     let mut triangulator = Triangulator::new(plc.points.len())?;
     for (i, facet) in plc.facets.iter().enumerate() {
         if i % 4096 == 0 {
-            report(observer, Phase::Validate, 0.05 + 0.25 * i as f64 / plc.facets.len() as f64)?;
+            control.progress(Phase::Validate, 0.05 + 0.25 * i as f64 / plc.facets.len() as f64)?;
         }
         let number = (plc.triangles.len() + i) as u32;
-        match triangulate_facet(facet, surface, &mut triangulator)? {
+        match triangulate_facet(facet, surface, &mut triangulator, control)? {
             Ok(()) => {
                 surface.triangles.try_reserve(triangulator.triangles.len())?;
                 surface.triangle_facet.try_reserve(triangulator.triangles.len())?;
-                surface.triangles.extend_from_slice(&triangulator.triangles);
-                surface.triangle_facet.resize(surface.triangles.len(), number);
+                fallible::append(&mut surface.triangles, &triangulator.triangles)?;
+                fallible::resize(&mut surface.triangle_facet, surface.triangles.len(), number)?;
                 for &ends in &triangulator.edges {
                     fixed.push(ends, Element::Facet(number))?;
                 }
@@ -486,7 +480,9 @@ fn triangulate_facet(
     facet: &Facet,
     surface: &Surface,
     triangulator: &mut Triangulator,
+    control: &Control,
 ) -> Result<Result<(), Fault>, Error> {
+    control.step()?;
     if let [polygon] = &facet.polygons[..] {
         let mut ring = [0; 4];
         if let (Some(ring), true) = (ring.get_mut(..polygon.len()), facet.holes.is_empty()) {
@@ -513,10 +509,8 @@ fn triangulate_facet(
             triangulator.add_edge(number, corner(i), corner((i + 1) % polygon.len()))?;
         }
     }
-    let mut seeds = Vec::new();
-    seeds.try_reserve_exact(facet.holes.len())?;
-    seeds.extend(facet.holes.iter().map(|p| p.map(|x| scale(x, surface.scale))));
-    triangulator.triangulate(&surface.points, facet.interior, &seeds)
+    let seeds = fallible::collect(facet.holes.iter().map(|p| p.map(|x| scale(x, surface.scale))))?;
+    triangulator.triangulate(&surface.points, facet.interior, &seeds, control)
 }
 
 fn defect_kind(kind: FaultKind) -> Option<DefectKind> {
@@ -548,19 +542,17 @@ fn fault_point(points: &[[f64; 3]], fault: Fault) -> Option<[f64; 3]> {
 }
 
 /// Facets that cover the same triangle.
-fn find_duplicates(surface: &Surface, defects: &mut Defects) -> Result<(), Error> {
-    let mut keys: Vec<([u32; 3], u32)> = Vec::new();
-    keys.try_reserve_exact(surface.triangles.len())?;
-    keys.extend(surface.triangles.iter().zip(&surface.triangle_facet).map(|(corners, &facet)| {
-        let mut corners = *corners;
-        corners.sort_unstable();
-        (corners, facet)
-    }));
-    keys.sort_unstable();
+fn find_duplicates(surface: &Surface, defects: &mut Defects, control: &Control) -> Result<(), Error> {
+    let mut keys: Vec<([u32; 3], u32)> =
+        fallible::collect(surface.triangles.iter().zip(&surface.triangle_facet).map(|(corners, &facet)| {
+            let mut corners = *corners;
+            corners.sort_unstable();
+            (corners, facet)
+        }))?;
+    control.sort(&mut keys)?;
     let mut pairs: Vec<(u32, u32, u32)> = Vec::new();
     for pair in keys.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-        pairs.try_reserve(1)?;
-        pairs.push((pair[0].1, pair[1].1, pair[0].0[0]));
+        fallible::push(&mut pairs, (pair[0].1, pair[1].1, pair[0].0[0]))?;
     }
     pairs.sort_unstable();
     pairs.dedup_by_key(|pair| (pair.0, pair.1));

@@ -1,6 +1,8 @@
 //! Sorts many numbered keys: three passes over the 33 highest bits in which the keys differ (LSD radix sort; Knuth, TAOCP vol. 3, section
 //! 5.2.5), then comparisons for the remaining bits, within the short runs of equal digits.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 
 /// Bits per pass.
 const DIGIT: u32 = 11;
@@ -10,7 +12,7 @@ const PASSES: u32 = 3;
 const FEW: usize = 1 << 10;
 
 /// Sorts pairs of a key and a number.
-pub(super) fn sort_keyed(list: &mut Vec<(u64, u32)>) -> Result<(), Error> {
+pub(super) fn sort_keyed(list: &mut Vec<(u64, u32)>, control: &Control) -> Result<(), Error> {
     if list.len() < FEW {
         list.sort_unstable();
         return Ok(());
@@ -18,15 +20,15 @@ pub(super) fn sort_keyed(list: &mut Vec<(u64, u32)>) -> Result<(), Error> {
     let first = list[0].0;
     let differing = list.iter().fold(0, |bits, entry| bits | (entry.0 ^ first));
     let low = (u64::BITS - differing.leading_zeros()).saturating_sub(DIGIT * PASSES);
-    let mut other = Vec::new();
-    other.try_reserve_exact(list.len())?;
-    other.resize(list.len(), (0, 0));
+    let mut other = fallible::filled((0, 0), list.len())?;
     for pass in 0..PASSES {
+        control.look()?;
         pass_by_digit(list, &mut other, low + DIGIT * pass);
         std::mem::swap(list, &mut other);
     }
     for run in list.chunk_by_mut(|x, y| x.0 >> low == y.0 >> low) {
         if run.len() > 1 {
+            control.step()?;
             run.sort_unstable();
         }
     }
@@ -66,7 +68,7 @@ mod tests {
                 let mut list: Vec<(u64, u32)> = (0..len as u32).map(|i| (next() & mask, i)).collect();
                 let mut expected = list.clone();
                 expected.sort();
-                sort_keyed(&mut list).unwrap();
+                sort_keyed(&mut list, &Control::free()).unwrap();
                 assert_eq!(list, expected, "{mask:x} {len}");
             }
         }

@@ -3,7 +3,9 @@
 //! A triangle with vertices inside it or on its edges is retriangulated like a facet; all triangles at an edge see the same vertices on it,
 //! so they stay conforming. If a segment crosses the flat edge between two triangles, both are retriangulated as one region, without that
 //! edge.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::intersect::Intersections;
 use crate::plc::patch::{are_flat, FixedEdge, Patches};
 use crate::plc::polygon::{project, Role, Triangulator};
@@ -21,19 +23,20 @@ pub fn split(
     fixed: &mut Vec<FixedEdge>,
     found: &Intersections,
     may_join: impl Fn(u32, u32) -> bool,
+    control: &Control,
 ) -> Result<Vec<Crossing>, Error> {
-    let pieces = Pieces::new(&surface.points, fixed, &found.vertex_on_segment)?;
+    let pieces = Pieces::new(&surface.points, fixed, &found.vertex_on_segment, control)?;
     if !found.vertex_on_edge.is_empty()
         || !found.vertex_in_triangle.is_empty()
         || !found.segment_in_facet.is_empty()
     {
         let mut groups = Groups::new(surface.triangles.len())?;
-        let crossings = groups.join_crossed(surface, fixed, found, may_join)?;
+        let crossings = groups.join_crossed(surface, fixed, found, may_join, control)?;
         if !crossings.is_empty() {
             return Ok(crossings);
         }
-        groups.collect(surface, found)?;
-        Splitter::new(surface, found, &groups, &pieces)?.run()?;
+        groups.collect(surface, found, control)?;
+        Splitter::new(surface, found, &groups, &pieces, control)?.run()?;
     }
     *fixed = pieces.list;
     Ok(Vec::new())
@@ -47,27 +50,32 @@ struct Pieces {
 }
 
 impl Pieces {
-    fn new(points: &[[f64; 3]], fixed: &[FixedEdge], inside: &[(u32, u32)]) -> Result<Self, Error> {
+    fn new(
+        points: &[[f64; 3]],
+        fixed: &[FixedEdge],
+        inside: &[(u32, u32)],
+        control: &Control,
+    ) -> Result<Self, Error> {
         let mut pieces = Pieces { list: Vec::new(), begin: Vec::new() };
         pieces.list.try_reserve_exact(fixed.len() + inside.len())?;
         pieces.begin.try_reserve_exact(fixed.len() + 1)?;
         let mut on: Vec<u32> = Vec::new();
         let mut rest = inside;
         for (i, &FixedEdge { ends: [a, b], parent }) in fixed.iter().enumerate() {
+            control.step()?;
             let (mine, others) = rest.split_at(rest.iter().take_while(|s| s.0 == i as u32).count());
             rest = others;
             on.clear();
-            on.try_reserve(mine.len())?;
-            on.extend(mine.iter().map(|s| s.1));
+            fallible::extend(&mut on, mine.iter().map(|s| s.1))?;
             sort_along(points, a, b, &mut on);
-            pieces.begin.push(pieces.list.len() as u32);
+            fallible::push(&mut pieces.begin, pieces.list.len() as u32)?;
             let mut from = a;
             for &to in on.iter().chain([&b]) {
-                pieces.list.push(FixedEdge { ends: [from, to], parent });
+                fallible::push(&mut pieces.list, FixedEdge { ends: [from, to], parent })?;
                 from = to;
             }
         }
-        pieces.begin.push(pieces.list.len() as u32);
+        fallible::push(&mut pieces.begin, pieces.list.len() as u32)?;
         Ok(pieces)
     }
 
@@ -111,18 +119,20 @@ impl Groups {
         fixed: &[FixedEdge],
         found: &Intersections,
         may_join: impl Fn(u32, u32) -> bool,
+        control: &Control,
     ) -> Result<Vec<Crossing>, Error> {
         let mut crossings = Vec::new();
         let mut edges: Vec<([u32; 2], u32)> = Vec::new();
         for run in found.segment_in_facet.chunk_by(|x, y| x.0 == y.0) {
             let segment = fixed[run[0].0 as usize].ends;
             edges.clear();
-            edges.try_reserve(3 * run.len())?;
-            edges.extend(
+            fallible::extend(
+                &mut edges,
                 run.iter().flat_map(|&(_, t)| sides(surface.triangles[t as usize]).map(|e| (sorted(e), t))),
-            );
-            edges.sort_unstable();
+            )?;
+            control.sort(&mut edges)?;
             for pair in edges.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+                control.step()?;
                 let ([(edge, t), (_, u)], points) = ([pair[0], pair[1]], &surface.points);
                 let apex = |t: u32| {
                     surface.triangles[t as usize].into_iter().find(|v| !edge.contains(v)).unwrap_or(edge[0])
@@ -132,11 +142,9 @@ impl Groups {
                 }
                 if may_join(surface.triangle_facet[t as usize], surface.triangle_facet[u as usize]) {
                     self.sets.join(t, u);
-                    self.crossed.try_reserve(1)?;
-                    self.crossed.push(edge);
+                    fallible::push(&mut self.crossed, edge)?;
                 } else if !found.meet_in_vertex(run[0].0, edge) {
-                    crossings.try_reserve(1)?;
-                    crossings.push((run[0].0, t));
+                    fallible::push(&mut crossings, (run[0].0, t))?;
                 }
             }
         }
@@ -146,35 +154,31 @@ impl Groups {
     }
 
     /// Lists the triangles of all groups that change.
-    fn collect(&mut self, surface: &Surface, found: &Intersections) -> Result<(), Error> {
-        let mut changed: Vec<bool> = Vec::new();
-        changed.try_reserve_exact(surface.triangles.len())?;
-        changed.resize(surface.triangles.len(), false);
+    fn collect(&mut self, surface: &Surface, found: &Intersections, control: &Control) -> Result<(), Error> {
+        let mut changed: Vec<bool> = fallible::filled(false, surface.triangles.len())?;
         for &(_, t) in &found.segment_in_facet {
             changed[self.sets.find(t) as usize] = true;
         }
         for &(t, _) in &found.vertex_in_triangle {
             changed[self.sets.find(t) as usize] = true;
         }
-        let mut at_edge: Vec<bool> = Vec::new();
-        at_edge.try_reserve_exact(surface.points.len())?;
-        at_edge.resize(surface.points.len(), false);
+        let mut at_edge: Vec<bool> = fallible::filled(false, surface.points.len())?;
         found.vertex_on_edge.iter().for_each(|(edge, _)| at_edge[edge[0] as usize] = true);
         for (t, &corners) in surface.triangles.iter().enumerate() {
+            control.step()?;
             let hit = |e: [u32; 2]| at_edge[sorted(e)[0] as usize] && !on_edge(found, e).is_empty();
             if sides(corners).into_iter().any(hit) {
                 changed[self.sets.find(t as u32) as usize] = true;
             }
         }
+        control.look()?;
         for t in 0..surface.triangles.len() as u32 {
             let root = self.sets.find(t);
             if changed[root as usize] {
-                self.members.try_reserve(1)?;
-                self.members.push((root, t));
+                fallible::push(&mut self.members, (root, t))?;
             }
         }
-        self.members.sort_unstable();
-        Ok(())
+        control.sort(&mut self.members)
     }
 }
 
@@ -235,6 +239,7 @@ struct Splitter<'a> {
     is_vertex: Vec<bool>,
     /// Ends of all pieces, sorted; filled only if edges are crossed.
     piece_ends: Vec<[u32; 2]>,
+    control: &'a Control<'a>,
 }
 
 impl<'a> Splitter<'a> {
@@ -243,33 +248,40 @@ impl<'a> Splitter<'a> {
         found: &'a Intersections,
         groups: &'a Groups,
         pieces: &'a Pieces,
+        control: &'a Control,
     ) -> Result<Self, Error> {
         let triangulator = Triangulator::new(surface.points.len())?;
-        let mut segments: Vec<(u32, u32)> = Vec::new();
-        segments.try_reserve_exact(found.segment_in_facet.len())?;
-        segments.extend(found.segment_in_facet.iter().map(|&(s, t)| (t, s)));
-        segments.sort_unstable();
-        let mut is_vertex = Vec::new();
-        is_vertex.try_reserve_exact(surface.points.len())?;
-        is_vertex.resize(surface.points.len(), false);
+        let mut segments: Vec<(u32, u32)> =
+            fallible::collect(found.segment_in_facet.iter().map(|&(s, t)| (t, s)))?;
+        control.sort(&mut segments)?;
+        let is_vertex = fallible::filled(false, surface.points.len())?;
         let mut piece_ends = Vec::new();
         if !groups.crossed.is_empty() {
             piece_ends.try_reserve_exact(pieces.list.len())?;
-            piece_ends.extend(pieces.list.iter().map(|piece| sorted(piece.ends)));
-            piece_ends.sort_unstable();
+            fallible::extend(&mut piece_ends, pieces.list.iter().map(|piece| sorted(piece.ends)))?;
+            control.sort(&mut piece_ends)?;
         }
-        Ok(Splitter { surface, found, groups, pieces, segments, triangulator, is_vertex, piece_ends })
+        Ok(Splitter {
+            surface,
+            found,
+            groups,
+            pieces,
+            segments,
+            triangulator,
+            is_vertex,
+            piece_ends,
+            control,
+        })
     }
 
     fn run(mut self) -> Result<(), Error> {
-        let mut in_triangle: Vec<(u32, u32)> = Vec::new();
-        in_triangle.try_reserve_exact(self.found.vertex_in_triangle.len())?;
-        in_triangle.extend_from_slice(&self.found.vertex_in_triangle);
-        in_triangle.sort_unstable();
+        let mut in_triangle: Vec<(u32, u32)> = fallible::copied(&self.found.vertex_in_triangle)?;
+        self.control.sort(&mut in_triangle)?;
         for group in self.groups.members.chunk_by(|x, y| x.0 == y.0) {
             self.gather(group, &in_triangle)?;
-            if self.triangulator.triangulate(&self.surface.points, Interior::FirstMinusOthers, &[])?.is_err()
-            {
+            let interior = Interior::FirstMinusOthers;
+            let result = self.triangulator.triangulate(&self.surface.points, interior, &[], self.control)?;
+            if result.is_err() {
                 return Err(Error::internal("a facet cannot be triangulated with the vertices found in it"));
             }
             self.replace(group)?;
@@ -284,6 +296,7 @@ impl<'a> Splitter<'a> {
         let (axis, sense) = axis_of(&self.surface.points, self.surface.triangles[group[0].1 as usize]);
         let mut segments: Vec<u32> = Vec::new();
         for &(_, t) in group {
+            self.control.step()?;
             let [a, b, c] = self.surface.triangles[t as usize];
             let same = turn(&self.surface.points, axis, a, b, c) == sense;
             for [u, v] in sides(if same { [a, b, c] } else { [a, c, b] }) {
@@ -301,8 +314,7 @@ impl<'a> Splitter<'a> {
                 self.triangulator.add_vertex(w)?;
             }
             let mine = of_key(&self.segments, t);
-            segments.try_reserve(mine.len())?;
-            segments.extend(mine.iter().map(|s| s.1));
+            fallible::extend(&mut segments, mine.iter().map(|s| s.1))?;
         }
         segments.sort_unstable();
         segments.dedup();
@@ -313,11 +325,10 @@ impl<'a> Splitter<'a> {
     /// side, so the windings cancel.
     fn keep_pieces(&mut self, ring: u32, [u, v]: [u32; 2]) -> Result<(), Error> {
         let on = on_edge(self.found, [u, v]);
-        let mut line: Vec<u32> = Vec::new();
-        line.try_reserve_exact(on.len() + 2)?;
-        line.push(u);
-        line.extend(on.iter().map(|x| x.1));
-        line.push(v);
+        let mut line: Vec<u32> = fallible::reserved(on.len() + 2)?;
+        fallible::push(&mut line, u)?;
+        fallible::extend(&mut line, on.iter().map(|x| x.1))?;
+        fallible::push(&mut line, v)?;
         sort_along(&self.surface.points, u, v, &mut line);
         for pair in line.windows(2) {
             if self.piece_ends.binary_search(&sorted([pair[0], pair[1]])).is_ok() {
@@ -352,15 +363,15 @@ impl<'a> Splitter<'a> {
         let facet = surface.triangle_facet[first as usize];
         // The old triangles give facet and orientation. Approximate location suffices, since the facets joined here are coplanar and have
         // one marker.
-        let mut old: Vec<([u32; 3], u32, bool)> = Vec::new();
-        old.try_reserve_exact(group.len())?;
-        old.extend(group.iter().map(|&(_, t)| {
+        let old: Vec<([u32; 3], u32, bool)> = fallible::collect(group.iter().map(|&(_, t)| {
             let [a, b, c] = surface.triangles[t as usize];
             let same = turn(&surface.points, axis, a, b, c) == sense;
             (if same { [a, b, c] } else { [a, c, b] }, surface.triangle_facet[t as usize], same)
-        }));
+        }))?;
         let uniform = old.iter().all(|o| o.1 == facet && o.2);
         for (k, &[a, b, c]) in self.triangulator.triangles.iter().enumerate() {
+            // Finding the parent may take a look at every old triangle.
+            self.control.steps(if uniform { 1 } else { old.len() as u32 })?;
             let (parent, same) = if uniform {
                 (facet, true)
             } else {
@@ -373,10 +384,8 @@ impl<'a> Splitter<'a> {
                     surface.triangle_facet[t as usize] = parent;
                 }
                 None => {
-                    surface.triangles.try_reserve(1)?;
-                    surface.triangle_facet.try_reserve(1)?;
-                    surface.triangles.push(corners);
-                    surface.triangle_facet.push(parent);
+                    fallible::push(&mut surface.triangles, corners)?;
+                    fallible::push(&mut surface.triangle_facet, parent)?;
                 }
             }
         }

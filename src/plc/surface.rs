@@ -3,7 +3,7 @@
 //! Invariants: the points are distinct up to `alias`; segments and triangles refer only to alias representatives; no vertex lies inside a
 //! segment, a triangle or an edge of a triangle.
 use crate::error::Error;
-use crate::fallible::copied;
+use crate::fallible;
 use crate::output::FacetFlip;
 
 /// The prepared PLC: distinct vertices, constrained edges, and a triangulation of all facets that conforms to all vertices.
@@ -45,19 +45,19 @@ impl Surface {
     /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
     pub fn copied(&self) -> Result<Surface, Error> {
         Ok(Surface {
-            points: copied(&self.points)?,
+            points: fallible::copied(&self.points)?,
             scale: self.scale,
-            alias: copied(&self.alias)?,
-            segments: copied(&self.segments)?,
-            segment_parent: copied(&self.segment_parent)?,
-            diagonals: copied(&self.diagonals)?,
+            alias: fallible::copied(&self.alias)?,
+            segments: fallible::copied(&self.segments)?,
+            segment_parent: fallible::copied(&self.segment_parent)?,
+            diagonals: fallible::copied(&self.diagonals)?,
             first_polygon: self.first_polygon,
-            triangles: copied(&self.triangles)?,
-            triangle_facet: copied(&self.triangle_facet)?,
-            triangle_patch: copied(&self.triangle_patch)?,
+            triangles: fallible::copied(&self.triangles)?,
+            triangle_facet: fallible::copied(&self.triangle_facet)?,
+            triangle_patch: fallible::copied(&self.triangle_patch)?,
             patch_count: self.patch_count,
-            facet_flips: copied(&self.facet_flips)?,
-            edges_beside: copied(&self.edges_beside)?,
+            facet_flips: fallible::copied(&self.facet_flips)?,
+            edges_beside: fallible::copied(&self.edges_beside)?,
         })
     }
 }

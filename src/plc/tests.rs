@@ -1,4 +1,5 @@
 //! From PLC to surface.
+use crate::control::{controlled, Control, Limits};
 use crate::error::{DefectKind, Element, Error, Status};
 use crate::options::Options;
 use crate::plc::prepare::{check, prepare};
@@ -21,7 +22,7 @@ const CUBE_QUADS: [[u32; 4]; 6] =
     [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
 
 fn run(plc: &Plc) -> Result<Surface, Error> {
-    let surface = prepare(plc, &Options::default(), &mut Silent)?;
+    let surface = prepare(plc, &Options::default(), &Control::free())?;
     assert_consistent(&surface);
     Ok(surface)
 }
@@ -467,7 +468,16 @@ fn the_callers_cancel_stops() {
             std::ops::ControlFlow::Break(())
         }
     }
-    assert_eq!(prepare(&cube_quads(), &Options::default(), &mut Stop).unwrap_err().status, Status::Cancelled);
+    assert_eq!(
+        controlled(Limits::default(), &mut Stop, |control| prepare(
+            &cube_quads(),
+            &Options::default(),
+            control
+        ))
+        .unwrap_err()
+        .status,
+        Status::Cancelled
+    );
 }
 
 #[test]

@@ -1,68 +1,99 @@
 //! Big integers, for signs at Steiner points that integers of fixed width cannot represent (see `wide`).
 //!
-//! They have no limited range: expansions would underflow if a Steiner point has bits below the exact range of coordinates (see `range`).
-//! Slow and simple on purpose: schoolbook arithmetic on 32-bit digits, lowest first, no leading zero digit, zero has no digits and is not
-//! negative.
+//! Expansions would underflow if a Steiner point has bits below the exact range of coordinates (see `range`). Slow and simple on purpose:
+//! schoolbook arithmetic on 32-bit digits, lowest first, no leading zero digit, zero has no digits and is not negative. The digits are on the
+//! stack, so that no sign can fail for want of memory.
 
-use crate::predicates::expansion::Expansion;
+use crate::predicates::expansion::Sum;
 use crate::predicates::{range, Sign};
 use std::cmp::Ordering;
 
-#[derive(Clone, Debug)]
-pub(crate) struct Big {
+/// An integer of up to `ROOM` digits.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Big<const ROOM: usize> {
     negative: bool,
-    digits: Vec<u32>,
+    digits: Digits<ROOM>,
 }
 
-fn compare(a: &[u32], b: &[u32]) -> Ordering {
-    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
+/// A natural number.
+#[derive(Clone, Copy, Debug)]
+struct Digits<const ROOM: usize> {
+    len: usize,
+    all: [u32; ROOM],
 }
 
-fn add(a: &[u32], b: &[u32]) -> Vec<u32> {
-    let (long, short) = if a.len() >= b.len() { (a, b) } else { (b, a) };
-    let mut out = Vec::with_capacity(long.len() + 1);
-    let mut carry = 0u64;
-    for (i, &digit) in long.iter().enumerate() {
-        let s = u64::from(digit) + u64::from(short.get(i).copied().unwrap_or(0)) + carry;
-        out.push(s as u32);
-        carry = s >> 32;
+impl<const ROOM: usize> Digits<ROOM> {
+    const ZERO: Self = Digits { len: 0, all: [0; ROOM] };
+
+    fn get(&self) -> &[u32] {
+        &self.all[..self.len]
     }
-    if carry != 0 {
-        out.push(carry as u32);
+
+    /// The number in the first `len` digits.
+    fn trimmed(mut self, len: usize) -> Self {
+        self.len = self.all[..len].iter().rposition(|&digit| digit != 0).map_or(0, |last| last + 1);
+        self
     }
-    out
+
+    fn compare(&self, other: &Self) -> Ordering {
+        self.len.cmp(&other.len).then_with(|| self.get().iter().rev().cmp(other.get().iter().rev()))
+    }
+
+    fn add(&self, other: &Self) -> Self {
+        let (long, short) = if self.len >= other.len { (self, other) } else { (other, self) };
+        let mut out = Self::ZERO;
+        let mut carry = 0u64;
+        for (i, &digit) in long.get().iter().enumerate() {
+            let s = u64::from(digit) + u64::from(short.all[i]) + carry;
+            out.all[i] = s as u32;
+            carry = s >> 32;
+        }
+        out.len = long.len;
+        if carry != 0 {
+            out.all[out.len] = carry as u32;
+            out.len += 1;
+        }
+        out
+    }
+
+    /// `self − other` where `self >= other`.
+    fn subtract(&self, other: &Self) -> Self {
+        let mut out = Self::ZERO;
+        let mut borrow = 0i64;
+        for (i, &digit) in self.get().iter().enumerate() {
+            let s = i64::from(digit) - i64::from(other.all[i]) + borrow;
+            out.all[i] = s as u32;
+            borrow = s >> 32;
+        }
+        out.trimmed(self.len)
+    }
+
+    fn times<const OTHER: usize, const PRODUCT: usize>(&self, other: &Digits<OTHER>) -> Digits<PRODUCT> {
+        let mut out = Digits::ZERO;
+        for (i, &a) in self.get().iter().enumerate() {
+            let mut carry = 0u64;
+            for (j, &b) in other.get().iter().enumerate() {
+                let s = u64::from(a) * u64::from(b) + u64::from(out.all[i + j]) + carry;
+                out.all[i + j] = s as u32;
+                carry = s >> 32;
+            }
+            out.all[i + other.len] = carry as u32;
+        }
+        out.trimmed(self.len + other.len)
+    }
 }
 
-/// `a − b` where `a >= b`.
-fn subtract(a: &[u32], b: &[u32]) -> Vec<u32> {
-    let mut out = Vec::with_capacity(a.len());
-    let mut borrow = 0i64;
-    for (i, &digit) in a.iter().enumerate() {
-        let s = i64::from(digit) - i64::from(b.get(i).copied().unwrap_or(0)) + borrow;
-        out.push(s as u32);
-        borrow = s >> 32;
-    }
-    trim(out)
-}
-
-fn trim(mut digits: Vec<u32>) -> Vec<u32> {
-    while digits.last() == Some(&0) {
-        digits.pop();
-    }
-    digits
-}
-
-impl Big {
+impl<const ROOM: usize> Big<ROOM> {
     /// Coordinates in a common unit: the lowest bit set in any of them.
-    pub(crate) fn rows<const N: usize>(points: &[[Expansion; 3]; N]) -> [[Big; 3]; N] {
+    pub(crate) fn rows<const N: usize, const M: usize>(points: &[[Sum<M>; 3]; N]) -> [[Self; 3]; N] {
         Big::scaled_rows(points, [0; N])
     }
 
     /// The same for points times two to the power of their exponents.
-    pub(crate) fn scaled_rows<const N: usize>(
-        points: &[[Expansion; 3]; N],
+    pub(crate) fn scaled_rows<const N: usize, const M: usize>(
+        points: &[[Sum<M>; 3]; N],
         exponents: [i32; N],
-    ) -> [[Big; 3]; N] {
+    ) -> [[Self; 3]; N] {
         let lowest = |i: usize| {
             let components = points[i].iter().flat_map(|x| x.components());
             components.filter_map(|&x| range::lowest_exponent(x)).min().map(|e| e + exponents[i])
@@ -71,62 +102,53 @@ impl Big {
         std::array::from_fn(|i| std::array::from_fn(|k| Big::of(&points[i][k], unit - exponents[i])))
     }
 
+    const ZERO: Self = Big { negative: false, digits: Digits::ZERO };
+
     /// The value of an expansion in units of 2^`unit`, which divides all its components.
-    fn of(value: &Expansion, unit: i32) -> Big {
-        let zero = Big { negative: false, digits: Vec::new() };
-        value.components().iter().fold(zero, |sum, &x| sum.combine(&Big::of_double(x, unit), false))
+    fn of<const M: usize>(value: &Sum<M>, unit: i32) -> Self {
+        value.components().iter().fold(Big::ZERO, |sum, &x| sum.combine(&Big::of_double(x, unit), false))
     }
 
-    fn of_double(x: f64, unit: i32) -> Big {
+    fn of_double(x: f64, unit: i32) -> Self {
         let (mantissa, exponent) = range::decompose(x);
         let shift = exponent.saturating_sub(unit).max(0) as usize;
-        let mut digits = vec![0u32; shift / 32];
         let wide = u128::from(mantissa) << (shift % 32);
-        digits.extend([wide as u32, (wide >> 32) as u32, (wide >> 64) as u32]);
-        Big { negative: x < 0.0, digits: trim(digits) }
+        let mut digits = Digits::ZERO;
+        for (k, digit) in digits.all[shift / 32..][..3].iter_mut().enumerate() {
+            *digit = (wide >> (32 * k)) as u32;
+        }
+        Big { negative: x < 0.0, digits: digits.trimmed(shift / 32 + 3) }
     }
 
-    fn combine(&self, other: &Big, negate: bool) -> Big {
+    fn combine(&self, other: &Self, negate: bool) -> Self {
         let other_negative = other.negative != negate;
         if self.negative == other_negative {
-            return Big { negative: self.negative, digits: add(&self.digits, &other.digits) };
+            return Big { negative: self.negative, digits: self.digits.add(&other.digits) };
         }
-        match compare(&self.digits, &other.digits) {
-            Ordering::Equal => Big { negative: false, digits: Vec::new() },
-            Ordering::Greater => {
-                Big { negative: self.negative, digits: subtract(&self.digits, &other.digits) }
-            }
-            Ordering::Less => Big { negative: other_negative, digits: subtract(&other.digits, &self.digits) },
+        match self.digits.compare(&other.digits) {
+            Ordering::Equal => Big::ZERO,
+            Ordering::Greater => Big { negative: self.negative, digits: self.digits.subtract(&other.digits) },
+            Ordering::Less => Big { negative: other_negative, digits: other.digits.subtract(&self.digits) },
         }
     }
 
     /// The sum.
-    pub(crate) fn plus(&self, other: &Big) -> Big {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         self.combine(other, false)
     }
 
     /// The difference.
-    pub(crate) fn minus(&self, other: &Big) -> Big {
+    pub(crate) fn minus(&self, other: &Self) -> Self {
         self.combine(other, true)
     }
 
     /// The product.
-    pub(crate) fn times(&self, other: &Big) -> Big {
-        let mut digits = vec![0u32; self.digits.len() + other.digits.len()];
-        for (i, &a) in self.digits.iter().enumerate() {
-            let mut carry = 0u64;
-            for (j, &b) in other.digits.iter().enumerate() {
-                let s = u64::from(a) * u64::from(b) + u64::from(digits[i + j]) + carry;
-                digits[i + j] = s as u32;
-                carry = s >> 32;
-            }
-            digits[i + other.digits.len()] = carry as u32;
-        }
-        Big { negative: self.negative != other.negative, digits: trim(digits) }
+    pub(crate) fn times<const OTHER: usize, const PRODUCT: usize>(&self, other: &Big<OTHER>) -> Big<PRODUCT> {
+        Big { negative: self.negative != other.negative, digits: self.digits.times(&other.digits) }
     }
 
     pub(crate) fn sign(&self) -> Sign {
-        match (self.digits.is_empty(), self.negative) {
+        match (self.digits.len == 0, self.negative) {
             (true, _) => Sign::Zero,
             (false, false) => Sign::Positive,
             (false, true) => Sign::Negative,

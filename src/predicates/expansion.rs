@@ -41,43 +41,60 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (x, al * bl - (((x - ah * bh) - al * bh) - ah * bl))
 }
 
-/// Components that fit without the heap. Coordinates of Steiner points have 1 to 5.
-const INLINE: usize = 8;
+/// Components of an [`Expansion`]: enough for the sum of any two that are compressed, and for the product of one with a double. (Doubles
+/// have bits from `2^-1074` to `2^1023`, so 41 components that each cover 53 of them are the most.)
+const MOST: usize = 128;
 
-/// An exact number: the sum of its components.
-#[derive(Clone, Debug)]
-pub struct Expansion {
+/// Components of a [`Short`] expansion. Coordinates of points on segments have 1 to 5 if the parameter is one double: the difference of the
+/// ends has 2, its product with the parameter 4, and one end is added. One more is needed to subtract the nearest double.
+const FEW: usize = 8;
+
+/// Components of an [`OfFacet`] expansion. Coordinates of points on facets have 1 to 9, 1 or 2 if the parameters have few bits: the
+/// differences to the origin have 2, their products with the parameters 4 each, the sum of these 8, and the origin is added. One more is
+/// needed to subtract the nearest double.
+const PLANAR: usize = 10;
+
+/// An exact number: the sum of its components. They are on the stack, so that no sign can fail for want of memory.
+#[derive(Clone, Copy, Debug)]
+pub struct Sum<const ROOM: usize> {
     len: usize,
-    inline: [f64; INLINE],
-    /// Holds all components once there are more than fit inline.
-    heap: Vec<f64>,
+    all: [f64; ROOM],
 }
 
-impl Default for Expansion {
+/// An exact number of any length.
+pub type Expansion = Sum<MOST>;
+
+/// An exact number known to be short, which takes less time to make.
+pub(super) type Short = Sum<FEW>;
+
+/// A coordinate of a point on a facet.
+pub(super) type OfFacet = Sum<PLANAR>;
+
+impl<const ROOM: usize> Default for Sum<ROOM> {
     fn default() -> Self {
-        Expansion::zero()
+        Sum::zero()
     }
 }
 
-impl From<f64> for Expansion {
+impl<const ROOM: usize> From<f64> for Sum<ROOM> {
     fn from(value: f64) -> Self {
-        let mut e = Expansion::zero();
+        let mut e = Sum::zero();
         e.push(value);
         e
     }
 }
 
-impl Expansion {
+impl<const ROOM: usize> Sum<ROOM> {
     /// Zero: no components.
     #[inline]
     pub fn zero() -> Self {
-        Expansion { len: 0, inline: [0.0; INLINE], heap: Vec::new() }
+        Sum { len: 0, all: [0.0; ROOM] }
     }
 
     /// The exact difference `a − b` of two doubles.
     pub fn of_difference(a: f64, b: f64) -> Self {
         let (x, y) = two_sum(a, -b);
-        let mut e = Expansion::zero();
+        let mut e = Sum::zero();
         e.push(y);
         e.push(x);
         e
@@ -86,46 +103,31 @@ impl Expansion {
     /// The components, smallest first; none for zero.
     #[inline]
     pub fn components(&self) -> &[f64] {
-        if self.heap.is_empty() {
-            &self.inline[..self.len]
-        } else {
-            &self.heap
-        }
+        &self.all[..self.len]
     }
 
-    #[inline]
-    fn components_mut(&mut self) -> &mut [f64] {
-        if self.heap.is_empty() {
-            &mut self.inline[..self.len]
-        } else {
-            &mut self.heap
-        }
+    /// The same number with room for more components.
+    pub(super) fn widened(&self) -> Expansion {
+        const { assert!(ROOM <= MOST) };
+        let mut e = Expansion { len: self.len, all: [0.0; MOST] };
+        e.all[..self.len].copy_from_slice(self.components());
+        e
+    }
+
+    /// The same number in less room, if it fits.
+    pub(super) fn shortened(&self) -> Option<Short> {
+        let mut e = Short { len: self.len, all: [0.0; FEW] };
+        e.all.get_mut(..self.len)?.copy_from_slice(self.components());
+        Some(e)
     }
 
     /// Appends a component larger than all before; zero is dropped.
     #[inline]
     fn push(&mut self, value: f64) {
-        if value == 0.0 {
-            return;
+        if value != 0.0 {
+            self.all[self.len] = value;
+            self.len += 1;
         }
-        if self.len < INLINE {
-            self.inline[self.len] = value;
-        } else {
-            if self.heap.is_empty() {
-                self.heap.extend_from_slice(&self.inline);
-            }
-            self.heap.push(value);
-        }
-        self.len += 1;
-    }
-
-    fn truncate(&mut self, len: usize) {
-        if len <= INLINE && !self.heap.is_empty() {
-            self.inline[..len].copy_from_slice(&self.heap[..len]);
-            self.heap = Vec::new();
-        }
-        self.heap.truncate(len);
-        self.len = len;
     }
 
     /// The sign of the exact value: that of the largest component.
@@ -168,18 +170,24 @@ impl Expansion {
     }
 
     /// The sum (FAST-EXPANSION-SUM with zero elimination).
-    pub fn sum(&self, other: &Expansion) -> Expansion {
+    pub fn sum(&self, other: &Self) -> Self {
         self.combine(other, 1.0)
     }
 
     /// `self − other`.
-    pub fn difference(&self, other: &Expansion) -> Expansion {
+    pub fn difference(&self, other: &Self) -> Self {
         self.combine(other, -1.0)
     }
 
     /// `self + factor other`, factor 1 or −1.
-    fn combine(&self, other: &Expansion, factor: f64) -> Expansion {
-        let (e, f) = (self.components(), other.components());
+    fn combine(&self, other: &Self, factor: f64) -> Self {
+        let compressed;
+        let (e, f) = if self.len + other.len <= ROOM {
+            (self.components(), other.components())
+        } else {
+            compressed = [self.compressed(), other.compressed()];
+            (compressed[0].components(), compressed[1].components())
+        };
         let (mut i, mut j) = (0, 0);
         let mut next = || {
             if j == f.len() || (i < e.len() && e[i].abs() <= f[j].abs()) {
@@ -190,7 +198,7 @@ impl Expansion {
                 factor * f[j - 1]
             }
         };
-        let mut out = Expansion::zero();
+        let mut out = Sum::zero();
         let count = e.len() + f.len();
         if count == 0 {
             return out;
@@ -206,9 +214,16 @@ impl Expansion {
     }
 
     /// The product with a double (SCALE-EXPANSION with zero elimination).
-    pub fn scale(&self, b: f64) -> Expansion {
-        let mut out = Expansion::zero();
-        let Some((&first, rest)) = self.components().split_first() else {
+    pub fn scale(&self, b: f64) -> Self {
+        let mut out = Sum::zero();
+        let compressed;
+        let e = if 2 * self.len <= ROOM {
+            self.components()
+        } else {
+            compressed = self.compressed();
+            compressed.components()
+        };
+        let Some((&first, rest)) = e.split_first() else {
             return out;
         };
         let (mut q, low) = two_product(first, b);
@@ -226,9 +241,9 @@ impl Expansion {
     }
 
     /// The product of two expansions, compressed.
-    pub fn product(&self, other: &Expansion) -> Expansion {
+    pub fn product(&self, other: &Self) -> Self {
         let (long, short) = if self.len >= other.len { (self, other) } else { (other, self) };
-        let mut out = Expansion::zero();
+        let mut out = Sum::zero();
         for &f in short.components() {
             let term = long.scale(f);
             out = if out.len == 0 { term } else { out.sum(&term) };
@@ -237,12 +252,13 @@ impl Expansion {
     }
 
     /// The same value in as few components as doubles allow (COMPRESS); the largest is within an ulp of the value.
-    pub fn compressed(mut self) -> Expansion {
+    #[must_use]
+    pub fn compressed(mut self) -> Self {
         let m = self.len;
         if m < 2 {
             return self;
         }
-        let e = self.components_mut();
+        let e = &mut self.all;
         let mut bottom = m - 1;
         let mut q = e[bottom];
         for i in (0..m - 1).rev() {
@@ -268,7 +284,7 @@ impl Expansion {
             e[top] = q;
             top += 1;
         }
-        self.truncate(top);
+        self.len = top;
         self
     }
 }

@@ -4,7 +4,7 @@
 //! The derivative of the insphere determinant with respect to a lift is the orientation of the other four points, so the first non-zero one
 //! in the order of ids decides. Source: Devillers & Teillaud 2011 (perturbation of the lifting only).
 
-use crate::predicates::{exact, filter, robust_insphere, wide, Points, Sign};
+use crate::predicates::{differences, exact, filter, located, robust_insphere, wide, Points, Sign};
 
 /// The position of a tetrahedron relative to a point, as far as a quick test tells.
 #[derive(Clone, Copy, Debug)]
@@ -89,23 +89,30 @@ impl Points {
     #[cold]
     #[inline(never)]
     fn insphere_exact(&self, det: f64, size: f64, explicit: bool, ids: [u32; 5]) -> Sign {
+        if !explicit {
+            return self.insphere_implicit(ids);
+        }
         // Differences are integers up to 2^9 in units of the grid: at most 72 monomials of at most 2^45, nothing rounds.
-        if explicit && size <= self.grid() * 512.0 {
+        if size <= self.grid() * 512.0 {
             return Sign::of(det);
         }
-        if explicit {
-            if let Some(rows) = wide::short_differences(ids.map(|i| self.xyz(i)), size) {
-                return wide::short_insphere(&rows);
-            }
+        let points @ [a, b, c, d, e] = ids.map(|i| self.xyz(i));
+        if let Some(rows) = wide::short_differences(points, size) {
+            return wide::short_insphere(&rows);
         }
-        if let Some(rows) = self.differences(ids) {
+        match differences(points) {
+            Some(rows) => wide::insphere(&rows),
+            None => robust_insphere(a, b, c, d, e),
+        }
+    }
+
+    #[inline(never)]
+    fn insphere_implicit(&self, ids: [u32; 5]) -> Sign {
+        let points = self.located(ids);
+        if let Some(rows) = located::differences(&points) {
             return wide::insphere(&rows);
         }
-        if explicit {
-            let [a, b, c, d, e] = ids.map(|i| self.xyz(i));
-            return robust_insphere(a, b, c, d, e);
-        }
-        self.insphere_leading(ids).unwrap_or_else(|| exact::insphere(&self.big(ids)))
+        located::insphere_leading(&points).unwrap_or_else(|| exact::insphere(&self.big(points)))
     }
 
     /// [`insphere`](Points::insphere), with ties broken by the perturbation: never zero for five distinct points that

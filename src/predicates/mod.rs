@@ -1,4 +1,4 @@
-//! Exact signs for explicit points and for implicit Steiner points on segments. The only module that calls `robust`.
+//! Exact signs for explicit points and for implicit Steiner points on segments and facets. The only module that calls `robust`.
 //!
 //! Levels: a static error bound from the box of all points, inlined; a semi-static bound from the given points; exact arithmetic in
 //! integers of fixed width; if those are too narrow, `robust` for explicit points and big integers otherwise.
@@ -11,9 +11,12 @@ mod exact;
 mod expansion;
 mod filter;
 mod insphere;
+mod located;
+mod on_facet;
 mod orient;
 mod plane;
 mod points;
+mod position;
 mod range;
 #[cfg(test)]
 mod tests;

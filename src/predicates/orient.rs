@@ -1,7 +1,9 @@
 //! Orientation in space, and signs of low degree: order, dot product, collinearity.
 
 use crate::predicates::big::Big;
-use crate::predicates::{exact, filter, robust_orient3d, wide, Expansion, Points, Sign};
+use crate::predicates::{
+    differences, exact, filter, located, robust_orient3d, wide, Expansion, Points, Sign,
+};
 use std::cmp::Ordering;
 
 /// A plane through three points `b`, `c`, `d`, rounded.
@@ -47,7 +49,7 @@ impl Points {
     /// outside the exact range.
     pub fn orient3d_of(&self, p: &[f64; 3], exponent: i32, [b, c, d]: [u32; 3]) -> Sign {
         let [b, c, d] = [b, c, d].map(|v| self.exact_coordinates(v));
-        exact::orient3d(&Big::scaled_rows(&[p.map(Expansion::from), b, c, d], [exponent, 0, 0, 0]))
+        exact::orient3d_far(&Big::scaled_rows(&[p.map(Expansion::from), b, c, d], [exponent, 0, 0, 0]))
     }
 
     /// The plane through three points, for repeated calls of [`Plane::side`].
@@ -78,26 +80,33 @@ impl Points {
     #[cold]
     #[inline(never)]
     fn orient3d_exact(&self, det: f64, size: f64, explicit: bool, ids: [u32; 4]) -> Sign {
+        if !explicit {
+            return self.orient3d_implicit(ids);
+        }
         // Differences are integers up to 2^16 in units of the grid: no operation in the determinant rounds.
-        if explicit && size <= self.grid() * 65536.0 {
+        if size <= self.grid() * 65536.0 {
             return Sign::of(det);
         }
-        if !explicit && self.three_on_a_segment(ids) {
+        let points @ [a, b, c, d] = ids.map(|i| self.xyz(i));
+        if let Some(rows) = wide::short_differences(points, size) {
+            return wide::short_orient3d(&rows);
+        }
+        match differences(points) {
+            Some(rows) => wide::orient3d(&rows),
+            None => robust_orient3d(a, b, c, d),
+        }
+    }
+
+    #[inline(never)]
+    fn orient3d_implicit(&self, ids: [u32; 4]) -> Sign {
+        if self.coplanar_by_position(ids) {
             return Sign::Zero;
         }
-        if explicit {
-            if let Some(rows) = wide::short_differences(ids.map(|i| self.xyz(i)), size) {
-                return wide::short_orient3d(&rows);
-            }
+        let points = self.located(ids);
+        match located::differences(&points) {
+            Some(rows) => wide::orient3d(&rows),
+            None => exact::orient3d(&self.big(points)),
         }
-        if let Some(rows) = self.differences(ids) {
-            return wide::orient3d(&rows);
-        }
-        if explicit {
-            let [a, b, c, d] = ids.map(|i| self.xyz(i));
-            return robust_orient3d(a, b, c, d);
-        }
-        exact::orient3d(&self.big(ids))
     }
 
     /// Sign of `(b − a)·(c − a)`.
@@ -108,9 +117,10 @@ impl Points {
         if !self.any_fine(&ids) && dot.abs() > self.spread(ids, !self.any_implicit(&ids)).dot_bound() {
             return Sign::of(dot);
         }
-        match self.differences(ids) {
+        let points = self.located(ids);
+        match located::differences(&points) {
             Some(rows) => wide::dot_sign(&rows),
-            None => exact::dot_sign(&self.big([a, b, c])),
+            None => exact::dot_sign(&self.big(self.located([a, b, c]))),
         }
     }
 
@@ -126,13 +136,15 @@ impl Points {
             // Rounding to nearest is monotone: different doubles decide.
             let mut order = compare(self.xyz(a)[axis], self.xyz(b)[axis]);
             if order.is_eq() && !known {
-                let [p, q] = [a, b].map(|i| self.exact_coordinates(i));
                 // Expansions cannot underflow here: Steiner points have no bits below 2^-1014, and neither have differences.
-                order = match p[axis].difference(&q[axis]).sign() {
-                    Sign::Negative => Ordering::Less,
-                    Sign::Zero => Ordering::Equal,
-                    Sign::Positive => Ordering::Greater,
+                let sign = match self.short_coordinates(&self.located([a, b])) {
+                    Some([p, q]) => p[axis].difference(&q[axis]).sign(),
+                    None => {
+                        let [p, q] = [a, b].map(|i| self.exact_coordinates(i));
+                        p[axis].difference(&q[axis]).sign()
+                    }
                 };
+                order = sign.cmp(&Sign::Zero);
             }
             if order.is_ne() {
                 return order;

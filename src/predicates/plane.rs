@@ -2,25 +2,35 @@
 //!
 //! The projection drops one axis and keeps the coordinates (axis + 1) mod 3 and (axis + 2) mod 3 in this order.
 
-use crate::predicates::{exact, wide, Points, Sign};
+use crate::predicates::filter::Spread;
+use crate::predicates::located::Located;
+use crate::predicates::{exact, located, wide, Points, Sign};
 
 impl Points {
     /// Positive when `a`, `b`, `c` make a left turn in the projection that drops `axis` (0 to 2).
     pub fn orient_in_plane(&self, axis: usize, a: u32, b: u32, c: u32) -> Sign {
+        self.orient_in_plane_of(axis, self.located([a, b, c]))
+    }
+
+    /// [`orient_in_plane`](Points::orient_in_plane) for points that need not be in the store.
+    #[inline(always)]
+    pub(super) fn orient_in_plane_of(&self, axis: usize, points: [Located; 3]) -> Sign {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-        let ids = [a, b, c];
-        let [pa, pb, pc] = ids.map(|i| self.xyz(i));
+        let [pa, pb, pc] = points.map(|p| p.xyz);
         let det = (pa[u] - pc[u]) * (pb[v] - pc[v]) - (pa[v] - pc[v]) * (pb[u] - pc[u]);
-        let spread = self.spread(ids, !self.any_implicit(&ids));
+        let mut spread = Spread::of([pa, pb, pc]);
+        if points.iter().any(|p| p.implicit.is_some()) {
+            located::widen(&mut spread, &points);
+        }
         if spread.size[u] == 0.0 || spread.size[v] == 0.0 {
             return Sign::Zero;
         }
-        if !self.any_fine(&ids) && det.abs() > spread.orient2d_bound(u, v) {
+        if !points.iter().any(|p| p.fine()) && det.abs() > spread.orient2d_bound(u, v) {
             return Sign::of(det);
         }
-        match self.differences(ids) {
+        match located::differences(&points) {
             Some(rows) => wide::orient2d(&rows, u, v),
-            None => exact::orient2d(&self.big(ids), u, v),
+            None => exact::orient2d(&self.big(points), u, v),
         }
     }
 
@@ -63,9 +73,10 @@ impl Points {
         if !self.any_fine(&ids) && det.abs() > spread.incircle_bound(u, v) {
             return Sign::of(det);
         }
-        match self.differences(ids) {
+        let points = self.located(ids);
+        match located::differences(&points) {
             Some(rows) => wide::incircle(&rows, u, v),
-            None => exact::incircle(&self.big(ids), u, v),
+            None => exact::incircle(&self.big(points), u, v),
         }
     }
 

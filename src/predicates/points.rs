@@ -1,48 +1,22 @@
-//! The point store: explicit points, and Steiner points `a + t (b − a)` on segments that doubles cannot represent.
+//! The point store: explicit points, and Steiner points on segments and facets that doubles cannot represent.
 //!
 //! Invariants: explicit coordinates are in the exact range (see `range`); `xyz` holds the nearest doubles of implicit
-//! points; the static bounds hold for all differences between stored points; the segment ends of an implicit point are explicit. Source:
-//! implicit points as in Diazzi, Panozzo, Vaxman & Attene 2023, but with a double as the parameter t, so that no coordinate has a
-//! denominator: coordinates are sums of two doubles in nearly all cases, and integers on a common grid. If segments run so close to each
-//! other that a double is too coarse, t is the sum of several.
+//! points, which lie in the box; the static bounds hold for all differences between stored points; the points that an implicit one refers
+//! to are explicit. All kinds of positions (see `position`) share this store, and predicates take any mixture of them by index.
 
 use crate::error::Error;
+use crate::fallible;
 use crate::predicates::big::Big;
-use crate::predicates::expansion::{two_product, two_sum, Expansion};
-use crate::predicates::filter::{larger, Spread};
-use crate::predicates::range;
+use crate::predicates::exact::One;
+use crate::predicates::expansion::{Expansion, Short};
+use crate::predicates::filter::Spread;
+use crate::predicates::located::{Implicit, Located};
+use crate::predicates::position::{Parameter, Position};
 use crate::predicates::range::in_range;
-use crate::predicates::wide;
-use crate::predicates::wide::Differences;
-use crate::predicates::Sign;
-
-/// An implicit point.
-#[derive(Clone, Debug)]
-struct Implicit {
-    a: u32,
-    b: u32,
-    t: f64,
-    /// The components of the parameter beyond the nearest double `t`, smallest first. Usually empty.
-    low: Box<[f64]>,
-    /// The nearest doubles of `exact − nearest double`.
-    rest: [f64; 3],
-    /// Whether the nearest double plus `rest` is exact in all coordinates.
-    two_doubles: bool,
-    /// Whether a coordinate has bits below the exact range: filters could underflow.
-    fine: bool,
-}
-
-impl Implicit {
-    fn parameter(&self) -> Expansion {
-        if self.low.is_empty() {
-            return Expansion::from(self.t);
-        }
-        self.low.iter().fold(Expansion::from(self.t), |sum, &x| sum.sum(&Expansion::from(x)))
-    }
-}
+use crate::predicates::{located, position, range};
 
 /// All points of a triangulation, with exact predicates on them by index.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Points {
     xyz: Vec<[f64; 3]>,
     /// The first implicit point; `u32::MAX` if there is none.
@@ -90,6 +64,19 @@ impl Points {
         points.xyz = xyz;
         points.update_bounds();
         points
+    }
+
+    /// A copy.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn copied(&self) -> Result<Points, Error> {
+        Ok(Points {
+            xyz: fallible::copied(&self.xyz)?,
+            slots: fallible::copied(&self.slots)?,
+            implicit: fallible::each(&self.implicit, Implicit::copied)?,
+            ..*self
+        })
     }
 
     /// Recomputes the static bounds from the box.
@@ -143,9 +130,17 @@ impl Points {
         self.implicit(i).is_none()
     }
 
-    /// `(a, b, t)` of an implicit point `a + t (b − a)`; `None` for an explicit one.
+    /// The kind of a point's position, and what determines it.
+    pub fn position(&self, i: u32) -> &Position {
+        self.implicit(i).map_or(&Position::Explicit, |p| &p.position)
+    }
+
+    /// `(a, b, t)` of an implicit point `a + t (b − a)`; `None` for points of other kinds.
     pub fn implicit_parameters(&self, i: u32) -> Option<(u32, u32, Expansion)> {
-        self.implicit(i).map(|p| (p.a, p.b, p.parameter()))
+        match self.position(i) {
+            Position::OnSegment { a, b, t } => Some((*a, *b, t.value())),
+            _ => None,
+        }
     }
 
     /// Appends an explicit point.
@@ -169,21 +164,18 @@ impl Points {
                 "more points than 32-bit indices can address",
             ));
         }
-        self.xyz.try_reserve(1)?;
-        self.slots.try_reserve(1)?;
-        self.implicit.try_reserve(1)?;
-        self.xyz.push(p);
+        fallible::push(&mut self.xyz, p)?;
         if let Some(implicit) = implicit {
             if self.first_implicit == NONE {
                 self.first_implicit = id as u32;
             }
-            self.slots.push(self.implicit.len() as u32);
-            self.implicit.push(implicit);
+            fallible::push(&mut self.slots, self.implicit.len() as u32)?;
+            fallible::push(&mut self.implicit, implicit)?;
             if self.implicit.len() == 1 {
                 self.update_bounds();
             }
         } else if self.first_implicit != NONE {
-            self.slots.push(NONE);
+            fallible::push(&mut self.slots, NONE)?;
         }
         Ok(id as u32)
     }
@@ -193,51 +185,90 @@ impl Points {
     /// # Errors
     /// `Internal` unless `a` and `b` are explicit, `0 < t < 1` and t is a multiple of `2^-800`; `OutOfMemory`, `TooLarge`.
     pub fn push_on_segment(&mut self, a: u32, b: u32, t: &Expansion) -> Result<u32, Error> {
-        match self.on_segment(a, b, t)? {
-            (p, None) => self.push(p),
-            (p, implicit) => self.append(p, implicit),
+        let (p, implicit) = self.on_segment(a, b, t)?;
+        self.push_rounded(p, implicit)
+    }
+
+    /// Appends a point with these nearest doubles; explicit if they are exact.
+    pub(super) fn push_rounded(&mut self, p: [f64; 3], implicit: Option<Implicit>) -> Result<u32, Error> {
+        if implicit.is_none() {
+            return self.push(p);
         }
+        // A point on a facet may lie outside the box of all others.
+        self.cover(&p);
+        self.append(p, implicit)
     }
 
     /// The nearest doubles of `a + t (b − a)`, and the implicit point if they are not exact.
     fn on_segment(&self, a: u32, b: u32, t: &Expansion) -> Result<([f64; 3], Option<Implicit>), Error> {
-        let known = |i: u32| (i as usize) < self.xyz.len() && self.is_explicit(i);
-        if !known(a) || !known(b) || !range::is_parameter(t) {
+        if !self.known(a) || !self.known(b) || !range::is_parameter(t) {
             return Err(Error::internal(format_args!(
                 "invalid Steiner point: {a}, {b}, {}",
                 t.approximate()
             )));
         }
-        let exact = on_segment(self.xyz(a), self.xyz(b), t);
-        let lowest = exact.iter().filter_map(|e| range::lowest_exponent(*e.components().first()?)).min();
-        let fine = lowest.is_some_and(|e| e < range::LOWEST_EXPONENT);
-        let p = [0, 1, 2].map(|i| exact[i].nearest());
-        if !fine && exact.iter().all(|e| e.components().len() <= 1) {
-            return Ok((p, None));
-        }
-        let beyond = [0, 1, 2].map(|i| exact[i].difference(&Expansion::from(p[i])).compressed());
-        let two_doubles = beyond.iter().all(|e| e.components().len() <= 1);
-        let rest = [0, 1, 2].map(|i| beyond[i].nearest());
-        let nearest = t.nearest();
-        let low = match t.components() {
-            [_] => Box::default(),
-            _ => t.difference(&Expansion::from(nearest)).compressed().components().into(),
+        let ends = [self.xyz(a), self.xyz(b)];
+        let (p, beyond) = match *t.components() {
+            [t] => position::round(&position::on_segment(ends, &Short::from(t))),
+            _ => position::round(&position::on_segment(ends, t)),
         };
-        Ok((p, Some(Implicit { a, b, t: nearest, low, rest, two_doubles, fine })))
+        let Some(beyond) = beyond else {
+            return Ok((p, None));
+        };
+        let t = Parameter::new(t)?;
+        Ok((p, Some(Implicit { position: Position::OnSegment { a, b, t }, beyond })))
+    }
+
+    /// Whether there is such a point and it is explicit.
+    fn known(&self, i: u32) -> bool {
+        (i as usize) < self.xyz.len() && self.is_explicit(i)
+    }
+
+    /// Appends the point `o + u (a − o) + v (b − o)` of the plane through the points `[o, a, b]`: explicit if every coordinate is exactly a
+    /// double, implicit otherwise.
+    ///
+    /// # Errors
+    /// `Internal` unless the three points are explicit and not collinear, the parameters `[u, v]` are multiples of `2^-800` of magnitudes
+    /// up to `2^415`, and the point is in the exact range; `OutOfMemory`, `TooLarge`.
+    #[cfg_attr(
+        not(any(test, feature = "internals")),
+        expect(dead_code, reason = "refinement puts points on facets")
+    )]
+    pub fn push_on_facet(&mut self, frame: [u32; 3], parameters: [f64; 2]) -> Result<u32, Error> {
+        let place = self.is_frame(frame).then(|| self.on_facet(frame, parameters)).flatten();
+        let Some((p, implicit)) = place else {
+            return Err(Error::internal(format_args!("invalid point on a facet: {frame:?}, {parameters:?}")));
+        };
+        self.push_rounded(p, implicit)
+    }
+
+    /// Whether these points exist, are explicit and span a plane.
+    pub(super) fn is_frame(&self, [o, a, b]: [u32; 3]) -> bool {
+        [o, a, b].iter().all(|&i| self.known(i)) && !self.collinear(o, a, b)
+    }
+
+    /// The nearest doubles of a point on a facet, and the implicit point if they are not exact; `None` if the parameters or the point are
+    /// out of range. The points of the frame must be explicit.
+    pub(super) fn on_facet(
+        &self,
+        frame: [u32; 3],
+        parameters: [f64; 2],
+    ) -> Option<([f64; 3], Option<Implicit>)> {
+        if !parameters.iter().all(|&x| range::is_facet_parameter(x)) {
+            return None;
+        }
+        let (p, beyond) = position::round(&position::on_facet(frame.map(|i| self.xyz(i)), parameters));
+        if !p.iter().all(|&x| range::in_box(x)) {
+            return None;
+        }
+        let ([o, a, b], [u, v]) = (frame, parameters);
+        Some((p, beyond.map(|beyond| Implicit { position: Position::OnFacet { o, a, b, u, v }, beyond })))
     }
 
     /// Approximate square of the distance between `a + t (b − a)` and its nearest double point; hardly ever zero unless the point is
     /// exactly a double. Twice the precision of doubles suffices for comparing candidates.
     pub fn rounding_error(&self, a: u32, b: u32, t: f64) -> f64 {
-        let (a, b) = (self.xyz(a), self.xyz(b));
-        let error = |axis: usize| {
-            let (high, low) = two_sum(b[axis], -a[axis]);
-            let (product, rest) = two_product(high, t);
-            let (sum, beyond) = two_sum(a[axis], product);
-            let rest = beyond + (rest + low * t);
-            rest - ((sum + rest) - sum)
-        };
-        (0..3).map(|axis| error(axis) * error(axis)).sum()
+        position::rounding_error(self.xyz(a), self.xyz(b), t)
     }
 
     /// Moves an implicit point along its segment, to parameter `t`; it becomes explicit if possible.
@@ -258,8 +289,7 @@ impl Points {
             }
             Some(implicit) => {
                 *slot = self.implicit.len() as u32;
-                self.implicit.try_reserve(1)?;
-                self.implicit.push(implicit);
+                fallible::push(&mut self.implicit, implicit)?;
             }
         }
         self.xyz[i as usize] = p;
@@ -298,6 +328,11 @@ impl Points {
     fn take_explicit(&mut self, p: [f64; 3]) {
         let lowest = p.iter().filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(1000);
         self.grid = self.grid.min(range::scale(1.0, lowest));
+        self.cover(&p);
+    }
+
+    /// Enlarges the box, and with it the bounds, to contain these doubles.
+    fn cover(&mut self, p: &[f64; 3]) {
         if (0..3).any(|i| p[i] < self.min[i] || p[i] > self.max[i]) {
             for (i, &x) in p.iter().enumerate() {
                 self.min[i] = self.min[i].min(x);
@@ -314,56 +349,65 @@ impl Points {
             return 0;
         }
         let (a, b) = (self.xyz(a), self.xyz(b));
-        (0..3).map(|i| exact_bits_1d(a[i], b[i])).min().unwrap_or(0)
+        (0..3).map(|i| position::exact_bits(a[i], b[i])).min().unwrap_or(0)
     }
 
     /// The exact coordinates as expansions (components smallest first; their sum is the coordinate).
     pub fn exact_coordinates(&self, i: u32) -> [Expansion; 3] {
-        match self.implicit(i) {
-            None => self.xyz(i).map(Expansion::from),
-            Some(p) => on_segment(self.xyz(p.a), self.xyz(p.b), &p.parameter()),
+        self.exact_of(&self.located([i])[0])
+    }
+
+    /// The exact coordinates of a point that need not be in the store.
+    fn exact_of(&self, p: &Located) -> [Expansion; 3] {
+        match p.implicit.map(|p| &p.position) {
+            None | Some(Position::Explicit) => p.xyz.map(Expansion::from),
+            Some(Position::OnSegment { a, b, t }) => {
+                position::on_segment([self.xyz(*a), self.xyz(*b)], &t.value())
+            }
+            Some(&Position::OnFacet { o, a, b, u, v }) => {
+                position::on_facet([o, a, b].map(|i| self.xyz(i)), [u, v]).map(|x| x.widened())
+            }
         }
     }
 
-    /// The differences of these points to the last one as integers, if they fit.
+    /// These points as the signs see them.
     #[inline(always)]
-    pub(super) fn differences<const N: usize>(&self, ids: [u32; N]) -> Option<Differences<N>> {
-        let mut coordinates = [[[0.0; 2]; 3]; N];
-        for (to, &i) in coordinates.iter_mut().zip(&ids) {
-            let p = self.xyz(i);
-            let rest = match self.implicit(i) {
-                None => [0.0; 3],
-                Some(implicit) if implicit.two_doubles => implicit.rest,
-                Some(_) => return None,
-            };
-            for axis in 0..3 {
-                to[axis] = [p[axis], rest[axis]];
-            }
-        }
-        Differences::new(&coordinates)
+    pub(super) fn located<const N: usize>(&self, ids: [u32; N]) -> [Located<'_>; N] {
+        ids.map(|i| Located { xyz: self.xyz(i), implicit: self.implicit(i) })
     }
 
-    /// The insphere sign from the leading bits of the differences, if they decide.
-    pub(super) fn insphere_leading(&self, ids: [u32; 5]) -> Option<Sign> {
-        let mut coordinates = [[[0.0; 2]; 3]; 5];
-        let mut lost = 0.0f64;
-        for (to, &i) in coordinates.iter_mut().zip(&ids) {
-            let (p, implicit) = (self.xyz(i), self.implicit(i));
-            for axis in 0..3 {
-                let rest = implicit.map_or(0.0, |implicit| implicit.rest[axis]);
-                to[axis] = [p[axis], rest];
-                if implicit.is_some_and(|implicit| !implicit.two_doubles) {
-                    // Rounded to nearest; the smallest double where that underflows.
-                    lost = lost.max(rest.abs() * f64::EPSILON + range::scale(1.0, -1074));
-                }
+    /// The exact coordinates of a point if they are short: all but those of parameters of several doubles, and of points on facets whose
+    /// parameters have many bits.
+    fn short_of(&self, p: &Located) -> Option<[Short; 3]> {
+        match p.implicit.map(|p| &p.position) {
+            None | Some(Position::Explicit) => Some(p.xyz.map(Short::from)),
+            Some(Position::OnSegment { a, b, t }) => {
+                Some(position::on_segment([self.xyz(*a), self.xyz(*b)], &Short::from(t.one()?)))
+            }
+            Some(&Position::OnFacet { o, a, b, u, v }) => {
+                let [x, y, z] = position::on_facet([o, a, b].map(|i| self.xyz(i)), [u, v]);
+                Some([x.shortened()?, y.shortened()?, z.shortened()?])
             }
         }
-        wide::insphere_leading(&coordinates, lost)
+    }
+
+    /// The exact coordinates of these points if all are short.
+    pub(super) fn short_coordinates<const N: usize>(&self, points: &[Located; N]) -> Option<[[Short; 3]; N]> {
+        let mut all = [[Short::default(); 3]; N];
+        for (to, p) in all.iter_mut().zip(points) {
+            *to = self.short_of(p)?;
+        }
+        Some(all)
     }
 
     /// Exact coordinates as big integers.
-    pub(super) fn big<const N: usize>(&self, ids: [u32; N]) -> [[Big; 3]; N] {
-        Big::rows(&ids.map(|i| self.exact_coordinates(i)))
+    #[cold]
+    #[inline(never)]
+    pub(super) fn big<const N: usize>(&self, points: [Located; N]) -> [[One; 3]; N] {
+        match self.short_coordinates(&points) {
+            Some(points) => Big::rows(&points),
+            None => Big::rows(&points.map(|p| self.exact_of(&p))),
+        }
     }
 
     /// Whether a point among these is implicit.
@@ -372,18 +416,33 @@ impl Points {
         self.first_implicit != NONE && ids.iter().any(|&i| !self.is_explicit(i))
     }
 
-    /// Whether three of the points lie on one segment, recognized from an implicit one among them.
-    pub(super) fn three_on_a_segment(&self, ids: [u32; 4]) -> bool {
-        let ends = |i: u32| self.implicit(i).map(|p| [p.a, p.b]);
-        ids.iter().filter_map(|&i| ends(i)).any(|[a, b]| {
-            let on = |&&i: &&u32| i == a || i == b || ends(i) == Some([a, b]);
-            ids.iter().filter(on).count() >= 3
+    /// Whether three of the points lie on one segment or all on one facet, recognized from an implicit one among them.
+    pub(super) fn coplanar_by_position(&self, ids: [u32; 4]) -> bool {
+        let count = |on: &dyn Fn(u32) -> bool| ids.iter().filter(|&&i| on(i)).count();
+        ids.iter().any(|&i| match *self.position(i) {
+            Position::Explicit => false,
+            Position::OnSegment { a, b, .. } => count(&|i| self.is_on_segment(i, [a, b])) >= 3,
+            Position::OnFacet { o, a, b, .. } => count(&|i| self.is_on_facet(i, [o, a, b])) == 4,
         })
+    }
+
+    /// Whether a point is an end of this segment or positioned on it.
+    fn is_on_segment(&self, i: u32, ends: [u32; 2]) -> bool {
+        ends.contains(&i) || matches!(self.position(i), Position::OnSegment { a, b, .. } if [*a, *b] == ends)
+    }
+
+    /// Whether a point is in this frame, on a segment between two of its points, or positioned by it.
+    fn is_on_facet(&self, i: u32, frame: [u32; 3]) -> bool {
+        match *self.position(i) {
+            Position::Explicit => frame.contains(&i),
+            Position::OnSegment { a, b, .. } => frame.contains(&a) && frame.contains(&b),
+            Position::OnFacet { o, a, b, .. } => [o, a, b].iter().all(|p| frame.contains(p)),
+        }
     }
 
     /// Whether a point among these needs big integers.
     pub(super) fn any_fine(&self, ids: &[u32]) -> bool {
-        self.first_implicit != NONE && ids.iter().any(|&i| self.implicit(i).is_some_and(|p| p.fine))
+        self.first_implicit != NONE && ids.iter().any(|&i| self.implicit(i).is_some_and(|p| p.beyond.fine))
     }
 
     /// The power of two that divides all explicit coordinates.
@@ -397,18 +456,7 @@ impl Points {
     pub(super) fn spread<const N: usize>(&self, ids: [u32; N], explicit: bool) -> Spread {
         let mut spread = Spread::of(ids.map(|i| self.xyz(i)));
         if !explicit {
-            // The rest is rounded itself.
-            let bound = |x: f64| x.abs() * (1.0 + 2.0 * f64::EPSILON);
-            let of = |i: u32| self.implicit(i).map_or([0.0; 3], |p| p.rest.map(bound));
-            for &i in &ids[..N - 1] {
-                for (worst, e) in spread.error.iter_mut().zip(of(i)) {
-                    *worst = larger(*worst, e);
-                }
-            }
-            for (axis, e) in of(ids[N - 1]).into_iter().enumerate() {
-                spread.error[axis] += e;
-                spread.size[axis] += spread.error[axis];
-            }
+            located::widen(&mut spread, &self.located(ids));
         }
         spread
     }
@@ -429,41 +477,4 @@ impl Points {
             self.update_bounds();
         }
     }
-}
-
-/// The exact `a + t (b − a)`.
-fn on_segment(a: &[f64; 3], b: &[f64; 3], t: &Expansion) -> [Expansion; 3] {
-    [0, 1, 2].map(|i| {
-        let d = Expansion::of_difference(b[i], a[i]);
-        let along = if let [t] = t.components() { d.scale(*t) } else { d.product(t) };
-        along.sum(&Expansion::from(a[i])).compressed()
-    })
-}
-
-/// [`Points::exact_bits`] for one coordinate.
-///
-/// Let d = b − a and g = 2^(low(d) − n), low the exponent of the lowest set bit. Even k belong to smaller n. For odd k and
-/// low(d) − n < low(a) the lowest bit of v = a + k d / 2^n is g exactly, so v is a double if and only if |v| <= 2^53 g;
-/// |v| is largest at k = 1 or k = 2^n − 1. Otherwise all v are multiples of 2^min(low(a), low(b)) no larger than the
-/// ends, and so doubles. Hence all points up to level n are doubles if the two outermost points of every level up to n are. |a|, |b| <=
-/// 2^53 g is sufficient; beyond that, test level by level.
-fn exact_bits_1d(a: f64, b: f64) -> u32 {
-    const MOST: u32 = 52;
-    let d = Expansion::of_difference(b, a);
-    let Some(low) = d.components().first().and_then(|&x| range::lowest_exponent(x)) else {
-        return MOST;
-    };
-    let high = range::highest_exponent(a).max(range::highest_exponent(b)).unwrap_or(low);
-    // |a|, |b| < 2^(high + 1) <= 2^53 g.
-    let mut n = (low + 52 - high).clamp(0, MOST as i32) as u32;
-    let is_double =
-        |from: f64, step: f64| d.scale(step).sum(&Expansion::from(from)).compressed().components().len() <= 1;
-    while n < MOST {
-        let step = range::scale(1.0, -(n as i32) - 1);
-        if !is_double(a, step) || !is_double(b, -step) {
-            break;
-        }
-        n += 1;
-    }
-    n
 }

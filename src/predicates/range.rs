@@ -5,9 +5,16 @@
 //! `2^201`, the determinant's sums below `2^1015`: nothing overflows, and no factor that is split in a product (degree at most 4, below
 //! `2^815`) comes near `2^996`, where splitting would overflow.
 //!
-//! A Steiner point `a + t (b − a)` lies in the same box, but may have bits below `2^-214` (down to `2^-1014`, as t is a
+//! A Steiner point on a segment, `a + t (b − a)`, lies in the same box, but may have bits below `2^-214` (down to `2^-1014`, as t is a
 //! multiple of `2^-800`: no expansion of a coordinate underflows): the store marks these, and integers decide all their
 //! signs, without filters.
+//!
+//! A point on a facet, `o + u (a − o) + v (b − o)`, has parameters of either sign, multiples of `2^-800` as well: they have at most the 53
+//! bits of a double each, but these may be anywhere from `2^-800` to `2^415`, the largest ratio of two distances on one axis (`2^201` and
+//! `2^-214`). Both differences are sums of two doubles, multiples of `2^-214` of at most `2^201`. So all products, sums and rounding errors
+//! in the expansion of a coordinate are multiples of `2^-1014`, and so are the parts of factors and their products when a product is split:
+//! nothing underflows. Products are at most `2^616`, sums below `2^618`, and no factor that is split is above `2^415`: nothing overflows.
+//! The point itself must not leave the box, which the store checks: its coordinates are then what those of points on segments are.
 
 use crate::predicates::{Expansion, Sign};
 
@@ -46,9 +53,12 @@ pub(crate) fn highest_exponent(x: f64) -> Option<i32> {
 
 /// Whether a coordinate is in the exact range.
 pub fn in_range(x: f64) -> bool {
-    x.is_finite()
-        && x.abs() <= scale(1.0, HIGHEST_EXPONENT)
-        && lowest_exponent(x).is_none_or(|e| e >= LOWEST_EXPONENT)
+    in_box(x) && lowest_exponent(x).is_none_or(|e| e >= LOWEST_EXPONENT)
+}
+
+/// Whether a coordinate is not too large for the exact range, however fine it is.
+pub(crate) fn in_box(x: f64) -> bool {
+    x.is_finite() && x.abs() <= scale(1.0, HIGHEST_EXPONENT)
 }
 
 /// The nearest multiple of the unit of coordinates in range; `x` itself unless it is tiny.
@@ -70,6 +80,16 @@ pub fn is_parameter(t: &Expansion) -> bool {
     t.sign() == Sign::Positive
         && t.difference(&Expansion::from(1.0)).sign() == Sign::Negative
         && t.components().iter().all(|&x| lowest_exponent(x).is_none_or(|e| e >= LOWEST_PARAMETER_EXPONENT))
+}
+
+/// No parameter of a point on a facet is larger than two to this power.
+const HIGHEST_PARAMETER_EXPONENT: i32 = HIGHEST_EXPONENT + 1 - LOWEST_EXPONENT;
+
+/// Whether a point on a facet can have this parameter, as either of its two: neither too large nor too fine.
+pub fn is_facet_parameter(x: f64) -> bool {
+    x.is_finite()
+        && x.abs() <= scale(1.0, HIGHEST_PARAMETER_EXPONENT)
+        && lowest_exponent(x).is_none_or(|e| e >= LOWEST_PARAMETER_EXPONENT)
 }
 
 /// The exponent `k` such that all points times `2^k` are in the exact range; 0 if they already are.

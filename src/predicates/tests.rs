@@ -1,8 +1,12 @@
 //! All signs against big integers: grids, cospherical and nearly degenerate sets, Steiner points, the ends of the range.
 
 mod arithmetic;
+mod on_facet;
+mod positions;
 
 use super::*;
+use crate::predicates::position::Position;
+use crate::predicates::range::is_facet_parameter;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
@@ -67,18 +71,30 @@ fn integer(x: f64) -> BigInt {
 
 type Exact = [BigInt; 3];
 
+/// The product of two numbers in units of 2^-UNIT.
+fn times(a: &BigInt, b: &BigInt) -> BigInt {
+    let scaled = a * b;
+    let shifted: BigInt = &scaled >> UNIT;
+    assert_eq!(&shifted << UNIT, scaled, "the unit is too coarse for the test");
+    shifted
+}
+
 fn of_point(points: &Points, i: u32) -> Exact {
-    match points.implicit_parameters(i) {
-        None => points.xyz(i).map(integer),
-        Some((a, b, t)) => {
-            let (a, b) = (of_point(points, a), of_point(points, b));
-            let t: BigInt = t.components().iter().map(|&x| integer(x)).sum();
-            [0, 1, 2].map(|k| {
-                let scaled = (&b[k] - &a[k]) * &t;
-                let shifted: BigInt = &scaled >> UNIT;
-                assert_eq!(&shifted << UNIT, scaled, "the unit is too coarse for the test");
-                &a[k] + shifted
-            })
+    let along = |from: u32, to: u32, by: &BigInt| -> Exact {
+        let (from, to) = (of_point(points, from), of_point(points, to));
+        [0, 1, 2].map(|k| times(&(&to[k] - &from[k]), by))
+    };
+    match points.position(i) {
+        Position::Explicit => points.xyz(i).map(integer),
+        Position::OnSegment { a, b, t } => {
+            let t: BigInt = t.value().components().iter().map(|&x| integer(x)).sum();
+            let (a, d) = (of_point(points, *a), along(*a, *b, &t));
+            [0, 1, 2].map(|k| &a[k] + &d[k])
+        }
+        &Position::OnFacet { o, a, b, u, v } => {
+            let (d, e) = (along(o, a, &integer(u)), along(o, b, &integer(v)));
+            let o = of_point(points, o);
+            [0, 1, 2].map(|k| &o[k] + &d[k] + &e[k])
         }
     }
 }
@@ -141,51 +157,52 @@ fn compare_all(points: &Points, count: usize, random: &mut Random) -> [usize; 2]
     let mut zeros = [0, 0];
     for round in 0..count {
         let ids = random.distinct::<5>(points.len());
-        let [a, b, c, d, e] = ids;
-        let p = ids.map(|i| exact[i as usize].clone());
-        let [pa, pb, pc, pd, _] = &p;
-        let four = [pa.clone(), pb.clone(), pc.clone(), pd.clone()];
-        let three = [pa.clone(), pb.clone(), pc.clone()];
-        let orient = exact_orient3d(&four);
-        let inside = exact_insphere(&p);
-        zeros[0] += usize::from(orient == Sign::Zero);
-        zeros[1] += usize::from(inside == Sign::Zero);
-        assert_eq!(points.orient3d(a, b, c, d), orient, "orient3d {ids:?} {:?}", ids.map(|i| points.xyz(i)));
-        if let Some(side) = points.plane(b, c, d).side(points.xyz(a)) {
-            assert_eq!(side, orient, "plane {ids:?} {:?}", ids.map(|i| points.xyz(i)));
+        let signs = compare(points, &exact, ids, round % 3, random);
+        for (zeros, sign) in zeros.iter_mut().zip(signs) {
+            *zeros += usize::from(sign == Sign::Zero);
         }
-        assert_eq!(
-            points.insphere(a, b, c, d, e),
-            inside,
-            "insphere {ids:?} {:?}",
-            ids.map(|i| points.xyz(i))
-        );
-        if orient == Sign::Positive {
-            glance_is_right(points, [a, b, c, d], e, inside);
-        }
-        let axis = round % 3;
-        assert_eq!(points.orient_in_plane(axis, a, b, c), exact_orient2d(&three, axis));
-        let dots = sign(&dot(&sub(pb, pa), &sub(pc, pa)));
-        assert_eq!(points.dot_sign(a, b, c), dots);
-        let order = pa.cmp(pb);
-        assert_eq!(points.compare_lex(a, b), order);
-        assert_eq!(points.same_position(a, b), order == Ordering::Equal);
-        assert_eq!(points.collinear(a, b, c), (0..3).all(|k| exact_orient2d(&three, k) == Sign::Zero));
-        if orient == Sign::Zero {
-            let circle = exact_incircle(&four, axis);
-            if circle != Sign::Zero {
-                assert_eq!(points.incircle_in_plane(axis, a, b, c, d), circle);
-            }
-            circle_agrees_with_sphere(points, axis, ids);
-        }
-        if ids.iter().all(|&i| points.is_explicit(i)) {
-            let [a, b, c, d, _] = ids.map(|i| points.xyz(i));
-            assert_eq!(orient3d(a, b, c, d), orient);
-            assert_eq!(orient2d([a[1], a[2]], [b[1], b[2]], [c[1], c[2]]), exact_orient2d(&three, 0));
-        }
-        perturbed_is_odd(points, ids, random);
     }
     zeros
+}
+
+/// All predicates on these points; returns the signs of orient3d and insphere.
+fn compare(points: &Points, exact: &[Exact], ids: [u32; 5], axis: usize, random: &mut Random) -> [Sign; 2] {
+    let [a, b, c, d, e] = ids;
+    let p = ids.map(|i| exact[i as usize].clone());
+    let [pa, pb, pc, pd, _] = &p;
+    let four = [pa.clone(), pb.clone(), pc.clone(), pd.clone()];
+    let three = [pa.clone(), pb.clone(), pc.clone()];
+    let orient = exact_orient3d(&four);
+    let inside = exact_insphere(&p);
+    assert_eq!(points.orient3d(a, b, c, d), orient, "orient3d {ids:?} {:?}", ids.map(|i| points.xyz(i)));
+    if let Some(side) = points.plane(b, c, d).side(points.xyz(a)) {
+        assert_eq!(side, orient, "plane {ids:?} {:?}", ids.map(|i| points.xyz(i)));
+    }
+    assert_eq!(points.insphere(a, b, c, d, e), inside, "insphere {ids:?} {:?}", ids.map(|i| points.xyz(i)));
+    if orient == Sign::Positive {
+        glance_is_right(points, [a, b, c, d], e, inside);
+    }
+    assert_eq!(points.orient_in_plane(axis, a, b, c), exact_orient2d(&three, axis));
+    let dots = sign(&dot(&sub(pb, pa), &sub(pc, pa)));
+    assert_eq!(points.dot_sign(a, b, c), dots);
+    let order = pa.cmp(pb);
+    assert_eq!(points.compare_lex(a, b), order);
+    assert_eq!(points.same_position(a, b), order == Ordering::Equal);
+    assert_eq!(points.collinear(a, b, c), (0..3).all(|k| exact_orient2d(&three, k) == Sign::Zero));
+    if orient == Sign::Zero {
+        let circle = exact_incircle(&four, axis);
+        if circle != Sign::Zero {
+            assert_eq!(points.incircle_in_plane(axis, a, b, c, d), circle);
+        }
+        circle_agrees_with_sphere(points, axis, ids);
+    }
+    if ids.iter().all(|&i| points.is_explicit(i)) {
+        let [a, b, c, d, _] = ids.map(|i| points.xyz(i));
+        assert_eq!(orient3d(a, b, c, d), orient);
+        assert_eq!(orient2d([a[1], a[2]], [b[1], b[2]], [c[1], c[2]]), exact_orient2d(&three, 0));
+    }
+    perturbed_is_odd(points, ids, random);
+    [orient, inside]
 }
 
 /// A glance at a positive tetrahedron never reports anything false.

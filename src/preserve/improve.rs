@@ -6,7 +6,9 @@
 //! or when too many tetrahedra could not be improved. The stages take turns between the smallest dihedral angle and the
 //! radius-edge ratio; the last ones try harder for the few worst.
 
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::Mesh;
 use crate::kernel::{face_key, NONE};
 use crate::ops::reshape::{shape, Aim, Effort, Reshape};
@@ -52,9 +54,9 @@ struct Bad {
 }
 
 /// Improves a mesh.
-#[derive(Default)]
-struct Improve {
-    reshape: Reshape,
+struct Improve<'a> {
+    control: &'a Control<'a>,
+    reshape: Reshape<'a>,
     by_angle: Bad,
     by_ratio: Bad,
     /// The worst of the mesh at first.
@@ -64,15 +66,22 @@ struct Improve {
 /// Improves the tetrahedra of a mesh; `isolated` are edges on no facet that must stay.
 ///
 /// # Errors
-/// [`OutOfMemory`](crate::error::Status::OutOfMemory), and what `tick` returns.
+/// [`OutOfMemory`](crate::error::Status::OutOfMemory), and what ends the run.
 pub fn improve(
     mesh: &mut Mesh,
     points: &Points,
     isolated: &FxHashSet<[u32; 2]>,
-    tick: &mut dyn FnMut() -> Result<(), Error>,
+    control: &Control,
 ) -> Result<(), Error> {
-    let mut improve = Improve { worst: Shape::BEST, ..Improve::default() };
+    let mut improve = Improve {
+        control,
+        reshape: Reshape::new(control),
+        by_angle: Bad::default(),
+        by_ratio: Bad::default(),
+        worst: Shape::BEST,
+    };
     for t in 0..mesh.slot_count() as u32 {
+        control.step()?;
         if mesh.region(t) != NONE && mesh.is_live(t) {
             let shape = shape(mesh, points, t);
             improve.worst = improve.worst.worse(shape);
@@ -80,19 +89,20 @@ pub fn improve(
         }
     }
     // A needle on the surface forces the ratio of its tetrahedra.
-    let forced = mesh
-        .subfaces()
-        .map(|code| needle(face_key(mesh.face(code)).map(|v| points.xyz(v))))
-        .fold(ENOUGH.ratio, f64::min);
+    let mut forced = ENOUGH.ratio;
+    for code in mesh.subfaces() {
+        control.step()?;
+        forced = forced.min(needle(face_key(mesh.face(code)).map(|v| points.xyz(v))));
+    }
     let enough = Shape { ratio: forced, ..ENOUGH };
     for stage in STAGES {
         let least = improve.worst(mesh)?;
-        improve.run(mesh, points, isolated, &stage, Aim { measure: stage.measure, enough, least }, tick)?;
+        improve.run(mesh, points, isolated, &stage, Aim { measure: stage.measure, enough, least })?;
     }
     Ok(())
 }
 
-impl Improve {
+impl Improve<'_> {
     fn bad(&mut self, measure: Measure) -> &mut Bad {
         match measure {
             Measure::Angle => &mut self.by_angle,
@@ -110,8 +120,7 @@ impl Improve {
         for measure in [Measure::Angle, Measure::Ratio] {
             if shape.by(measure) < BAD.by(measure) {
                 let queue = &mut self.bad(measure).queue;
-                queue.try_reserve(1)?;
-                queue.push(Reverse((shape.by(measure).to_bits(), t, mesh.changed(t))));
+                fallible::push_heap(queue, Reverse((shape.by(measure).to_bits(), t, mesh.changed(t))))?;
             }
         }
         Ok(())
@@ -122,8 +131,9 @@ impl Improve {
         let first = self.worst;
         let mut of = |measure: Measure| {
             let Bad { queue, stuck } = self.bad(measure);
-            queue.try_reserve(stuck.len())?;
-            queue.extend(stuck.drain(..).map(Reverse));
+            for entry in stuck.drain(..) {
+                fallible::push_heap(queue, Reverse(entry))?;
+            }
             while queue.peek().is_some_and(|top| !is_there(mesh, &top.0)) {
                 queue.pop();
             }
@@ -141,22 +151,21 @@ impl Improve {
         isolated: &FxHashSet<[u32; 2]>,
         stage: &Stage,
         aim: Aim,
-        tick: &mut dyn FnMut() -> Result<(), Error>,
     ) -> Result<(), Error> {
         let mut left = stage.failures[0] + mesh.live_count() / stage.failures[1];
         let mut last = None;
         while left > 0 {
             let Some(Reverse(entry)) = self.bad(stage.measure).queue.pop() else { break };
+            self.control.step()?;
             if last == Some(entry) || !is_there(mesh, &entry) {
                 continue;
             }
             last = Some(entry);
-            tick()?;
+            self.control.look()?;
             if !self.reshape.improve(mesh, points, isolated, entry.1, &aim, stage.effort)? {
                 left -= 1;
                 let stuck = &mut self.bad(stage.measure).stuck;
-                stuck.try_reserve(1)?;
-                stuck.push(entry);
+                fallible::push(stuck, entry)?;
                 continue;
             }
             // Neighbours that failed before may succeed now.

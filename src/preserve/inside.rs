@@ -1,11 +1,12 @@
 //! The points inside: added where the boundary cannot be kept without them, explicit, in doubles.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use crate::predicates::Points;
 
 /// Points inside that are vertices of the mesh, in order of their making, and ids free for new ones.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Inside {
     /// Vertex ids.
     pub list: Vec<u32>,
@@ -18,6 +19,14 @@ impl Inside {
         Inside { list, ..Inside::default() }
     }
 
+    /// A copy.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn copied(&self) -> Result<Inside, Error> {
+        Ok(Inside { list: fallible::copied(&self.list)?, spare: fallible::copied(&self.spare)? })
+    }
+
     /// A new point. (Its coordinates must be in the exact range.)
     pub fn add(&mut self, mesh: &mut Mesh, points: &mut Points, at: [f64; 3]) -> Result<u32, Error> {
         let p = match self.spare.pop() {
@@ -28,17 +37,16 @@ impl Inside {
             None => points.push(at)?,
         };
         mesh.add_vertex(p)?;
-        self.list.try_reserve(1)?;
-        self.list.push(p);
+        fallible::push(&mut self.list, p)?;
         Ok(p)
     }
 
     /// Takes the last points back, all but the first `count`.
     pub fn shorten(&mut self, count: usize) {
         while self.list.len() > count {
-            let last = self.list.pop();
-            if self.spare.try_reserve(1).is_ok() {
-                self.spare.extend(last);
+            if let Some(last) = self.list.pop() {
+                // Without memory, the id is not used again.
+                let _ = fallible::push(&mut self.spare, last);
             }
         }
     }

@@ -4,7 +4,9 @@
 //! A patch has the outside on one side everywhere or nowhere: where that changes, another facet meets it at segments, which bound patches.
 //! A segment is a segment of the outer boundary if a boundary face has one of its pieces: its ends are the only vertices of other facets on
 //! it, so all pieces are alike.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::edge_key;
 use crate::kernel::Mesh;
 use crate::options::Preserve;
@@ -12,7 +14,7 @@ use crate::segments::recovery::Segments;
 use rustc_hash::FxHashSet;
 
 /// Internal patches and points on internal segments. Empty if everything is to be kept.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Internal {
     /// The patches.
     pub patches: FxHashSet<u32>,
@@ -23,24 +25,30 @@ pub struct Internal {
 
 impl Internal {
     /// Finds what may get triangles and points other than the surface's, by `preserve`.
-    pub fn find(preserve: Preserve, mesh: &Mesh, segments: &Segments) -> Result<Internal, Error> {
+    pub fn find(
+        preserve: Preserve,
+        mesh: &Mesh,
+        segments: &Segments,
+        control: &Control,
+    ) -> Result<Internal, Error> {
         let mut internal = Internal { first: segments.first_steiner, ..Internal::default() };
         if preserve == Preserve::All {
             return Ok(internal);
         }
-        internal.patches.extend(mesh.subfaces().map(|code| mesh.subface(code)));
+        fallible::add_all(&mut internal.patches, mesh.subfaces().map(|code| mesh.subface(code)))?;
         let mut outer: FxHashSet<[u32; 2]> = FxHashSet::default();
         for t in (0..mesh.slot_count() as u32).filter(|&t| mesh.is_live(t)) {
             if !mesh.is_ghost(t) {
                 continue;
             }
+            control.step()?;
             internal.patches.remove(&mesh.subface(4 * t + 3));
             let [a, b, c] = mesh.face(4 * t + 3);
-            outer.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)]);
+            fallible::add_all(&mut outer, [edge_key(a, b), edge_key(b, c), edge_key(c, a)])?;
         }
-        internal.points.try_reserve(segments.steiner_t.len())?;
-        internal.points.resize(segments.steiner_t.len(), true);
+        fallible::resize(&mut internal.points, segments.steiner_t.len(), true)?;
         for piece in &segments.pieces {
+            control.step()?;
             if !outer.contains(&edge_key(piece.ends[0], piece.ends[1])) {
                 continue;
             }

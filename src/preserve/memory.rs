@@ -2,7 +2,8 @@
 //!
 //! An attempt is a function of the tetrahedra that it reads. As long as none of them has been replaced, it would end as before, so skipping
 //! it changes no result. Every user of this module must satisfy that.
-use crate::error::{Error, Status};
+use crate::error::Error;
+use crate::fallible;
 use crate::kernel::Mesh;
 use rustc_hash::FxHashMap;
 
@@ -22,16 +23,14 @@ impl Memory {
     /// Takes note of an attempt that failed.
     ///
     /// # Errors
-    /// [`Status::OutOfMemory`].
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
     pub fn note(&mut self, mesh: &Mesh, point: u32, read: &[u32]) -> Result<(), Error> {
-        let mut list: Vec<u32> = Vec::new();
-        list.try_reserve(read.len())?;
-        list.extend_from_slice(read);
+        let mut list: Vec<u32> = fallible::copied(read)?;
         list.sort_unstable();
         list.dedup();
-        list.shrink_to_fit();
-        self.failed.try_reserve(1).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
-        self.failed.insert(point, (mesh.changes(), list));
+        // No larger than necessary, since there can be many.
+        let list = fallible::copied(&list)?;
+        fallible::insert(&mut self.failed, point, (mesh.changes(), list))?;
         Ok(())
     }
 }

@@ -19,6 +19,7 @@ pub mod settle;
 pub mod star;
 pub mod whole;
 
+use crate::control::{Control, Part};
 use crate::error::Error;
 use crate::facets::subface::Subfaces;
 use crate::fallible;
@@ -38,6 +39,7 @@ use inside::Inside;
 use internal::Internal;
 use rustc_hash::FxHashMap;
 use settle::Settled;
+use std::collections::TryReserveError;
 
 /// Default number of steps per search.
 const BUDGET: u32 = 200;
@@ -49,24 +51,33 @@ const MORE: Growth = Growth { budget: 50, branches: 3, tries: 60 };
 /// Carves the domain out of a constrained mesh with regions, and names its subfaces by their patches.
 ///
 /// # Errors
-/// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
-pub fn carve(mesh: &mut Mesh, vertex_count: usize, subfaces: &Subfaces) -> Result<(), Error> {
-    mesh.carve(vertex_count)?;
-    let keys = subfaces.verts.iter().zip(&subfaces.patch).map(|(&corners, &patch)| {
+/// [`Status::OutOfMemory`](crate::Status::OutOfMemory), and what ends the run.
+pub fn carve(
+    mesh: &mut Mesh,
+    vertex_count: usize,
+    subfaces: &Subfaces,
+    control: &Control,
+) -> Result<(), Error> {
+    mesh.carve(vertex_count, control)?;
+    control.look()?;
+    let keyed = |(&corners, &patch): (&[u32; 3], &u32)| {
         let [a, b, c] = face_key(corners);
         (a, [b, c], patch)
-    });
-    let patch_of = Lookup::new(vertex_count, keys)?;
-    mesh.name_subfaces(|mesh, code| {
+    };
+    let keys = || subfaces.verts.iter().zip(&subfaces.patch).map(keyed);
+    let patch_of = Lookup::new(vertex_count, keys, control)?;
+    control.look()?;
+    let name = |mesh: &Mesh, code| {
         let [a, b, c] = face_key(mesh.face(code));
         patch_of.get(a, [b, c])
-    })?;
+    };
+    mesh.name_subfaces(name, control)?;
     mesh.track();
     Ok(())
 }
 
 /// What [`from_constrained`] has left.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Freed {
     /// The points inside.
     pub inside: Inside,
@@ -86,7 +97,7 @@ pub enum Spot {
 }
 
 /// Why there is no mesh.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub enum Failure {
     /// Doubles are too coarse at these places.
     Crowded(Vec<Spot>),
@@ -94,9 +105,15 @@ pub enum Failure {
     Other(Error),
 }
 
-impl<E: Into<Error>> From<E> for Failure {
-    fn from(error: E) -> Self {
-        Failure::Other(error.into())
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Failure::Other(error)
+    }
+}
+
+impl From<TryReserveError> for Failure {
+    fn from(short: TryReserveError) -> Self {
+        Failure::Other(Error::from(short))
     }
 }
 
@@ -104,7 +121,7 @@ impl<E: Into<Error>> From<E> for Failure {
 ///
 /// # Errors
 /// [`Failure::Crowded`] if a point inside has no valid position in doubles;
-/// [`Status::Cancelled`](crate::Status::Cancelled), [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+/// [`Status::OutOfMemory`](crate::Status::OutOfMemory), and what ends the run.
 pub fn from_constrained(
     mesh: &mut Mesh,
     points: &mut Points,
@@ -112,23 +129,21 @@ pub fn from_constrained(
     target: &Target,
     mut inside: Inside,
     statistics: &mut PreserveStatistics,
-    tick: &mut dyn FnMut(f64) -> Result<(), Error>,
+    part: Part,
 ) -> Result<Freed, Failure> {
     inside.sweep(mesh);
-    let mut internal = Internal::find(target.preserve, mesh, segments)?;
-    let mut done = 0.0;
-    let mut tick = |f: f64| {
-        done = f.max(done);
-        tick(done)
-    };
+    let mut internal = Internal::find(target.preserve, mesh, segments, &part)?;
     loop {
         let start = internal
             .any_may_stay()
-            .then(|| Ok::<_, Error>((mesh.copied()?, points.clone(), inside.clone(), statistics.clone())))
+            .then(|| {
+                part.control().room(mesh.bytes() + points.len() * size_of::<[f64; 3]>())?;
+                Ok::<_, Error>((mesh.copied()?, points.copied()?, inside.copied()?, *statistics))
+            })
             .transpose()?;
         let terms = Terms { segments, target, internal: &internal };
-        let (mut freed, staying) = free(mesh, points, terms, inside, statistics, &mut tick)?;
-        let (settled, crowded) = settle::settle(mesh, points, segments, &staying)?;
+        let (mut freed, staying) = free(mesh, points, terms, inside, statistics, part)?;
+        let (settled, crowded) = settle::settle(mesh, points, segments, &staying, &part)?;
         let Some(start) = start.filter(|_| !crowded.is_empty()) else {
             statistics.on_internal_facets = settled.len() as u64;
             freed.settled = settled;
@@ -157,9 +172,9 @@ fn free(
     terms: Terms,
     mut inside: Inside,
     statistics: &mut PreserveStatistics,
-    tick: &mut dyn FnMut(f64) -> Result<(), Error>,
+    part: Part,
 ) -> Result<(Freed, Vec<u32>), Failure> {
-    let removal = release::schedule::remove_all(mesh, points, terms, &mut inside, &mut |f| tick(0.6 * f))?;
+    let removal = release::schedule::remove_all(mesh, points, terms, &mut inside, part.part(0.0, 0.6))?;
     let Terms { segments, target, internal } = terms;
     statistics.deleted += removal.deleted;
     statistics.relocated += removal.relocated;
@@ -172,11 +187,9 @@ fn free(
     }
     let isolated = removal.isolated;
     let growth = Growth { budget: BUDGET, ..MORE };
-    let flips = Retarget::new(mesh, points, &mut inside, &isolated, &internal.patches, growth).run(
-        target,
-        segments.first_steiner,
-        &mut |f| tick(0.6 + 0.2 * f),
-    )?;
+    let flips = part.part(0.6, 0.8);
+    let flips = Retarget::new(mesh, points, &mut inside, &isolated, &internal.patches, growth, flips)
+        .run(target, segments.first_steiner)?;
     if !flips.missing.is_empty() {
         let missing = target.triangles.iter().zip(target.facet).filter(|(t, _)| flips.missing.contains(t));
         let spots = missing.map(|(t, &facet)| {
@@ -186,15 +199,16 @@ fn free(
         return Err(Failure::Crowded(fallible::collect(spots)?));
     }
     if !inside.list.is_empty() {
-        let mut thin = Thin::default();
+        let mut thin = Thin::new(&part);
         let rounds = [Growth { budget: BUDGET, tries: 0, ..SOME }, SOME, MORE];
         for (i, growth) in rounds.into_iter().enumerate() {
-            let done = 0.8 + 0.2 * i as f64 / rounds.len() as f64;
-            thin.run(mesh, points, &mut inside, &isolated, growth, &mut || tick(done))?;
+            part.progress(0.8 + 0.2 * i as f64 / rounds.len() as f64)?;
+            thin.run(mesh, points, &mut inside, &isolated, growth)?;
         }
-        smooth_inside(mesh, points, &inside)?;
+        smooth_inside(mesh, points, &inside, &part)?;
     }
-    improve::improve(mesh, points, &isolated, &mut || tick(0.99))?;
+    part.progress(0.99)?;
+    improve::improve(mesh, points, &isolated, &part)?;
     statistics.interior = inside.list.len() as u64;
     let subfaces = subfaces(mesh, points, target, internal)?;
     Ok((Freed { inside, settled: Vec::new(), subfaces }, removal.staying))
@@ -204,11 +218,12 @@ fn free(
 const SWEEPS: usize = 3;
 
 /// Moves the points inside to better positions.
-fn smooth_inside(mesh: &Mesh, points: &mut Points, inside: &Inside) -> Result<(), Error> {
+fn smooth_inside(mesh: &Mesh, points: &mut Points, inside: &Inside, control: &Control) -> Result<(), Error> {
     let mut search = StarSearch::default();
     let mut faces = Vec::new();
     for _ in 0..SWEEPS {
         for &p in &inside.list {
+            control.look()?;
             search.link(mesh, p, &mut faces)?;
             smooth(points, p, &faces)?;
         }
@@ -223,20 +238,18 @@ fn subfaces(
     target: &Target,
     internal: &Internal,
 ) -> Result<Vec<([u32; 3], u32)>, Error> {
-    let mut out = Vec::new();
-    out.try_reserve(target.triangles.len())?;
+    let mut out = fallible::reserved(target.triangles.len())?;
     let any_will_do =
         |facet: u32, patch: u32| facet >= target.first_polygon || internal.patches.contains(&patch);
     let all = || target.triangles.iter().zip(target.patch).zip(target.facet);
     if !all().any(|((_, &patch), &facet)| any_will_do(facet, patch)) {
-        out.extend(all().map(|((&corners, _), &facet)| (corners, facet)));
+        fallible::extend(&mut out, all().map(|((&corners, _), &facet)| (corners, facet)))?;
         return Ok(out);
     }
     let mut left: FxHashMap<[u32; 3], u32> = FxHashMap::default();
     let mut in_mesh: Vec<u32> = Vec::new();
     for code in mesh.subfaces() {
-        left.try_reserve(1)?;
-        left.insert(face_key(mesh.face(code)), mesh.subface(code));
+        fallible::insert(&mut left, face_key(mesh.face(code)), mesh.subface(code))?;
         fallible::push(&mut in_mesh, mesh.subface(code))?;
     }
     in_mesh.sort_unstable();
@@ -245,15 +258,13 @@ fn subfaces(
     for ((&corners, &patch), &facet) in all() {
         let there = left.remove(&face_key(corners)).is_some();
         if there || !any_will_do(facet, patch) || in_mesh.binary_search(&patch).is_err() {
-            out.push((corners, facet));
+            fallible::push(&mut out, (corners, facet))?;
         } else {
-            gone.try_reserve(1)?;
-            gone.push(Gone { patch, corners, facet });
+            fallible::push(&mut gone, Gone { patch, corners, facet })?;
         }
     }
-    let mut others: Vec<(u32, [u32; 3])> = Vec::new();
-    others.try_reserve(left.len())?;
-    others.extend(left.into_iter().map(|(face, patch)| (patch, face)));
+    let mut others: Vec<(u32, [u32; 3])> =
+        fallible::collect(left.into_iter().map(|(face, patch)| (patch, face)))?;
     others.sort_unstable();
     name_facets(points, &mut gone, &others, &mut out)?;
     Ok(out)

@@ -3,7 +3,9 @@
 //! Each goes to the doubles nearest to it, or a few units in the last place away, where it sees all faces of its star; the others are where
 //! they were moved before, or still exactly on their segments. So every tetrahedron is positive after every step, and positive in doubles
 //! when all are settled.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::kernel::Mesh;
 use crate::kernel::NONE;
@@ -31,12 +33,14 @@ pub fn settle(
     points: &mut Points,
     segments: &Segments,
     list: &[u32],
+    control: &Control,
 ) -> Result<(Vec<Settled>, Vec<u32>), Error> {
     let mut search = StarSearch::default();
     let mut link = Vec::new();
     let (mut settled, mut crowded) = (Vec::new(), Vec::new());
     settled.try_reserve(list.len())?;
     for &v in list {
+        control.look()?;
         if mesh.vertex_tet[v as usize] == NONE {
             continue;
         }
@@ -45,11 +49,10 @@ pub fn settle(
         let steps = if exact { Some(0) } else { find_doubles(points, v, &link)? };
         let Some(steps) = steps else {
             unsettle(points, segments, v)?;
-            crowded.try_reserve(1)?;
-            crowded.push(v);
+            fallible::push(&mut crowded, v)?;
             continue;
         };
-        settled.push(Settled { v, exact, moved: steps > 0 });
+        fallible::push(&mut settled, Settled { v, exact, moved: steps > 0 })?;
     }
     if !crowded.is_empty() {
         for point in settled.drain(..).filter(|point| !point.exact) {

@@ -4,15 +4,17 @@
 //! polygon that is star-shaped from the point on one of its edges. A *sector* is what lies between walls: tetrahedra of the domain, or
 //! ghosts. Without the point, each wall is retriangulated and each sector filled on its own.
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::kernel::face_key;
 use crate::kernel::reversed;
 use crate::kernel::Mesh;
 use crate::kernel::NONE;
 use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
 
 /// A fan of subfaces from the point.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Wall {
     /// The polygon without the point: from one neighbour on the segment around to the other.
     pub polygon: Vec<u32>,
@@ -25,7 +27,7 @@ pub struct Wall {
 }
 
 /// The tetrahedra between walls.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Between {
     /// Their slots.
     pub tets: Vec<u32>,
@@ -63,8 +65,7 @@ impl Star {
         self.sectors.clear();
         self.sector_of.clear();
         self.at.clear();
-        let mut stack: Vec<u32> = Vec::new();
-        stack.try_reserve(self.search.tets.len() + 4)?;
+        let mut stack: Vec<u32> = fallible::reserved(self.search.tets.len() + 4)?;
         for &seed in &self.search.tets {
             if self.sector_of.contains_key(&seed) {
                 continue;
@@ -72,32 +73,29 @@ impl Star {
             let number = self.sectors.len();
             let mut sector =
                 Between { void: mesh.is_ghost(seed), region: mesh.region(seed), ..Between::default() };
-            self.sector_of.insert(seed, number);
-            stack.push(seed);
+            fallible::insert(&mut self.sector_of, seed, number)?;
+            fallible::push(&mut stack, seed)?;
             while let Some(t) = stack.pop() {
-                sector.tets.try_reserve(1)?;
-                sector.link.try_reserve(1)?;
-                sector.tets.push(t);
+                fallible::push(&mut sector.tets, t)?;
                 for code in 4 * t..4 * t + 4 {
                     let n = mesh.across(code) >> 2;
                     if mesh.apex(code) == v {
                         if !sector.void {
-                            sector.link.push(mesh.face(code));
+                            fallible::push(&mut sector.link, mesh.face(code))?;
                         }
                     } else if mesh.is_wall(code) {
                         if code < mesh.across(code) {
                             for w in mesh.face(code).into_iter().filter(|&w| w != v) {
-                                self.at.entry(w).or_default().push(code);
+                                fallible::push(fallible::entry(&mut self.at, w)?.or_default(), code)?;
                             }
                         }
-                    } else if let std::collections::hash_map::Entry::Vacant(entry) = self.sector_of.entry(n) {
+                    } else if let Entry::Vacant(entry) = fallible::entry(&mut self.sector_of, n)? {
                         entry.insert(number);
-                        stack.push(n);
+                        fallible::push(&mut stack, n)?;
                     }
                 }
             }
-            self.sectors.try_reserve(1)?;
-            self.sectors.push(sector);
+            fallible::push(&mut self.sectors, sector)?;
         }
         Ok(())
     }
@@ -108,16 +106,13 @@ impl Star {
         let Some(starts) = self.at.get(&a) else { return Ok(()) };
         for &start in starts {
             let mut wall = Wall { patch: NONE, ..Wall::default() };
-            wall.polygon.try_reserve(4)?;
-            wall.polygon.push(a);
+            fallible::push(&mut wall.polygon, a)?;
             let (mut code, mut from) = (start, a);
             loop {
                 let face = mesh.face(code);
-                wall.faces.try_reserve(1)?;
-                wall.faces.push(face_key(face));
+                fallible::push(&mut wall.faces, face_key(face))?;
                 let Some(to) = face.into_iter().find(|&w| w != v && w != from) else { return Err(broken()) };
-                wall.polygon.try_reserve(1)?;
-                wall.polygon.push(to);
+                fallible::push(&mut wall.polygon, to)?;
                 if to == b {
                     break;
                 }
@@ -134,17 +129,16 @@ impl Star {
             let forward = (0..3).any(|k| face[k] == v && face[(k + 1) % 3] == a);
             let side = |code: u32| self.sector_of.get(&(code >> 2)).copied().ok_or_else(broken);
             wall.sides = [(side(start)?, forward), (side(mesh.across(start))?, !forward)];
-            self.walls.try_reserve(1)?;
-            self.walls.push(wall);
+            fallible::push(&mut self.walls, wall)?;
         }
         Ok(())
     }
 
     /// Appends the faces that sector `s` gets from the walls if these are triangulated as chosen.
-    pub fn wall_faces(
+    pub fn wall_faces<'a>(
         &self,
         s: usize,
-        chosen: &dyn Fn(usize) -> Option<Vec<[u32; 3]>>,
+        chosen: &dyn Fn(usize) -> Option<&'a [[u32; 3]]>,
         faces: &mut Vec<[u32; 3]>,
     ) -> Result<(), Error> {
         for (w, wall) in self.walls.iter().enumerate() {
@@ -153,8 +147,7 @@ impl Star {
                     continue;
                 }
                 let Some(triangles) = chosen(w) else { continue };
-                faces.try_reserve(triangles.len())?;
-                faces.extend(triangles.iter().map(|&t| if forward { t } else { reversed(t) }));
+                fallible::extend(faces, triangles.iter().map(|&t| if forward { t } else { reversed(t) }))?;
             }
         }
         Ok(())

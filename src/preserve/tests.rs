@@ -1,5 +1,6 @@
 //! Invariants after every step, on small models.
 use super::*;
+use crate::control::{controlled, CancelToken, Control, Limits};
 use crate::delaunay::insert::Inserter;
 use crate::delaunay::Construction;
 use crate::domain::{components, label, Seeds};
@@ -15,9 +16,10 @@ use crate::ops::center::{center, Plane};
 use crate::ops::check::check_domain;
 use crate::ops::hollow::Start;
 use crate::ops::polygon::Polygons;
-use crate::ops::widen::{Rays, Widen};
+use crate::ops::widen::{Kept, Rays, Widen};
 use crate::predicates::Sign;
 use crate::preserve::release::patches::Target;
+use crate::progress::{Phase, Silent};
 use crate::segments::recovery::Recovery;
 use rustc_hash::FxHashSet;
 
@@ -54,12 +56,11 @@ impl Model {
 
     /// The constrained mesh of the domain, with its points and segments.
     fn carve(&self) -> (Mesh, Points, Segments) {
+        let free = &Control::free();
         let mut points = Points::new(self.points.clone());
         let (mut mesh, mut inserter) = (Construction::of(&points), Inserter::default());
-        let mut segments = Segments::new(&points, self.segments()).unwrap();
-        Recovery::new((&mut mesh, &mut inserter), &mut points, &mut segments, None)
-            .run(&mut |_, _| Ok(()))
-            .unwrap();
+        let mut segments = Segments::new(&points, self.segments(), free).unwrap();
+        Recovery::new((&mut mesh, &mut inserter), &mut points, &mut segments, free).run().unwrap();
         let facet = vec![0; self.triangles.len()];
         let triangles = Triangles {
             corners: &self.triangles,
@@ -67,14 +68,14 @@ impl Model {
             patch: &self.patch,
             patch_count: self.patch.len(),
         };
-        let subfaces = Subfaces::build(&points, &triangles, &segments).unwrap();
-        FacetRecovery::new(&mut mesh, &points, &subfaces).unwrap().run(&mut |_, _| Ok(())).unwrap();
+        let subfaces = Subfaces::build(&points, &triangles, &segments, free).unwrap();
+        FacetRecovery::new(&mut mesh, &points, &subfaces, free).unwrap().run().unwrap();
         mesh.clear_subsegments();
-        let parts = components(&mesh).unwrap();
+        let parts = components(&mesh, free).unwrap();
         let seeds = Seeds { holes: &[], regions: &[], exponent: 0 };
-        let regions = label(&mesh, &mut points, &parts, &seeds, self.keep_hull).unwrap();
+        let regions = label(&mesh, &mut points, &parts, &seeds, self.keep_hull, free).unwrap();
         mesh.set_regions(|t| regions.of_component[parts.of[t as usize] as usize]).unwrap();
-        carve(&mut mesh, points.len(), &subfaces).unwrap();
+        carve(&mut mesh, points.len(), &subfaces, free).unwrap();
         check_domain(&mesh, &points).unwrap();
         (mesh, points, segments)
     }
@@ -101,7 +102,7 @@ impl Model {
             &target,
             Inside::default(),
             &mut statistics,
-            &mut |_| Ok(()),
+            Control::free().whole(Phase::Preserve),
         )
         .unwrap();
         check_domain(&mesh, &points).unwrap();
@@ -299,15 +300,10 @@ fn slivers_are_reconnected_away() {
         assert!(segments.steiner_t.is_empty());
         let (first, volume_before, before_patches) =
             (worst(&mesh, &points), volume(&mesh, &points), patches(&mesh));
-        let mut ticks = 0;
-        improve::improve(&mut mesh, &points, &Default::default(), &mut || {
-            ticks += 1;
-            Ok(())
-        })
-        .unwrap();
+        improve::improve(&mut mesh, &points, &Default::default(), &Control::free()).unwrap();
         check_domain(&mesh, &points).unwrap();
         let last = worst(&mesh, &points);
-        println!("{n}: {first:?} {last:?} after {ticks}");
+        println!("{n}: {first:?} {last:?}");
         assert!(first.angle < 1e-6 && last.angle > 0.01, "{n}: {first:?} {last:?}");
         assert!(last.ratio >= first.ratio.min(0.1));
         assert_eq!(patches(&mesh), before_patches);
@@ -337,7 +333,8 @@ fn walls_get_better_apexes() {
         let (before, before_patches) = (volume(&mesh, &points), patches(&mesh));
         let any = Shape { angle: 0.0, ratio: 0.0 };
         let aim = Aim { measure, enough: any, least: any };
-        let (mut reshape, mut lifted, none) = (Reshape::default(), 0, FxHashSet::default());
+        let free = &Control::free();
+        let (mut reshape, mut lifted, none) = (Reshape::new(free), 0, FxHashSet::default());
         for t in 0..mesh.slot_count() as u32 {
             if !mesh.is_live(t) || mesh.is_ghost(t) {
                 continue;
@@ -382,12 +379,12 @@ fn edges_on_no_facet_stay_when_a_mesh_is_improved() {
     let (mut mesh, points, _) = crystal(4).carve();
     let improved = {
         let mut mesh = mesh.copied().unwrap();
-        improve::improve(&mut mesh, &points, &Default::default(), &mut || Ok(())).unwrap();
+        improve::improve(&mut mesh, &points, &Default::default(), &Control::free()).unwrap();
         edges(&mesh)
     };
     let gone: rustc_hash::FxHashSet<[u32; 2]> = edges(&mesh).difference(&improved).copied().collect();
     assert!(gone.len() > 5);
-    improve::improve(&mut mesh, &points, &gone, &mut || Ok(())).unwrap();
+    improve::improve(&mut mesh, &points, &gone, &Control::free()).unwrap();
     check_domain(&mesh, &points).unwrap();
     assert!(gone.is_subset(&edges(&mesh)));
 }
@@ -395,8 +392,12 @@ fn edges_on_no_facet_stay_when_a_mesh_is_improved() {
 #[test]
 fn improvement_can_be_cancelled() {
     let (mut mesh, points, _) = crystal(3).carve();
-    let stop = || Err(Error::new(Status::Cancelled, "cancelled"));
-    let result = improve::improve(&mut mesh, &points, &Default::default(), &mut || stop());
+    let token = CancelToken::new();
+    token.cancel();
+    let limits = Limits { cancel: Some(token.flag()), ..Limits::default() };
+    let result = controlled(limits, &mut Silent, |control| {
+        improve::improve(&mut mesh, &points, &Default::default(), control)
+    });
     assert_eq!(result.unwrap_err().status, Status::Cancelled);
     check_domain(&mesh, &points).unwrap();
 }
@@ -429,7 +430,8 @@ fn cavities_grow_round_a_position() {
             let known: &[u32] = if may_swallow { &inside.list } else { &[] };
             let rays = Rays { point: p, from, toward: &[[0.6, 0.8, 0.0], [0.0, -0.6, 0.8]] };
             let none = FxHashSet::default();
-            let new = widen.place(&mesh, &mut points, &start, &none, known, &rays).unwrap();
+            let kept = Kept { isolated: &none, inside: known };
+            let new = widen.place(&mesh, &mut points, &start, kept, &rays, &Control::free()).unwrap();
             let Some(new) = new else { continue };
             assert!(new.iter().all(|&[p, x, y, z]| points.orient3d(p, x, y, z) == Sign::Positive));
             moves += usize::from(widen.cavity.tets.len() > search.tets.len());

@@ -10,6 +10,7 @@
 //!
 //! Points of no facet and no segment are left out of the search and added afterwards: one inside splits the tetrahedra that it is in or
 //! on, one outside is joined to the faces of the hull that it sees.
+use crate::control::Control;
 use crate::delaunay::Construction;
 use crate::error::{Error, Status};
 use crate::fallible;
@@ -52,15 +53,15 @@ pub fn fill_hull(
     mesh: &mut Mesh,
     points: &mut Points,
     wanted: Wanted,
-    tick: &mut dyn FnMut() -> Result<(), Error>,
+    control: &Control,
 ) -> Result<Option<Vec<u32>>, Error> {
     let count = points.len();
-    let Some(mut walls) = Walls::collect(points, wanted)? else { return Ok(None) };
-    let mut reconnect = Reconnect::default();
+    let Some(mut walls) = Walls::collect(points, wanted, control)? else { return Ok(None) };
+    let mut reconnect = Reconnect::new(control);
     let mut random = Random(1);
     let mut left = TOTAL;
     for set in 0u32.. {
-        tick()?;
+        control.look()?;
         points.truncate(count);
         walls.inner.truncate(walls.ends);
         // Half of the sets have one point, a quarter two, and so on.
@@ -73,17 +74,19 @@ pub fn fill_hull(
             }
             let at = random.near(points, edge);
             if at.into_iter().all(in_range) {
-                walls.inner.try_reserve(1)?;
-                walls.inner.push(points.push(at)?);
+                fallible::push(&mut walls.inner, points.push(at)?)?;
             }
         }
         let mut tets = Vec::new();
         let polyhedron = Polyhedron { faces: &walls.faces, inner: &walls.inner, edges: wanted.edges };
         let budget = if set == 0 { FIRST } else { BUDGET };
         if reconnect.fill(points, &polyhedron, budget, &mut tets)? {
-            walls.loose.iter().try_for_each(|&v| add(points, &mut tets, v))?;
+            for &v in &walls.loose {
+                control.look()?;
+                add(points, &mut tets, v)?;
+            }
             *mesh = Mesh::of_tetrahedra(&tets, points.len())?;
-            return Ok(Some(walls.inner.split_off(walls.ends)));
+            return Ok(Some(fallible::copied(&walls.inner[walls.ends..])?));
         }
         left = left.saturating_sub(reconnect.steps() + SET);
         if left == 0 {
@@ -110,7 +113,7 @@ struct Walls {
 
 impl Walls {
     /// `None` if there are too many vertices, or those of the polyhedron are all in one plane.
-    fn collect(points: &Points, wanted: Wanted) -> Result<Option<Walls>, Error> {
+    fn collect(points: &Points, wanted: Wanted, control: &Control) -> Result<Option<Walls>, Error> {
         let mut walls = Walls::default();
         let mut used = fallible::filled(false, points.len())?;
         for &v in wanted.edges.iter().flatten() {
@@ -118,8 +121,7 @@ impl Walls {
                 return Ok(None);
             }
             if !std::mem::replace(&mut used[v as usize], true) {
-                walls.vertices.try_reserve(1)?;
-                walls.vertices.push(v);
+                fallible::push(&mut walls.vertices, v)?;
             }
         }
         walls.loose = fallible::collect((0..points.len() as u32).filter(|&v| !used[v as usize]))?;
@@ -127,7 +129,7 @@ impl Walls {
             return Ok(None);
         }
         let mut hull = Construction::default();
-        match hull.build(points, &mut fallible::copied(&walls.vertices)?, &mut |_| Ok(())) {
+        match hull.build(points, &mut fallible::copied(&walls.vertices)?, control) {
             Err(e) if e.status == Status::DegenerateInput => return Ok(None),
             built => built?,
         }
@@ -136,6 +138,7 @@ impl Walls {
         let outside = ghosts.map(|t| mesh.face(mesh.across(4 * t + 3)));
         walls.faces = fallible::collect(outside)?;
         for &edge in wanted.edges {
+            control.step()?;
             insert_in_hull(points, &mut walls.faces, edge)?;
         }
         let mut known = fallible::collect(walls.faces.iter().map(|&face| face_key(face)))?;
@@ -143,7 +146,7 @@ impl Walls {
         walls.faces.try_reserve(2 * wanted.triangles.len())?;
         for &[a, b, c] in wanted.triangles {
             if known.binary_search(&face_key([a, b, c])).is_err() {
-                walls.faces.extend([[a, b, c], [a, c, b]]);
+                fallible::extend(&mut walls.faces, [[a, b, c], [a, c, b]])?;
             }
         }
         walls.faces.iter().flatten().for_each(|&v| used[v as usize] = false);
@@ -182,8 +185,7 @@ fn insert_in_hull(points: &Points, faces: &mut [[u32; 3]], [a, b]: [u32; 2]) -> 
                 v != Sign::Zero && v == -w
             };
             if apart([c, d], [a, b]) && apart([a, b], [c, d]) && apart([p, q], [c, d]) {
-                crossing.try_reserve(1)?;
-                crossing.push(Pair { faces: [i / 3, j], corners: [c, d, p, q] });
+                fallible::push(&mut crossing, Pair { faces: [i / 3, j], corners: [c, d, p, q] })?;
             }
         }
         if crossing.is_empty() {
@@ -220,26 +222,27 @@ impl Random {
 
 /// Adds a vertex to a tetrahedralization of a convex domain, all of whose constraints it misses.
 fn add(points: &Points, tets: &mut Vec<[u32; 4]>, v: u32) -> Result<(), Error> {
-    let mut new: Vec<[u32; 4]> = Vec::new();
-    new.try_reserve(4 * tets.len())?;
-    tets.retain(|tet| {
-        let faces = FACE.map(|face| face.map(|k| tet[k as usize]));
+    let mut new: Vec<[u32; 4]> = fallible::reserved(4 * tets.len())?;
+    let mut kept = 0;
+    for i in 0..tets.len() {
+        let faces = FACE.map(|face| face.map(|k| tets[i][k as usize]));
         let sides = faces.map(|[x, y, z]| points.orient3d(v, x, y, z));
         if sides.contains(&Sign::Negative) {
-            return true;
+            tets[kept] = tets[i];
+            kept += 1;
+            continue;
         }
         // Faces through the point are between two of these, or around it.
         let ahead = faces.iter().zip(sides).filter(|(_, side)| *side == Sign::Positive);
-        new.extend(ahead.map(|(&[x, y, z], _)| [v, x, y, z]));
-        false
-    });
+        fallible::extend(&mut new, ahead.map(|(&[x, y, z], _)| [v, x, y, z]))?;
+    }
+    tets.truncate(kept);
     if new.is_empty() {
         let hull = outer_faces(tets)?;
         new.try_reserve(hull.len())?;
         let seen = hull.into_iter().filter(|&[x, y, z]| points.orient3d(v, x, y, z) == Sign::Negative);
-        new.extend(seen.map(|[x, y, z]| [v, x, z, y]));
+        fallible::extend(&mut new, seen.map(|[x, y, z]| [v, x, z, y]))?;
     }
-    tets.try_reserve(new.len())?;
-    tets.extend_from_slice(&new);
+    fallible::append(tets, &new)?;
     Ok(())
 }

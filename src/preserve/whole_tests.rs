@@ -1,9 +1,11 @@
 //! Fillings of whole convex hulls: every wanted face is there, every point is a vertex, and the volume is that of the hull.
+use crate::control::{controlled, CancelToken, Control, Limits};
 use crate::delaunay::Construction;
-use crate::error::{Error, Status};
+use crate::error::Status;
 use crate::kernel::{edge_key, face_key, Mesh};
 use crate::predicates::{Points, Sign};
 use crate::preserve::whole::{fill_hull, Random, Wanted};
+use crate::progress::Silent;
 use std::collections::BTreeSet;
 
 fn edges(triangles: &[[u32; 3]], segments: &[[u32; 2]]) -> Vec<[u32; 2]> {
@@ -20,7 +22,7 @@ fn filled(coordinates: &[[f64; 3]], triangles: &[[u32; 3]], segments: &[[u32; 2]
     let mut mesh = Mesh::default();
     let edges = edges(triangles, segments);
     let wanted = Wanted { triangles, edges: &edges };
-    let inside = fill_hull(&mut mesh, &mut points, wanted, &mut || Ok(())).unwrap();
+    let inside = fill_hull(&mut mesh, &mut points, wanted, &Control::free()).unwrap();
     let Some(inside) = inside else {
         assert_eq!(points.len(), coordinates.len());
         return None;
@@ -148,7 +150,11 @@ fn the_search_can_be_cancelled() {
     let triangles = [[0, 1, 7], [2, 4, 6]];
     let edges = edges(&triangles, &[]);
     let wanted = Wanted { triangles: &triangles, edges: &edges };
-    let stop = &mut || Err(Error::new(Status::Cancelled, "cancelled"));
-    let error = fill_hull(&mut Mesh::default(), &mut points, wanted, stop).unwrap_err();
+    let token = CancelToken::new();
+    token.cancel();
+    let limits = Limits { cancel: Some(token.flag()), ..Limits::default() };
+    let error = controlled(limits, &mut Silent, |control| {
+        fill_hull(&mut Mesh::default(), &mut points, wanted, control).unwrap_err()
+    });
     assert_eq!(error.status, Status::Cancelled);
 }

@@ -2,7 +2,8 @@
 //!
 //! Counting sort by the smaller end, then a small sort by the larger one: about 10 entries per vertex.
 use crate::error::{Error, Status};
-use crate::query::{filled, EDGE_ENDS};
+use crate::fallible;
+use crate::query::EDGE_ENDS;
 use crate::{TetMesh, INVALID};
 
 /// An edge of the mesh.
@@ -20,6 +21,7 @@ pub struct Edge {
 }
 
 /// The edges of a mesh, and those of each tetrahedron and subface.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Edges {
     /// Every edge once, sorted by ends.
@@ -39,13 +41,14 @@ impl Edges {
         list.collect(mesh)?;
         list.tet_edges.try_reserve_exact(mesh.tets.len())?;
         for tet in &mesh.tets {
-            list.tet_edges.push(EDGE_ENDS.map(|[a, b]| list.find(tet[a], tet[b]).unwrap_or(INVALID)));
+            let edges = EDGE_ENDS.map(|[a, b]| list.find(tet[a], tet[b]).unwrap_or(INVALID));
+            fallible::push(&mut list.tet_edges, edges)?;
         }
         list.subface_edges.try_reserve_exact(mesh.subfaces.len())?;
         for subface in &mesh.subfaces {
             let [a, b, c] = subface.corners;
-            list.subface_edges
-                .push([(a, b), (b, c), (c, a)].map(|(a, b)| list.find(a, b).unwrap_or(INVALID)));
+            let edges = [(a, b), (b, c), (c, a)].map(|(a, b)| list.find(a, b).unwrap_or(INVALID));
+            fallible::push(&mut list.subface_edges, edges)?;
         }
         for (index, subsegment) in mesh.subsegments.iter().enumerate() {
             if let Some(edge) = list.find(subsegment.ends[0], subsegment.ends[1]) {
@@ -69,7 +72,7 @@ impl Edges {
     /// Fills `edges` and `starts`.
     fn collect(&mut self, mesh: &TetMesh) -> Result<(), Error> {
         let points = mesh.points.len();
-        let mut ends = filled(points + 1, 0usize)?;
+        let mut ends = fallible::filled(0usize, points + 1)?;
         for tet in &mesh.tets {
             EDGE_ENDS.iter().for_each(|&[a, b]| ends[tet[a].min(tet[b]) as usize + 1] += 1);
         }
@@ -77,7 +80,7 @@ impl Edges {
             ends[vertex + 1] += ends[vertex];
         }
         let mut next = crate::fallible::copied(&ends)?;
-        let mut uses = filled(6 * mesh.tets.len(), (0u32, 0u32))?;
+        let mut uses = fallible::filled((0u32, 0u32), 6 * mesh.tets.len())?;
         for (index, tet) in mesh.tets.iter().enumerate() {
             for [a, b] in EDGE_ENDS {
                 let (low, high) = (tet[a].min(tet[b]), tet[a].max(tet[b]));
@@ -97,14 +100,14 @@ impl Edges {
         self.edges.try_reserve_exact(count)?;
         self.starts.try_reserve_exact(points + 1)?;
         for vertex in 0..points {
-            self.starts.push(self.edges.len() as u32);
+            fallible::push(&mut self.starts, self.edges.len() as u32)?;
             for same in uses[ends[vertex]..ends[vertex + 1]].chunk_by(|a, b| a.0 == b.0) {
                 let (high, tet) = same[0];
                 let ends = [vertex as u32, high];
-                self.edges.push(Edge { ends, tet, subsegment: INVALID, marker: 0 });
+                fallible::push(&mut self.edges, Edge { ends, tet, subsegment: INVALID, marker: 0 })?;
             }
         }
-        self.starts.push(self.edges.len() as u32);
+        fallible::push(&mut self.starts, self.edges.len() as u32)?;
         Ok(())
     }
 }

@@ -3,7 +3,8 @@
 //! Invariant: `corners` are oriented outward from `tets[0]`, which always exists. It has the smaller index of the two, except on a subface,
 //! which keeps its own order: from the lower region to the higher.
 use crate::error::Error;
-use crate::query::{filled, FACE_CORNERS};
+use crate::fallible;
+use crate::query::FACE_CORNERS;
 use crate::{TetMesh, INVALID};
 
 /// A face of the mesh.
@@ -21,6 +22,7 @@ pub struct Face {
 }
 
 /// The faces of a mesh, and those of each tetrahedron.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Faces {
     /// Every face once.
@@ -33,9 +35,8 @@ impl Faces {
     /// Lists the faces of `mesh`. Fails if memory runs out, or with `Internal` if the neighbours are inconsistent.
     pub fn new(mesh: &TetMesh) -> Result<Faces, Error> {
         let inner: usize = mesh.neighbors.iter().flatten().filter(|&&beyond| beyond != INVALID).count();
-        let mut faces = Vec::new();
-        faces.try_reserve_exact(4 * mesh.tets.len() - inner / 2)?;
-        let mut tet_faces = filled(mesh.tets.len(), [INVALID; 4])?;
+        let mut faces = fallible::reserved(4 * mesh.tets.len() - inner / 2)?;
+        let mut tet_faces = fallible::filled([INVALID; 4], mesh.tets.len())?;
         for (tet, neighbors) in mesh.neighbors.iter().enumerate() {
             for (side, &beyond) in neighbors.iter().enumerate() {
                 if beyond != INVALID && (beyond as usize) < tet {
@@ -44,7 +45,10 @@ impl Faces {
                 let index = faces.len() as u32;
                 tet_faces[tet][side] = index;
                 let corners = FACE_CORNERS[side].map(|corner| mesh.tets[tet][corner]);
-                faces.push(Face { corners, tets: [tet as u32, beyond], subface: INVALID, marker: 0 });
+                fallible::push(
+                    &mut faces,
+                    Face { corners, tets: [tet as u32, beyond], subface: INVALID, marker: 0 },
+                )?;
                 if beyond != INVALID {
                     let back = side_with(mesh, beyond, &corners).ok_or_else(neighbor_error)?;
                     tet_faces[beyond as usize][back] = index;

@@ -5,6 +5,7 @@
 //! the order of the queries. Non-convex meshes and meshes of several parts need no special treatment.
 use crate::elementary::{exponent, power_of_two};
 use crate::error::Error;
+use crate::fallible;
 use crate::predicates::{orient3d, Sign};
 use crate::query::FACE_CORNERS;
 use crate::{TetMesh, INVALID};
@@ -44,6 +45,7 @@ struct Node {
 }
 
 /// Finds the tetrahedra that contain points, in one mesh.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug)]
 pub struct Locator {
     nodes: Vec<Node>,
@@ -70,18 +72,16 @@ impl Locator {
     /// Builds the tree in O(n log n) time and about 40 bytes per tetrahedron. Fails if memory runs out.
     pub fn new(mesh: &TetMesh) -> Result<Locator, Error> {
         let mut locator = Locator { nodes: Vec::new(), order: Vec::new(), scale: scale_of(&mesh.points) };
-        let mut entries = Vec::new();
-        entries.try_reserve_exact(mesh.tets.len())?;
-        entries.extend(mesh.tets.iter().enumerate().map(|(tet, corners)| {
+        let mut entries = fallible::collect(mesh.tets.iter().enumerate().map(|(tet, corners)| {
             let quarter =
                 |corner: u32, axis: usize| 0.25 * locator.scale * mesh.points[corner as usize][axis];
             let centre =
                 |axis: usize| corners.iter().map(|&corner| quarter(corner, axis)).sum::<f64>() as f32;
             Entry { centre: [centre(0), centre(1), centre(2)], tet: tet as u32 }
-        }));
+        }))?;
         locator.split(&mut entries)?;
         locator.order.try_reserve_exact(entries.len())?;
-        locator.order.extend(entries.iter().map(|entry| entry.tet));
+        fallible::extend(&mut locator.order, entries.iter().map(|entry| entry.tet))?;
         locator.bound(mesh);
         Ok(locator)
     }
@@ -91,15 +91,16 @@ impl Locator {
         self.nodes.try_reserve(entries.len() / 2 + 1)?;
         // Ranges still to be split, each with the node whose right child it is (INVALID: none).
         let mut pending = Vec::new();
-        pending.try_reserve(64)?;
-        pending.push((0, entries.len(), INVALID));
+        fallible::push(&mut pending, (0, entries.len(), INVALID))?;
         while let Some((start, end, parent)) = pending.pop() {
             let index = self.nodes.len() as u32;
             if parent != INVALID {
                 self.nodes[parent as usize].right = index;
             }
-            self.nodes.try_reserve(1)?;
-            self.nodes.push(Node { bounds: Bounds::EMPTY, start: start as u32, end: end as u32, right: 0 });
+            fallible::push(
+                &mut self.nodes,
+                Node { bounds: Bounds::EMPTY, start: start as u32, end: end as u32, right: 0 },
+            )?;
             if end - start > LEAF {
                 let range = &mut entries[start..end];
                 let axis = longest_axis(range);
@@ -108,8 +109,8 @@ impl Locator {
                     a.centre[axis].total_cmp(&b.centre[axis]).then(a.tet.cmp(&b.tet))
                 });
                 // The left half is popped first and so becomes the next node.
-                pending.push((start + middle, end, index));
-                pending.push((start, start + middle, INVALID));
+                fallible::push(&mut pending, (start + middle, end, index))?;
+                fallible::push(&mut pending, (start, start + middle, INVALID))?;
             }
         }
         Ok(())

@@ -14,6 +14,7 @@ pub use point_data::PointData;
 pub use second_order::NodeOrder;
 
 use crate::error::Error;
+use crate::fallible;
 use crate::predicates::{in_range, orient3d, range_scale, scale, Sign};
 
 /// Corners of face `i` (opposite vertex `i`) of a positive tetrahedron, so that `(b − a) × (c − a)` points outward.
@@ -21,14 +22,6 @@ pub const FACE_CORNERS: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 
 
 /// Ends of edge `i` of a tetrahedron.
 pub const EDGE_ENDS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-
-/// `count` copies of `value`; fails if memory runs out.
-pub(crate) fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, Error> {
-    let mut list = Vec::new();
-    list.try_reserve_exact(count)?;
-    list.resize(count, value);
-    Ok(list)
-}
 
 /// Whether four points lie in a plane, by an exact sign. False if a coordinate is not finite or the exponents are too far apart for it.
 pub fn are_coplanar(points: [&[f64; 3]; 4]) -> bool {
@@ -46,7 +39,7 @@ pub fn are_coplanar(points: [&[f64; 3]; 4]) -> bool {
 
 /// For each point the first tetrahedron that has it as a corner, or [`INVALID`](crate::INVALID) if none does.
 pub fn point_tets(mesh: &crate::TetMesh) -> Result<Vec<u32>, Error> {
-    let mut first = filled(mesh.points.len(), crate::INVALID)?;
+    let mut first = fallible::filled(crate::INVALID, mesh.points.len())?;
     for (tet, corners) in mesh.tets.iter().enumerate().rev() {
         for &corner in corners {
             first[corner as usize] = tet as u32;
@@ -57,10 +50,9 @@ pub fn point_tets(mesh: &crate::TetMesh) -> Result<Vec<u32>, Error> {
 
 /// The region attribute of each tetrahedron.
 pub fn tet_attributes(mesh: &crate::TetMesh) -> Result<Vec<f64>, Error> {
-    let mut attributes = Vec::new();
-    attributes.try_reserve_exact(mesh.tets.len())?;
+    let mut attributes = fallible::reserved(mesh.tets.len())?;
     let of_region = |region: &u32| mesh.regions.get(*region as usize).map_or(0.0, |region| region.attribute);
-    attributes.extend(mesh.tet_region.iter().map(of_region));
+    fallible::extend(&mut attributes, mesh.tet_region.iter().map(of_region))?;
     Ok(attributes)
 }
 

@@ -1,9 +1,11 @@
 //! Attributes and markers of the mesh's points: the input's, extended to the Steiner points.
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::attributes::{as_meshed, continue_attributes};
 use crate::{Plc, TetMesh, INVALID};
 
 /// Attributes and markers of all points of a mesh.
+#[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PointData {
     /// The number of attributes per point.
@@ -23,16 +25,19 @@ impl PointData {
         let mut data = PointData { attribute_count: width, ..PointData::default() };
         if width > 0 && !plc.point_attributes.is_empty() {
             data.attributes.try_reserve_exact(width * mesh.points.len())?;
-            data.attributes.extend_from_slice(&plc.point_attributes);
-            data.attributes.extend(continue_attributes(plc, mesh)?);
+            fallible::append(&mut data.attributes, &plc.point_attributes)?;
+            fallible::extend(&mut data.attributes, continue_attributes(plc, mesh)?)?;
         }
         if !plc.point_markers.is_empty() {
             data.markers.try_reserve_exact(mesh.points.len())?;
-            data.markers.extend_from_slice(&plc.point_markers);
-            data.markers.extend(mesh.steiner.iter().map(|steiner| match steiner.segment {
-                INVALID => 0,
-                segment => plc.segments.get(segment as usize).map_or(0, |segment| segment.marker),
-            }));
+            fallible::append(&mut data.markers, &plc.point_markers)?;
+            fallible::extend(
+                &mut data.markers,
+                mesh.steiner.iter().map(|steiner| match steiner.segment {
+                    INVALID => 0,
+                    segment => plc.segments.get(segment as usize).map_or(0, |segment| segment.marker),
+                }),
+            )?;
         }
         Ok(data)
     }

@@ -1,5 +1,6 @@
 //! Ten-node tetrahedra: a node at the midpoint of every edge. The node of edge `i` has the index `points.len() + i`.
 use crate::error::{Error, Status};
+use crate::fallible;
 use crate::query::edges::Edges;
 use crate::{TetMesh, INVALID};
 
@@ -27,12 +28,10 @@ impl NodeOrder {
 
 /// The mid-edge nodes, in the order of `edges`.
 pub fn nodes(mesh: &TetMesh, edges: &Edges) -> Result<Vec<[f64; 3]>, Error> {
-    let mut nodes = Vec::new();
-    nodes.try_reserve_exact(edges.edges.len())?;
-    nodes.extend(edges.edges.iter().map(|edge| {
+    let nodes = fallible::collect(edges.edges.iter().map(|edge| {
         let [a, b] = edge.ends.map(|end| mesh.points[end as usize]);
         [0, 1, 2].map(|axis| 0.5 * a[axis] + 0.5 * b[axis])
-    }));
+    }))?;
     Ok(nodes)
 }
 
@@ -43,13 +42,12 @@ pub fn tets(mesh: &TetMesh, edges: &Edges, order: NodeOrder) -> Result<Vec<[u32;
     }
     let first = mesh.points.len() as u32;
     let slots = order.edges();
-    let mut tets = Vec::new();
-    tets.try_reserve_exact(mesh.tets.len())?;
+    let mut tets = fallible::reserved(mesh.tets.len())?;
     for (corners, of_tet) in mesh.tets.iter().zip(&edges.tet_edges) {
         let mut nodes = [0; 10];
         nodes[..4].copy_from_slice(corners);
         slots.iter().zip(&mut nodes[4..]).for_each(|(&slot, node)| *node = first + of_tet[slot]);
-        tets.push(nodes);
+        fallible::push(&mut tets, nodes)?;
     }
     Ok(tets)
 }

@@ -1,5 +1,7 @@
 //! Positions to try for a Steiner point whose nearest double is not valid.
 use crate::elementary::power_of_two;
+use crate::error::Error;
+use crate::fallible;
 use crate::predicates::Points;
 use crate::segments::recovery::Segments;
 
@@ -27,24 +29,21 @@ impl Candidate {
     }
 
     /// Parameters near the present one that make the point an exact double, nearest first.
-    pub fn exact_parameters(&self, points: &Points) -> Vec<f64> {
+    pub fn exact_parameters(&self, points: &Points) -> Result<Vec<f64>, Error> {
         let bits = points.exact_bits(self.ends[0], self.ends[1]);
         if bits == 0 {
-            return Vec::new();
+            return Ok(Vec::new());
         }
         let unit = (1u64 << bits.min(52)) as f64;
         let low = (self.t * unit).floor();
-        let mut list: Vec<f64> = [low, low + 1.0, low - 1.0, low + 2.0]
-            .iter()
-            .map(|k| k / unit)
-            .filter(|&t| self.has_room(t))
-            .collect();
-        list.sort_by(|x, y| (x - self.t).abs().total_cmp(&(y - self.t).abs()));
-        list
+        let near = [low, low + 1.0, low - 1.0, low + 2.0].map(|k| k / unit);
+        let mut list = fallible::collect(near.into_iter().filter(|&t| self.has_room(t)))?;
+        fallible::stable_sort_by(&mut list, |x, y| (x - self.t).abs().total_cmp(&(y - self.t).abs()))?;
+        Ok(list)
     }
 
     /// Parameters round the present one, in growing steps: each rounds differently.
-    pub fn nearby_parameters(&self) -> Vec<f64> {
+    pub fn nearby_parameters(&self) -> Result<Vec<f64>, Error> {
         let span = self.room[1] - self.room[0];
         let mut list = Vec::new();
         for power in [-40i32, -36, -32, -28, -24, -20, -16] {
@@ -52,27 +51,23 @@ impl Candidate {
                 for sign in [-1.0, 1.0] {
                     let t = self.t + sign * k as f64 * span * power_of_two(power);
                     if self.has_room(t) {
-                        list.push(t);
+                        fallible::push(&mut list, t)?;
                     }
                 }
             }
         }
-        list
+        Ok(list)
     }
 }
 
+/// The number of steps of up to three units on each axis.
+const STEPS: usize = 7 * 7 * 7 - 1;
+
 /// Steps in units in the last place, nearest first; the zero step is left out.
-pub fn lattice() -> impl Iterator<Item = [i8; 3]> {
-    let mut steps: Vec<[i8; 3]> = Vec::new();
-    for x in -3i8..=3 {
-        for y in -3i8..=3 {
-            for z in -3i8..=3 {
-                if [x, y, z] != [0, 0, 0] {
-                    steps.push([x, y, z]);
-                }
-            }
-        }
-    }
-    steps.sort_by_key(|s| s.iter().map(|&x| x as i32 * x as i32).sum::<i32>());
-    steps.into_iter()
+pub fn lattice() -> [[i8; 3]; STEPS] {
+    // The zero step is in the middle.
+    let digits = |i: i16| [i / 49, i / 7 % 7, i % 7].map(|digit| digit as i8 - 3);
+    let mut steps: [[i8; 3]; STEPS] = std::array::from_fn(|i| digits(i as i16 + i16::from(i >= STEPS / 2)));
+    steps.sort_unstable_by_key(|s| (s.iter().map(|&x| i32::from(x) * i32::from(x)).sum::<i32>(), *s));
+    steps
 }

@@ -5,7 +5,9 @@
 //! that must stay they can cycle, so their number is bounded, and remaining faces are left as they are.
 //!
 //! Invariants: subfaces and subsegments stay; every tetrahedron is positive in doubles.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::around::EdgeRing;
 use crate::kernel::edge_key;
 use crate::kernel::Mesh;
@@ -30,17 +32,23 @@ pub struct Lawson {
 
 impl Lawson {
     /// Flips faces of the given tetrahedra, and of those that come, until all are locally Delaunay or none can be flipped.
-    pub fn run(&mut self, place: &mut Place, points: &Points, mut stack: Vec<u32>) -> Result<(), Error> {
+    pub fn run(
+        &mut self,
+        place: &mut Place,
+        points: &Points,
+        mut stack: Vec<u32>,
+        control: &Control,
+    ) -> Result<(), Error> {
         let mut left = MOST_FLIPS * stack.len();
         while let Some(t) = stack.pop() {
+            control.step()?;
             if !place.mesh.is_live(t) {
                 continue;
             }
             for code in 4 * t..4 * t + 4 {
                 if left > 0 && self.find(place, points, code)? && place.put(&self.old, &self.new)? {
                     left -= 1;
-                    stack.try_reserve(self.new.len())?;
-                    stack.extend_from_slice(&place.replace.fresh);
+                    fallible::append(&mut stack, &place.replace.fresh)?;
                     break;
                 }
             }
@@ -59,8 +67,7 @@ impl Lawson {
         }
         let [x, y, z] = mesh.face(code);
         self.new.clear();
-        self.new.try_reserve(3)?;
-        self.new.extend([[v, x, y, e], [v, y, z, e], [v, z, x, e]]);
+        fallible::extend(&mut self.new, [[v, x, y, e], [v, y, z, e], [v, z, x, e]])?;
         let flat = self
             .new
             .iter()
@@ -68,7 +75,7 @@ impl Lawson {
         match flat {
             None => {
                 self.old.clear();
-                self.old.extend([code >> 2, across >> 2]);
+                fallible::extend(&mut self.old, [code >> 2, across >> 2])?;
             }
             Some(i) => {
                 let (edge, third) = [([x, y], z), ([y, z], x), ([z, x], y)][i];
@@ -96,8 +103,8 @@ impl Lawson {
             if is_closed(mesh, 4 * t + k) || is_closed(mesh, 4 * t + l) || self.old.len() == MOST_RING {
                 return Ok(false);
             }
-            self.old.push(t);
-            self.link.push(mesh.vertex(t, k));
+            fallible::push(&mut self.old, t)?;
+            fallible::push(&mut self.link, mesh.vertex(t, k))?;
         }
         let Some(at) = self.link.iter().position(|&w| w == ear) else { return Ok(false) };
         self.link.rotate_left(at + 1);

@@ -16,7 +16,9 @@ mod untangle;
 mod wedge;
 mod work;
 
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::kernel::{Mesh, NONE};
 use crate::predicates::{orient3d, scale, to_range, Points, Sign};
@@ -48,7 +50,7 @@ const STAGES: [Stage; 7] = [
 ];
 
 /// Positions in doubles.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Rounded {
     /// One per engine vertex.
     pub xyz: Vec<[f64; 3]>,
@@ -62,8 +64,11 @@ pub struct Rounded {
 
 impl Rounded {
     /// Positions of points that are all explicit.
-    pub fn explicit(points: &Points) -> Self {
-        Rounded { xyz: points.coordinates().to_vec(), ..Rounded::default() }
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn explicit(points: &Points) -> Result<Self, Error> {
+        Ok(Rounded { xyz: fallible::copied(points.coordinates())?, ..Rounded::default() })
     }
 }
 
@@ -81,15 +86,20 @@ pub fn round(
     segments: &mut Segments,
     scale_exponent: i32,
     reconnect: bool,
+    control: &Control,
 ) -> Result<Rounded, Error> {
-    let mut rounded = Rounded::explicit(points);
+    let mut rounded = Rounded::explicit(points)?;
     for p in &mut rounded.xyz[segments.first_steiner as usize..] {
         *p = p.map(|x| surviving(x, scale_exponent));
     }
-    let mut bad: Vec<u32> = (0..mesh.slot_count() as u32)
-        .filter(|&t| is_kept(mesh, t) && !is_positive(mesh, points, &rounded.xyz, t))
-        .collect();
-    let work = Work::for_mesh(mesh.slot_count());
+    let mut bad: Vec<u32> = Vec::new();
+    for t in mesh.all() {
+        control.step()?;
+        if is_kept(mesh, t) && !is_positive(mesh, points, &rounded.xyz, t) {
+            fallible::push(&mut bad, t)?;
+        }
+    }
+    let work = Work::for_mesh(mesh.slot_count(), control);
     let mut repair = Repair {
         work,
         mesh,
@@ -108,6 +118,7 @@ pub fn round(
     let mut far = false;
     loop {
         repair.mend_all(&mut bad, far)?;
+        control.look()?;
         if bad.is_empty() {
             break;
         }
@@ -117,7 +128,7 @@ pub fn round(
             Some(Stage::Reconnect) if reconnect => repair.reconnect(&mut bad)?,
             Some(Stage::Reconnect) => {}
             None => {
-                rounded.crowded = crowded(&repair, &bad);
+                rounded.crowded = crowded(&repair, &bad)?;
                 repair.restore();
                 return Ok(rounded);
             }
@@ -125,8 +136,7 @@ pub fn round(
     }
     rounded.moved = repair.moved.len() as u64;
     let Repair { replaced, .. } = repair;
-    rounded.replaced.try_reserve(replaced.len())?;
-    rounded.replaced.extend(replaced);
+    fallible::extend(&mut rounded.replaced, replaced)?;
     rounded.replaced.sort_unstable();
     Ok(rounded)
 }
@@ -137,12 +147,12 @@ fn surviving(x: f64, scale_exponent: i32) -> f64 {
 }
 
 /// The implicit vertices of tetrahedra that are not positive.
-fn crowded(repair: &Repair, bad: &[u32]) -> Vec<u32> {
-    let mut vertices: Vec<u32> =
-        bad.iter().flat_map(|&t| repair.mesh.verts(t)).filter(|&v| !repair.points.is_explicit(v)).collect();
+fn crowded(repair: &Repair, bad: &[u32]) -> Result<Vec<u32>, Error> {
+    let all = bad.iter().flat_map(|&t| repair.mesh.verts(t));
+    let mut vertices = fallible::collect(all.filter(|&v| !repair.points.is_explicit(v)))?;
     vertices.sort_unstable();
     vertices.dedup();
-    vertices
+    Ok(vertices)
 }
 
 /// The tetrahedron is positive in doubles; those of explicit points are by construction.
@@ -161,7 +171,7 @@ fn positive(xyz: &[[f64; 3]], verts: [u32; 4]) -> bool {
 
 struct Repair<'a> {
     /// What may still be spent.
-    work: Work,
+    work: Work<'a>,
     mesh: &'a mut Mesh,
     points: &'a mut Points,
     segments: &'a mut Segments,
@@ -189,10 +199,12 @@ impl Repair<'_> {
                 if self.work.is_done() {
                     break;
                 }
+                self.work.control().look()?;
                 self.mend(t, far)?;
             }
             // A move may trade two bad tetrahedra of a star for another one.
-            bad.append(&mut self.touched);
+            fallible::append(bad, &self.touched)?;
+            self.touched.clear();
             self.keep_bad(bad);
             if bad.is_empty() || self.moves == before {
                 return Ok(());
@@ -210,6 +222,7 @@ impl Repair<'_> {
     /// Keeps the exact mesh, for the case that replacing tetrahedra does not help either.
     fn keep_exact(&mut self) -> Result<(), Error> {
         if self.exact.is_none() {
+            self.work.control().room(self.mesh.bytes())?;
             self.exact = Some(self.mesh.copied()?);
         }
         Ok(())
@@ -222,8 +235,9 @@ impl Repair<'_> {
         }
     }
 
-    fn note_move(&mut self, v: u32) {
+    fn note_move(&mut self, v: u32) -> Result<(), Error> {
         self.moves += 1;
-        self.moved.insert(v);
+        fallible::add(&mut self.moved, v)?;
+        Ok(())
     }
 }

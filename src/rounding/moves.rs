@@ -1,5 +1,6 @@
 //! Moves of single points that lower the number of tetrahedra that are not positive in their stars.
 use crate::error::Error;
+use crate::fallible;
 use crate::predicates::{orient3d, Expansion, Sign};
 use crate::rounding::candidates::{lattice, Candidate};
 use crate::rounding::wedge::{escape, Plane, MOST};
@@ -22,16 +23,15 @@ impl Repair<'_> {
                 self.search.vertex_star(self.mesh, v, start)?;
                 let moved = match stage {
                     0 => self.try_exact(v)?,
-                    1 => self.try_lattice(v),
+                    1 => self.try_lattice(v)?,
                     2 => self.try_parameters(v)?,
-                    _ => self.try_wedge(v),
+                    _ => self.try_wedge(v)?,
                 };
                 if self.work.is_done() && !moved {
                     return Ok(());
                 }
                 if moved {
-                    self.touched.try_reserve(self.search.tets.len())?;
-                    self.touched.extend_from_slice(&self.search.tets);
+                    fallible::append(&mut self.touched, &self.search.tets)?;
                 }
                 if moved && is_positive(self.mesh, self.points, self.xyz, t) {
                     return Ok(());
@@ -62,7 +62,7 @@ impl Repair<'_> {
     }
 
     /// Moves `v` in doubles only, to the nearest lattice point that is better.
-    fn try_lattice(&mut self, v: u32) -> bool {
+    fn try_lattice(&mut self, v: u32) -> Result<bool, Error> {
         let bad = self.bad_in_star(v, self.xyz[v as usize], usize::MAX);
         let mut best = (bad, self.xyz[v as usize]);
         for step in lattice() {
@@ -80,31 +80,31 @@ impl Repair<'_> {
         }
         if best.0 < bad {
             self.xyz[v as usize] = best.1;
-            self.note_move(v);
+            self.note_move(v)?;
         }
-        best.0 < bad
+        Ok(best.0 < bad)
     }
 
     /// Moves `v` in doubles only, into the wedge between the planes of the faces of its link that it is closest to.
-    fn try_wedge(&mut self, v: u32) -> bool {
+    fn try_wedge(&mut self, v: u32) -> Result<bool, Error> {
         let old = self.xyz[v as usize];
         let bad = self.bad_in_star(v, old, usize::MAX);
         let unit = old.iter().fold(0.0f64, |m, x| m.max(x.abs())) * f64::EPSILON;
-        let planes = self.planes(v, 1024.0 * unit);
+        let planes = self.planes(v, 1024.0 * unit)?;
         for power in 0..10 {
             let Some(d) = escape(&planes, unit * f64::from(1u32 << power)) else { continue };
             let at: [f64; 3] = std::array::from_fn(|k| surviving(old[k] + d[k], self.scale_exponent));
             if self.bad_in_star(v, at, bad) < bad {
                 self.xyz[v as usize] = at;
-                self.note_move(v);
-                return true;
+                self.note_move(v)?;
+                return Ok(true);
             }
         }
-        false
+        Ok(false)
     }
 
     /// Planes of the link's faces nearer to `v` than `reach`, nearest first.
-    pub(super) fn planes(&self, v: u32, reach: f64) -> Vec<Plane> {
+    pub(super) fn planes(&self, v: u32, reach: f64) -> Result<Vec<Plane>, Error> {
         let mesh = &self.mesh;
         let p = self.xyz[v as usize];
         let mut planes = Vec::new();
@@ -120,12 +120,12 @@ impl Repair<'_> {
             let size = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
             let height = (a[0] * n[0] + a[1] * n[1] + a[2] * n[2]) / size;
             if height.abs() < reach {
-                planes.push(Plane { normal: n.map(|x| -x / size), height });
+                fallible::push(&mut planes, Plane { normal: n.map(|x| -x / size), height })?;
             }
         }
-        planes.sort_by(|x, y| x.height.total_cmp(&y.height));
+        fallible::stable_sort_by(&mut planes, |x, y| x.height.total_cmp(&y.height))?;
         planes.truncate(MOST);
-        planes
+        Ok(planes)
     }
 
     /// The nearest double of `v`, some units in the last place away, if the caller's scale can hold it.
@@ -148,7 +148,7 @@ impl Repair<'_> {
             return Ok(false);
         }
         let Some(candidate) = Candidate::of(self.points, self.segments, v) else { return Ok(false) };
-        for t in candidate.exact_parameters(self.points) {
+        for t in candidate.exact_parameters(self.points)? {
             if self.try_parameter(v, &candidate, t)? {
                 return Ok(true);
             }
@@ -162,7 +162,7 @@ impl Repair<'_> {
             return Ok(false);
         }
         let Some(candidate) = Candidate::of(self.points, self.segments, v) else { return Ok(false) };
-        for t in candidate.nearby_parameters() {
+        for t in candidate.nearby_parameters()? {
             if self.work.is_done() {
                 break;
             }
@@ -183,7 +183,7 @@ impl Repair<'_> {
         if self.bad_in_star(v, at, bad) < bad && self.star_is_valid() {
             self.xyz[v as usize] = at;
             self.segments.move_steiner(v, t);
-            self.note_move(v);
+            self.note_move(v)?;
             return Ok(true);
         }
         self.points.move_on_segment(v, candidate.ends, &Expansion::from(candidate.t))?;

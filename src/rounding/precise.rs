@@ -7,6 +7,7 @@
 //!
 //! Everything here is approximate: it chooses a position, and the caller tests tetrahedra exactly.
 use crate::error::Error;
+use crate::fallible;
 use crate::predicates::Expansion;
 use crate::rounding::candidates::Candidate;
 use crate::rounding::{is_kept, is_positive, surviving, work, Repair};
@@ -34,19 +35,19 @@ impl Repair<'_> {
         while next < bad.len() {
             let t = bad[next];
             next += 1;
+            self.work.control().look()?;
             for v in self.mesh.verts(t) {
                 let spoilt = is_kept(self.mesh, t) && !is_positive(self.mesh, self.points, self.xyz, t);
                 if self.work.is_done() {
                     break;
                 }
-                if !spoilt || self.points.is_explicit(v) || !placed.insert(v) {
+                if !spoilt || self.points.is_explicit(v) || !fallible::add(&mut placed, v)? {
                     continue;
                 }
                 let start = self.mesh.vertex_tet[v as usize];
                 self.search.vertex_star(self.mesh, v, start)?;
                 self.place(v, reach)?;
-                bad.try_reserve(self.search.tets.len())?;
-                bad.extend_from_slice(&self.search.tets);
+                fallible::append(bad, &self.search.tets)?;
             }
         }
         self.keep_bad(bad);
@@ -57,23 +58,23 @@ impl Repair<'_> {
     fn place(&mut self, v: u32, reach: Reach) -> Result<(), Error> {
         let at = *self.points.xyz(v);
         let unit = at.iter().fold(0.0, |m, &x| f64::max(m, unit_of(x)));
-        let normals: Vec<[f64; 3]> = self.planes(v, 64.0 * unit).iter().map(|p| p.normal).collect();
+        let normals: Vec<[f64; 3]> =
+            fallible::collect(self.planes(v, 64.0 * unit)?.iter().map(|p| p.normal))?;
         self.work.spend(cells(reach.radius, normals.len()));
         let here = nearest(self.error(v), at.map(unit_of), &normals, reach.radius);
         if reach.parameters > 0 {
             if let Some(candidate) = Candidate::of(self.points, self.segments, v) {
-                let mut others: Vec<(f64, f64)> = Vec::new();
-                others.try_reserve(reach.parameters)?;
-                for t in candidate.nearby_parameters().into_iter().take(reach.parameters) {
+                let mut others: Vec<(f64, f64)> = fallible::reserved(reach.parameters)?;
+                for t in candidate.nearby_parameters()?.into_iter().take(reach.parameters) {
                     self.work.spend(work::MOVE + cells(reach.radius, normals.len()));
                     self.points.move_on_segment(v, candidate.ends, &Expansion::from(t))?;
                     let at = self.points.xyz(v).map(unit_of);
                     let off = nearest(self.error(v), at, &normals, reach.radius).1;
                     if off < 0.5 * here.1 {
-                        others.push((off, t));
+                        fallible::push(&mut others, (off, t))?;
                     }
                 }
-                others.sort_by(|x, y| x.0.total_cmp(&y.0));
+                fallible::stable_sort_by(&mut others, |x, y| x.0.total_cmp(&y.0))?;
                 for &(_, t) in others.iter().take(MOST_TESTS) {
                     self.points.move_on_segment(v, candidate.ends, &Expansion::from(t))?;
                     if self.star_is_valid() {
@@ -100,7 +101,7 @@ impl Repair<'_> {
         let to: [f64; 3] = std::array::from_fn(|k| at[k] + f64::from(steps[k]) * unit_of(at[k]));
         if to.iter().all(|&x| surviving(x, self.scale_exponent) == x) && to != self.xyz[v as usize] {
             self.xyz[v as usize] = to;
-            self.note_move(v);
+            self.note_move(v)?;
         }
         Ok(())
     }

@@ -8,7 +8,9 @@
 //! Invariants: subfaces and subsegments stay; new tetrahedra are positive in doubles; regions keep their space, because no cavity
 //! extends across a subface, and none contains ghosts. The new tetrahedra need not be Delaunay, nor positive at the exact positions, so
 //! they are listed.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::cavity::{Cavity, Edges, Terms};
 use crate::kernel::replace::Replace;
 use crate::kernel::tables::{EDGE, FACE};
@@ -55,8 +57,7 @@ impl Place<'_> {
         for t in old {
             self.replaced.remove(t);
         }
-        self.replaced.try_reserve(new.len())?;
-        self.replaced.extend(&self.replace.fresh);
+        fallible::add_all(self.replaced, self.replace.fresh.iter().copied())?;
         Ok(true)
     }
 
@@ -69,10 +70,13 @@ impl Place<'_> {
         for code in old.iter().flat_map(|&t| 4 * t..4 * t + 4) {
             let beyond = mesh.across(code);
             if !old.contains(&(beyond >> 2)) {
-                sides.push(side(mesh.face(beyond)));
+                fallible::push(sides, side(mesh.face(beyond)))?;
             }
         }
-        sides.extend(new.iter().flat_map(|tet| FACE.map(|face| side(face.map(|k| tet[k as usize])))));
+        fallible::extend(
+            sides,
+            new.iter().flat_map(|tet| FACE.map(|face| side(face.map(|k| tet[k as usize])))),
+        )?;
         sides.sort_unstable();
         let mut runs = sides.chunk_by(|x, y| x.0 == y.0);
         Ok(runs.all(|run| matches!(run, [x, y] if x.1 != y.1)))
@@ -89,17 +93,16 @@ impl Repair<'_> {
     pub(super) fn reconnect(&mut self, bad: &mut Vec<u32>) -> Result<(), Error> {
         self.keep_exact()?;
         let mut edges: FxHashSet<[u32; 2]> = FxHashSet::default();
-        edges.try_reserve(self.segments.pieces.len())?;
-        edges.extend(self.segments.pieces.iter().map(|piece| edge_key(piece.ends[0], piece.ends[1])));
-        let mut xyz = Vec::new();
-        xyz.try_reserve(self.xyz.len())?;
-        xyz.extend_from_slice(self.xyz);
-        let points = Points::new(xyz);
+        let pieces = self.segments.pieces.iter();
+        fallible::add_all(&mut edges, pieces.map(|piece| edge_key(piece.ends[0], piece.ends[1])))?;
+        let points = Points::new(fallible::copied(self.xyz)?);
         let replaced = &mut self.replaced;
         let (replace, sides) = (Replace::default(), Vec::new());
         let mut place = Place { mesh: self.mesh, edges, replace, sides, replaced };
-        let (mut untangle, mut lawson) = (Untangle::default(), Lawson::default());
+        let control = self.work.control();
+        let (mut untangle, mut lawson) = (Untangle::new(control), Lawson::default());
         for &t in bad.iter() {
+            control.look()?;
             let mesh = &place.mesh;
             // An earlier replacement may have taken it, and its slot.
             if !self.work.is_done()
@@ -108,8 +111,8 @@ impl Repair<'_> {
                 && untangle.replace(&mut place, &points, t, &self.work)?
             {
                 self.moves += 1;
-                let fresh = place.replace.fresh.clone();
-                lawson.run(&mut place, &points, fresh)?;
+                let fresh = fallible::copied(&place.replace.fresh)?;
+                lawson.run(&mut place, &points, fresh, control)?;
             }
         }
         self.keep_bad(bad);
@@ -118,14 +121,17 @@ impl Repair<'_> {
 }
 
 /// Replaces tetrahedra; keeps its scratch space.
-#[derive(Default)]
-struct Untangle {
-    reconnect: Reconnect,
+struct Untangle<'a> {
+    reconnect: Reconnect<'a>,
     cavity: Cavity,
     new: Vec<[u32; 4]>,
 }
 
-impl Untangle {
+impl<'a> Untangle<'a> {
+    fn new(control: &'a Control<'a>) -> Self {
+        Untangle { reconnect: Reconnect::new(control), cavity: Cavity::default(), new: Vec::new() }
+    }
+
     /// Replaces the tetrahedron `t` and some around it by positive ones, if a filling is found; they are in `place.replace.fresh`.
     fn replace(&mut self, place: &mut Place, points: &Points, t: u32, work: &Work) -> Result<bool, Error> {
         for cavity in cavities(place.mesh, t)? {
@@ -170,16 +176,16 @@ fn cavities(mesh: &Mesh, t: u32) -> Result<Vec<Vec<u32>>, Error> {
     list.try_reserve(4 + EDGE.len() + 4 + MOST_LAYERS)?;
     for f in 0..4 {
         if !is_closed(mesh, 4 * t + f) {
-            list.push(vec![t, mesh.across(4 * t + f) >> 2]);
+            fallible::push(&mut list, fallible::copied(&[t, mesh.across(4 * t + f) >> 2])?)?;
         }
     }
     for [i, j] in EDGE {
-        list.push(around(mesh, t, &[verts[i as usize], verts[j as usize]])?);
+        fallible::push(&mut list, around(mesh, t, &[verts[i as usize], verts[j as usize]])?)?;
     }
     for v in verts {
-        list.push(around(mesh, t, &[v])?);
+        fallible::push(&mut list, around(mesh, t, &[v])?)?;
     }
-    let mut layers = vec![t];
+    let mut layers = fallible::copied(&[t])?;
     let mut from = 0;
     for _ in 0..MOST_LAYERS {
         let to = layers.len();
@@ -187,20 +193,25 @@ fn cavities(mesh: &Mesh, t: u32) -> Result<Vec<Vec<u32>>, Error> {
             add_neighbors(mesh, layers[i], &[], &mut layers)?;
         }
         from = to;
-        list.push(layers.clone());
+        fallible::push(&mut list, fallible::copied(&layers)?)?;
     }
     for cavity in &mut list {
         cavity.sort_unstable();
     }
     list.retain(|cavity| cavity.len() <= MOST_TETS);
-    list.sort_by_key(|cavity| cavity.len());
-    list.dedup();
-    Ok(list)
+    let mut sizes = fallible::collect(list.iter().map(Vec::len).zip(0..))?;
+    sizes.sort_unstable();
+    let mut sorted = fallible::reserved(list.len())?;
+    for (_, i) in sizes {
+        fallible::push(&mut sorted, std::mem::take(&mut list[i]))?;
+    }
+    sorted.dedup();
+    Ok(sorted)
 }
 
 /// The tetrahedra that have all of `common`, from `t` across faces that are open.
 fn around(mesh: &Mesh, t: u32, common: &[u32]) -> Result<Vec<u32>, Error> {
-    let mut list = vec![t];
+    let mut list = fallible::copied(&[t])?;
     let mut next = 0;
     while next < list.len() && list.len() <= MOST_TETS {
         add_neighbors(mesh, list[next], common, &mut list)?;
@@ -211,12 +222,11 @@ fn around(mesh: &Mesh, t: u32, common: &[u32]) -> Result<Vec<u32>, Error> {
 
 /// Adds the neighbours of `t` across faces that are open and have all of `common`.
 fn add_neighbors(mesh: &Mesh, t: u32, common: &[u32], list: &mut Vec<u32>) -> Result<(), Error> {
-    list.try_reserve(4)?;
     for code in 4 * t..4 * t + 4 {
         let n = mesh.across(code) >> 2;
         let face = mesh.face(code);
         if !is_closed(mesh, code) && common.iter().all(|v| face.contains(v)) && !list.contains(&n) {
-            list.push(n);
+            fallible::push(list, n)?;
         }
     }
     Ok(())

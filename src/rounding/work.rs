@@ -1,4 +1,5 @@
 //! The work of finding positions, counted in steps: a search ends when its budget is spent, at the same point on every machine.
+use crate::control::Control;
 use std::cell::Cell;
 
 /// What other steps cost, in tests of one tetrahedron in doubles.
@@ -13,21 +14,35 @@ pub const STEP: u64 = 100;
 const LEAST: u64 = 1_000_000;
 const PER_SLOT: u64 = 200;
 
-/// A budget, spent by whoever looks for positions.
-#[derive(Debug)]
-pub struct Work {
+/// So many count as one step of the control.
+const PER_STEP: u64 = 64;
+
+/// A budget, spent by whoever looks for positions. Nothing is left of it once the run is ended; who set it then looks at the control.
+pub struct Work<'a> {
     left: Cell<u64>,
+    control: &'a Control<'a>,
 }
 
-impl Work {
+impl<'a> Work<'a> {
     /// The budget for a mesh of so many slots.
-    pub fn for_mesh(slots: usize) -> Self {
-        Work { left: Cell::new(LEAST + PER_SLOT * slots as u64) }
+    pub fn for_mesh(slots: usize, control: &'a Control<'a>) -> Self {
+        Work { left: Cell::new(LEAST + PER_SLOT * slots as u64), control }
     }
 
     /// Subtracts the cost of a step.
     pub fn spend(&self, count: u64) {
-        self.left.set(self.left.get().saturating_sub(count));
+        let before = self.left.get();
+        let left = before.saturating_sub(count);
+        self.left.set(left);
+        let steps = before / PER_STEP - left / PER_STEP;
+        if steps > 0 && self.control.steps(steps as u32).is_err() {
+            self.left.set(0);
+        }
+    }
+
+    /// What may end the run.
+    pub fn control(&self) -> &'a Control<'a> {
+        self.control
     }
 
     /// Whether nothing is left.

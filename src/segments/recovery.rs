@@ -7,14 +7,17 @@
 //! takes 10 to 40 % fewer points than first come, first served; shortest first takes the most.
 //!
 //! Invariant: every live subsegment is flagged around its edge in the mesh, or is in the queue.
+use crate::control::Control;
 use crate::delaunay::insert::Inserter;
 use crate::delaunay::locate::locate;
-use crate::error::{Element, Error, Status};
+use crate::error::{Element, Error};
+use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::kernel::edge_key;
 use crate::kernel::tables::{EDGE_OF, FACE};
 use crate::kernel::{Mesh, GHOST, NONE};
 use crate::predicates::{Expansion, Points, Sign};
+use crate::progress::Phase;
 use crate::segments::close::{relative_distance, Beside};
 use crate::segments::crossing;
 use crate::segments::placement::{choose, distance, round_parameter, Context, OwnSegment, Subsegment};
@@ -71,14 +74,14 @@ pub struct Segments {
 
 impl Segments {
     /// All segments in one piece each.
-    pub fn new(points: &Points, ends: Vec<[u32; 2]>) -> Result<Self, Error> {
-        let mut pieces = Vec::new();
-        pieces.try_reserve(ends.len())?;
+    pub fn new(points: &Points, ends: Vec<[u32; 2]>, control: &Control) -> Result<Self, Error> {
+        let mut pieces = fallible::reserved(ends.len())?;
         let mut piece_of = FxHashMap::default();
-        piece_of.try_reserve(ends.len()).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        piece_of.try_reserve(ends.len())?;
         for (i, &e) in ends.iter().enumerate() {
-            pieces.push(Subsegment { segment: i as u32, ends: e, t: [0.0, 1.0] });
-            piece_of.insert(edge_key(e[0], e[1]), i as u32);
+            control.step()?;
+            fallible::push(&mut pieces, Subsegment { segment: i as u32, ends: e, t: [0.0, 1.0] })?;
+            fallible::insert(&mut piece_of, edge_key(e[0], e[1]), i as u32)?;
         }
         Ok(Segments { ends, pieces, piece_of, first_steiner: points.len() as u32, ..Self::default() })
     }
@@ -86,11 +89,14 @@ impl Segments {
     /// The Steiner points of each segment in order from its first end: a list of segments and parameters sorted by both.
     ///
     /// # Errors
-    /// [`Status::OutOfMemory`].
-    pub fn steiner_by_segment(&self) -> Result<Vec<(u32, f64, u32)>, Error> {
+    /// `OutOfMemory`, and what ends the run.
+    pub fn steiner_by_segment(&self, control: &Control) -> Result<Vec<(u32, f64, u32)>, Error> {
         let points = self.steiner_segment.iter().zip(&self.steiner_t).zip(self.first_steiner..);
-        let mut list = crate::fallible::collect(points.map(|((&s, &t), v)| (s, t, v)))?;
-        list.sort_unstable_by(|x, y| x.0.cmp(&y.0).then_with(|| self.order(x.0, [x.2, y.2], [x.1, y.1])));
+        let mut list = fallible::collect(points.map(|((&s, &t), v)| (s, t, v)))?;
+        let order = |x: &(u32, f64, u32), y: &(u32, f64, u32)| {
+            x.0.cmp(&y.0).then_with(|| self.order(x.0, [x.2, y.2], [x.1, y.1]))
+        };
+        control.sort_by(&mut list, order)?;
         Ok(list)
     }
 
@@ -99,7 +105,7 @@ impl Segments {
         let Some(index) = v.checked_sub(self.first_steiner) else {
             return Expansion::from(f64::from(u8::from(v == self.ends[segment as usize][1])));
         };
-        self.fine.get(&index).cloned().unwrap_or_else(|| Expansion::from(self.steiner_t[index as usize]))
+        self.fine.get(&index).copied().unwrap_or_else(|| Expansion::from(self.steiner_t[index as usize]))
     }
 
     /// Order of two pieces or points of one segment by exact parameters, given the nearest doubles.
@@ -111,11 +117,11 @@ impl Segments {
     }
 
     /// Whether a segment joins the two vertices.
-    fn joins(&mut self, a: u32, b: u32) -> Result<bool, Error> {
+    fn joins(&mut self, a: u32, b: u32, control: &Control) -> Result<bool, Error> {
         if self.sorted.is_empty() {
             self.sorted.try_reserve_exact(self.ends.len())?;
-            self.sorted.extend(self.ends.iter().map(|e| edge_key(e[0], e[1])));
-            self.sorted.sort_unstable();
+            fallible::extend(&mut self.sorted, self.ends.iter().map(|e| edge_key(e[0], e[1])))?;
+            control.sort(&mut self.sorted)?;
         }
         Ok(self.sorted.binary_search(&edge_key(a, b)).is_ok())
     }
@@ -154,30 +160,35 @@ impl Segments {
     ///
     /// # Errors
     /// `Internal` if a segment with points is missing; `OutOfMemory`.
-    pub fn exchange(mut self, points: &Points, ends: Vec<[u32; 2]>) -> Result<Self, Error> {
-        let mut new = Segments::new(points, ends)?;
+    pub fn exchange(
+        mut self,
+        points: &Points,
+        ends: Vec<[u32; 2]>,
+        control: &Control,
+    ) -> Result<Self, Error> {
+        let mut new = Segments::new(points, ends, control)?;
         new.first_steiner = self.first_steiner;
         new.missing = self.missing;
         for &segment in &self.steiner_segment {
+            control.step()?;
             let [a, b] = self.ends[segment as usize];
             let heir = new.piece_of.get(&edge_key(a, b)).copied();
             let heir = heir.ok_or_else(|| Error::internal("a segment with Steiner points is missing"))?;
-            new.steiner_segment.try_reserve(1)?;
-            new.steiner_segment.push(heir);
+            fallible::push(&mut new.steiner_segment, heir)?;
         }
         self.waiting.sort_unstable();
         let mut doubtful = Vec::new();
         for (i, &[a, b]) in (0..).zip(&new.ends) {
+            control.step()?;
             let known = self.piece_of.get(&edge_key(a, b)).map(|&piece| self.pieces[piece as usize].segment);
             if known.is_none_or(|s| self.waiting.binary_search(&s).is_ok()) {
-                doubtful.try_reserve(1)?;
-                doubtful.push(i);
+                fallible::push(&mut doubtful, i)?;
             }
         }
         new.doubtful = Some(doubtful);
         new.steiner_t = self.steiner_t;
         new.fine = self.fine;
-        new.split_pieces()?;
+        new.split_pieces(control)?;
         Ok(new)
     }
 
@@ -185,22 +196,23 @@ impl Segments {
     ///
     /// # Errors
     /// `OutOfMemory`.
-    pub fn give_up(&mut self, gone: &[bool]) -> Result<(), Error> {
+    pub fn give_up(&mut self, gone: &[bool], control: &Control) -> Result<(), Error> {
         self.pieces.retain(|piece| gone.get(piece.segment as usize) != Some(&true));
         self.piece_of.clear();
-        let keys = (0..).zip(&self.pieces).map(|(i, piece)| (edge_key(piece.ends[0], piece.ends[1]), i));
-        self.piece_of.extend(keys);
+        for (i, piece) in (0..).zip(&self.pieces) {
+            control.step()?;
+            fallible::insert(&mut self.piece_of, edge_key(piece.ends[0], piece.ends[1]), i)?;
+        }
         Ok(())
     }
 
     /// Makes the pieces from the Steiner points.
-    fn split_pieces(&mut self) -> Result<(), Error> {
-        let list = self.steiner_by_segment()?;
+    fn split_pieces(&mut self, control: &Control) -> Result<(), Error> {
+        let list = self.steiner_by_segment(control)?;
         self.pieces.try_reserve(list.len())?;
-        self.piece_of
-            .try_reserve(list.len())
-            .map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        self.piece_of.try_reserve(list.len())?;
         for chain in list.chunk_by(|x, y| x.0 == y.0) {
+            control.step()?;
             let segment = chain[0].0;
             let [first, last] = self.ends[segment as usize];
             self.piece_of.remove(&edge_key(first, last));
@@ -210,9 +222,9 @@ impl Segments {
                 let piece = Subsegment { segment, ends: [from, to], t: [t, end] };
                 match self.pieces.get_mut(slot) {
                     Some(whole) => *whole = piece,
-                    None => self.pieces.push(piece),
+                    None => fallible::push(&mut self.pieces, piece)?,
                 }
-                self.piece_of.insert(edge_key(from, to), slot as u32);
+                fallible::insert(&mut self.piece_of, edge_key(from, to), slot as u32)?;
                 (from, t) = (to, end);
                 slot = self.pieces.len();
             }
@@ -224,45 +236,40 @@ impl Segments {
     pub fn add_steiner(&mut self, piece: u32, v: u32, t: f64) -> Result<(), Error> {
         let sub = self.pieces[piece as usize];
         let second = self.pieces.len() as u32;
-        self.pieces.try_reserve(1)?;
-        self.steiner_segment.try_reserve(1)?;
-        self.steiner_t.try_reserve(1)?;
-        self.steiner_segment.push(sub.segment);
-        self.steiner_t.push(t);
+        fallible::push(&mut self.steiner_segment, sub.segment)?;
+        fallible::push(&mut self.steiner_t, t)?;
         self.piece_of.remove(&edge_key(sub.ends[0], sub.ends[1]));
         self.pieces[piece as usize] = Subsegment { ends: [sub.ends[0], v], t: [sub.t[0], t], ..sub };
-        self.pieces.push(Subsegment { ends: [v, sub.ends[1]], t: [t, sub.t[1]], ..sub });
-        self.piece_of.insert(edge_key(sub.ends[0], v), piece);
-        self.piece_of.insert(edge_key(v, sub.ends[1]), second);
+        fallible::push(&mut self.pieces, Subsegment { ends: [v, sub.ends[1]], t: [t, sub.t[1]], ..sub })?;
+        fallible::insert(&mut self.piece_of, edge_key(sub.ends[0], v), piece)?;
+        fallible::insert(&mut self.piece_of, edge_key(v, sub.ends[1]), second)?;
         Ok(())
     }
 
-    fn bits(&mut self, points: &Points, segment: u32) -> u32 {
+    fn bits(&mut self, points: &Points, segment: u32) -> Result<u32, Error> {
         if self.exact_bits.is_empty() {
-            self.exact_bits.resize(self.ends.len(), u8::MAX);
+            fallible::resize(&mut self.exact_bits, self.ends.len(), u8::MAX)?;
         }
         let cached = &mut self.exact_bits[segment as usize];
         if *cached == u8::MAX {
             let [a, b] = self.ends[segment as usize];
             *cached = points.exact_bits(a, b).min(60) as u8;
         }
-        *cached as u32
+        Ok(u32::from(*cached))
     }
 }
 
 /// Vertices at which two segments meet at less than 90°. Among seven directions two always do, so seven are enough.
-fn acute_vertices(points: &Points, ends: &[[u32; 2]]) -> Result<Vec<bool>, Error> {
-    let mut incident: Vec<[u32; 2]> = Vec::new();
-    incident.try_reserve(2 * ends.len())?;
+fn acute_vertices(points: &Points, ends: &[[u32; 2]], control: &Control) -> Result<Vec<bool>, Error> {
+    let mut incident: Vec<[u32; 2]> = fallible::reserved(2 * ends.len())?;
     for &[a, b] in ends {
-        incident.push([a, b]);
-        incident.push([b, a]);
+        fallible::push(&mut incident, [a, b])?;
+        fallible::push(&mut incident, [b, a])?;
     }
-    incident.sort_unstable();
-    let mut acute = Vec::new();
-    acute.try_reserve_exact(points.len())?;
-    acute.resize(points.len(), false);
+    control.sort(&mut incident)?;
+    let mut acute = fallible::filled(false, points.len())?;
     for group in incident.chunk_by(|x, y| x[0] == y[0]) {
+        control.step()?;
         let v = group[0][0];
         let others = &group[..group.len().min(7)];
         acute[v as usize] = others
@@ -283,8 +290,8 @@ pub struct Recovery<'a> {
     pub points: &'a mut Points,
     /// The segments.
     pub segments: &'a mut Segments,
-    /// Limit on Steiner points.
-    pub limit: Option<u64>,
+    /// What may end the recovery.
+    pub(super) control: &'a Control<'a>,
     /// Recovery ends early once it is certain to take at least this many Steiner points.
     pub enough: Option<u64>,
     /// Missing pieces by length (the bits of non-negative doubles sort like their values), then by index.
@@ -300,14 +307,14 @@ impl<'a> Recovery<'a> {
         (mesh, inserter): (&'a mut Mesh, &'a mut Inserter),
         points: &'a mut Points,
         segments: &'a mut Segments,
-        limit: Option<u64>,
+        control: &'a Control<'a>,
     ) -> Self {
         Recovery {
             mesh,
             inserter,
             points,
             segments,
-            limit,
+            control,
             enough: None,
             queue: Default::default(),
             search: StarSearch::default(),
@@ -315,10 +322,11 @@ impl<'a> Recovery<'a> {
         }
     }
 
-    /// Makes every segment a union of edges. `tick` receives the numbers of pieces done and known. Returns false if it ended early.
-    pub fn run(&mut self, tick: &mut dyn FnMut(usize, usize) -> Result<(), Error>) -> Result<bool, Error> {
+    /// Makes every segment a union of edges. Returns false if it ended early.
+    pub fn run(&mut self) -> Result<bool, Error> {
         if let Some(doubtful) = self.segments.doubtful.take() {
             for piece in doubtful {
+                self.control.step()?;
                 if !self.mark_edge(self.segments.pieces[piece as usize].ends)? {
                     self.enqueue(piece)?;
                 }
@@ -326,6 +334,7 @@ impl<'a> Recovery<'a> {
         } else {
             let present = self.mark_present()?;
             for piece in (0..self.segments.pieces.len()).filter(|&piece| !present[piece]) {
+                self.control.step()?;
                 self.enqueue(piece as u32)?;
             }
         }
@@ -341,8 +350,11 @@ impl<'a> Recovery<'a> {
             let Some((_, Reverse(piece))) = self.queue.pop() else { return Ok(true) };
             steps += 1;
             if steps % 1024 == 0 {
-                tick(steps, steps + self.queue.len())?;
+                let known = steps + self.queue.len();
+                self.control.progress(Phase::Segments, steps as f64 / known as f64)?;
             }
+            // A split may take a millisecond.
+            self.control.look()?;
             // A missing edge stays missing: every sphere through its ends contains some vertex.
             self.split(piece)?;
         }
@@ -352,22 +364,17 @@ impl<'a> Recovery<'a> {
     fn enqueue(&mut self, piece: u32) -> Result<(), Error> {
         let Subsegment { segment, ends: [a, b], .. } = self.segments.pieces[piece as usize];
         if self.segments.deferred.get(segment as usize) == Some(&true) {
-            self.segments.waiting.try_reserve(1)?;
-            self.segments.waiting.push(segment);
+            fallible::push(&mut self.segments.waiting, segment)?;
             return Ok(());
         }
         let length = distance(self.points.xyz(a), self.points.xyz(b));
-        self.queue.try_reserve(1)?;
-        self.queue.push((length.to_bits(), Reverse(piece)));
-        Ok(())
+        Ok(fallible::push_heap(&mut self.queue, (length.to_bits(), Reverse(piece)))?)
     }
 
     /// Splits a missing piece in two with a Steiner point.
     fn split(&mut self, piece: u32) -> Result<(), Error> {
         let sub = self.segments.pieces[piece as usize];
-        if self.limit.is_some_and(|limit| self.segments.steiner_t.len() as u64 >= limit) {
-            return Err(Error::new(Status::SteinerLimit, "the limit on Steiner points was reached"));
-        }
+        self.control.steiner(self.segments.steiner_t.len() as u64 + 1, self.segments.ends.len())?;
         let (reference, near) = self.find_reference(&sub);
         let context = self.context(&sub, reference)?;
         let place = match self.close_parameter(&sub, &context, reference)? {
@@ -378,21 +385,18 @@ impl<'a> Recovery<'a> {
         let [a, b] = context.ends;
         let p = self.points.push_on_segment(a, b, &place)?;
         if place.components().len() > 1 {
-            self.segments.fine.insert(p - self.segments.first_steiner, place);
+            fallible::insert(&mut self.segments.fine, p - self.segments.first_steiner, place)?;
         }
         self.inserter.prepare(p as usize + 1)?;
-        self.mesh.vertex_tet.try_reserve(1)?;
-        self.mesh.vertex_tet.push(NONE);
-        self.segments.steiner_segment.try_reserve(1)?;
-        self.segments.steiner_t.try_reserve(1)?;
-        self.segments.steiner_segment.push(sub.segment);
-        self.segments.steiner_t.push(t);
+        fallible::push(&mut self.mesh.vertex_tet, NONE)?;
+        fallible::push(&mut self.segments.steiner_segment, sub.segment)?;
+        fallible::push(&mut self.segments.steiner_t, t)?;
         let at = locate(self.mesh, self.points, p, near)?;
         let touched = self.mesh.verts(at);
         if touched.iter().any(|&v| v != GHOST && self.points.same_position(v, p)) {
             return Err(crossing("a vertex lies on a segment", Element::Segment(sub.segment), None));
         }
-        self.inserter.insert::<true>(self.mesh, self.points, p, at)?;
+        self.inserter.insert::<true>(self.mesh, self.points, p, at, self.control)?;
         self.register(piece, sub, p, t)
     }
 
@@ -403,7 +407,7 @@ impl<'a> Recovery<'a> {
         context: &Context,
         reference: Option<u32>,
     ) -> Result<Expansion, Error> {
-        let bits = self.segments.bits(self.points, sub.segment);
+        let bits = self.segments.bits(self.points, sub.segment)?;
         let chosen = choose(self.points, sub, context, reference);
         let t = round_parameter(chosen, sub.t[0], sub.t[1], bits)
             .or_else(|| round_parameter(0.5 * (sub.t[0] + sub.t[1]), sub.t[0], sub.t[1], 0));
@@ -433,7 +437,7 @@ impl<'a> Recovery<'a> {
         }
         let mut own = context.own;
         for k in 0..2 {
-            if own == OwnSegment::Unknown && self.segments.joins(context.ends[k], reference)? {
+            if own == OwnSegment::Unknown && self.segments.joins(context.ends[k], reference, self.control)? {
                 own = OwnSegment::Shares(k);
             }
         }
@@ -481,11 +485,10 @@ impl<'a> Recovery<'a> {
         let segments = &mut *self.segments;
         segments.piece_of.remove(&edge_key(sub.ends[0], sub.ends[1]));
         let second = segments.pieces.len() as u32;
-        segments.pieces.try_reserve(1)?;
         segments.pieces[piece as usize] = Subsegment { ends: [sub.ends[0], p], t: [sub.t[0], t], ..sub };
-        segments.pieces.push(Subsegment { ends: [p, sub.ends[1]], t: [t, sub.t[1]], ..sub });
-        segments.piece_of.insert(edge_key(sub.ends[0], p), piece);
-        segments.piece_of.insert(edge_key(p, sub.ends[1]), second);
+        fallible::push(&mut segments.pieces, Subsegment { ends: [p, sub.ends[1]], t: [t, sub.t[1]], ..sub })?;
+        fallible::insert(&mut segments.piece_of, edge_key(sub.ends[0], p), piece)?;
+        fallible::insert(&mut segments.piece_of, edge_key(p, sub.ends[1]), second)?;
         for (id, end) in [(piece, sub.ends[0]), (second, sub.ends[1])] {
             if !self.mark_in_fresh(end) {
                 self.enqueue(id)?;
@@ -519,7 +522,7 @@ impl<'a> Recovery<'a> {
         let mut acute = [false; 2];
         if sub.is_deep() {
             if self.segments.acute.is_empty() {
-                self.segments.acute = acute_vertices(self.points, &self.segments.ends)?;
+                self.segments.acute = acute_vertices(self.points, &self.segments.ends, self.control)?;
             }
             acute = ends.map(|v| self.segments.acute[v as usize]);
         }

@@ -1,4 +1,5 @@
 //! Where Steiner points are put on segments.
+use crate::control::Control;
 use crate::predicates::{Expansion, Points};
 use crate::segments::placement::{round_parameter, OwnSegment};
 
@@ -18,13 +19,13 @@ fn parameters_keep_to_the_exact_grid_where_it_is_fine() {
 fn steiner_points_move_to_other_lists_of_segments() {
     use crate::segments::recovery::Segments;
     let mut points = Points::new(vec![[0.0; 3], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 8.0]]);
-    let mut old = Segments::new(&points, vec![[0, 1], [2, 3], [1, 2]]).unwrap();
+    let mut old = Segments::new(&points, vec![[0, 1], [2, 3], [1, 2]], &Control::free()).unwrap();
     for (segment, ends, t) in [(0, [0, 1], 0.5), (2, [1, 2], 0.25), (0, [0, 1], 0.25)] {
         points.push_on_segment(ends[0], ends[1], &Expansion::from(t)).unwrap();
         old.steiner_segment.push(segment);
         old.steiner_t.push(t);
     }
-    let new = old.exchange(&points, vec![[1, 2], [0, 3], [0, 1]]).unwrap();
+    let new = old.exchange(&points, vec![[1, 2], [0, 3], [0, 1]], &Control::free()).unwrap();
     assert_eq!(new.first_steiner, 4);
     assert_eq!(new.steiner_segment, [2, 0, 2]);
     let mut pieces: Vec<_> = new.pieces.iter().map(|p| (p.segment, p.ends, p.t)).collect();
@@ -44,7 +45,7 @@ fn steiner_points_move_to_other_lists_of_segments() {
     }
     assert_eq!(new.piece_of.len(), 6);
     // A segment with points must stay.
-    assert!(new.exchange(&points, vec![[1, 2], [0, 3]]).is_err());
+    assert!(new.exchange(&points, vec![[1, 2], [0, 3]], &Control::free()).is_err());
 }
 
 /// Equal radii around a common vertex are kept even very near the end of a piece, since otherwise strips of slivers get row after row of

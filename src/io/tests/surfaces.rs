@@ -1,4 +1,5 @@
 //! Round trips of the surface formats, and malformed files.
+use crate::control::Control;
 use crate::error::{DefectKind, Element};
 use crate::io::tests::Folder;
 use crate::io::*;
@@ -455,7 +456,7 @@ proptest! {
         let signed_zero = |x: i8| if x == 0 { -0.0 } else { f64::from(x) };
         let points: Vec<[f64; 3]> = values.iter().map(|&(x, y, z)| [x.into(), y.into(), signed_zero(z)]).collect();
         let mut joined = points.clone();
-        let map = surface::join_points(&mut joined).unwrap();
+        let map = surface::join_points(&mut joined, &Control::free()).unwrap();
         let mut expected: Vec<[f64; 3]> = Vec::new();
         for (point, &index) in points.iter().zip(&map) {
             if !expected.contains(point) {

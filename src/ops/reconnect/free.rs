@@ -3,6 +3,7 @@
 //! Most do not, usually because an edge of the front pierces one of their faces. That holds as long as the edge is on the front, so the
 //! edge is remembered.
 use crate::error::Error;
+use crate::fallible;
 use crate::ops::reconnect::face::{take_lowest, Face};
 use crate::ops::reconnect::search::Search;
 use crate::ops::reconnect::signs::{choose4, combination};
@@ -26,8 +27,7 @@ impl Blocks {
     pub fn set_count(&mut self, count: usize) -> Result<(), Error> {
         let most = choose4(count);
         if self.table.len() < most {
-            self.table.try_reserve(most - self.table.len())?;
-            self.table.resize(most, 0);
+            fallible::resize(&mut self.table, most, 0)?;
         }
         Ok(())
     }

@@ -19,10 +19,11 @@ mod rows;
 mod search;
 mod signs;
 
+use crate::control::Control;
 use crate::error::Error;
 use crate::ops::shape::Goal;
 use crate::predicates::Points;
-use search::Search;
+use search::{Budget, Search};
 
 /// The most vertices of a polyhedron: sets of vertices are bits of one word.
 pub const MOST_VERTICES: usize = 64;
@@ -39,12 +40,17 @@ pub struct Polyhedron<'a> {
 }
 
 /// Fills polyhedra; keeps its scratch space.
-#[derive(Default)]
-pub struct Reconnect {
+pub struct Reconnect<'a> {
     search: Search,
+    control: &'a Control<'a>,
 }
 
-impl Reconnect {
+impl<'a> Reconnect<'a> {
+    /// Searches that this control may end.
+    pub fn new(control: &'a Control<'a>) -> Self {
+        Reconnect { search: Search::default(), control }
+    }
+
     /// Appends the tetrahedra of a filling to `tets` and returns true. Appends nothing and returns false if there is none, none was found
     /// within `budget` steps, or there are more than [`MOST_VERTICES`] vertices.
     pub fn fill(
@@ -83,7 +89,7 @@ impl Reconnect {
         if let Some(apex) = self.search.cone(points) {
             return self.search.append_cone(apex, tets);
         }
-        self.search.run(points, budget, tets)
+        self.search.run(points, Budget { steps: budget, control: self.control }, tets)
     }
 
     /// Like [`Reconnect::fill`], but the tetrahedra must reach a goal; takes the best filling found within the budget.
@@ -124,7 +130,7 @@ impl Reconnect {
         if !self.search.begin(points, polyhedron)? {
             return Ok(false);
         }
-        self.search.optimise(points, goal, first, budget, tets)
+        self.search.optimise(points, goal, first, Budget { steps: budget, control: self.control }, tets)
     }
 }
 

@@ -3,8 +3,9 @@
 //! Like the search for any filling, but every tetrahedron must be better than a bound. A filling raises the bound to its worst tetrahedron,
 //! and the search continues from before that one.
 use crate::error::Error;
+use crate::fallible;
 use crate::ops::reconnect::face::{take_lowest, Face};
-use crate::ops::reconnect::search::Search;
+use crate::ops::reconnect::search::{Budget, Search};
 use crate::ops::shape::{Goal, Shape};
 use crate::predicates::Points;
 
@@ -15,7 +16,7 @@ impl Search {
         points: &Points,
         goal: Goal,
         first: bool,
-        budget: u32,
+        budget: Budget,
         tets: &mut Vec<[u32; 4]>,
     ) -> Result<bool, Error> {
         self.qualities.clear(self.signs.count())?;
@@ -34,9 +35,10 @@ impl Search {
                 continue;
             };
             steps += 1;
-            if steps > budget {
+            if steps > budget.steps {
                 break;
             }
+            budget.control.step()?;
             // The bound may have risen since.
             if self.quality_with(points, &goal, apex, face) <= bound || !self.apply(level, face, apex)? {
                 continue;
@@ -56,15 +58,14 @@ impl Search {
         }
         tets.try_reserve(self.best.len())?;
         let Search { best, signs, .. } = self;
-        tets.extend(best.iter().map(|t| t.map(|i| signs.vertices[i as usize])));
+        fallible::extend(tets, best.iter().map(|t| t.map(|i| signs.vertices[i as usize])))?;
         Ok(!best.is_empty())
     }
 
     /// Keeps the current filling; returns the quality of its worst tetrahedron.
     fn keep(&mut self, points: &Points, goal: &Goal) -> Result<f64, Error> {
         self.best.clear();
-        self.best.try_reserve(self.tets.len())?;
-        self.best.extend_from_slice(&self.tets);
+        fallible::append(&mut self.best, &self.tets)?;
         Ok((0..self.tets.len()).map(|i| self.quality_of(points, goal, i)).fold(f64::INFINITY, f64::min))
     }
 
@@ -113,7 +114,7 @@ impl Search {
         while let Some(w) = take_lowest(&mut rest) {
             if self.is_free(points, w, face, on_front) {
                 let quality = self.quality_with(points, goal, w, face);
-                self.apexes.push((quality, w));
+                fallible::push(&mut self.apexes, (quality, w))?;
             }
         }
         self.push_level(face)

@@ -1,5 +1,6 @@
 //! The qualities of the tetrahedra of all quadruples of a small set of vertices, computed on demand.
 use crate::error::Error;
+use crate::fallible;
 use crate::ops::reconnect::signs::{choose4, combination};
 
 /// Qualities by local vertex numbers.
@@ -13,8 +14,7 @@ impl Qualities {
     /// Forgets all qualities and makes room for `count` vertices.
     pub fn clear(&mut self, count: usize) -> Result<(), Error> {
         self.table.clear();
-        self.table.try_reserve(choose4(count))?;
-        self.table.resize(choose4(count), f64::NAN);
+        fallible::resize(&mut self.table, choose4(count), f64::NAN)?;
         Ok(())
     }
 

@@ -1,6 +1,7 @@
 //! The sides of faces: for each three vertices, the side of their plane on which each other vertex is. A row of the table of signs, so to
 //! speak; rows are computed on demand, and completed when vertices have been added.
 use crate::error::Error;
+use crate::fallible;
 use crate::ops::reconnect::face::{Face, Sides};
 use crate::ops::reconnect::signs::{choose3, triple, Signs};
 use crate::ops::reconnect::MOST_VERTICES;
@@ -37,8 +38,7 @@ impl Rows {
     pub fn set_count(&mut self, count: usize) -> Result<(), Error> {
         let most = choose3(count);
         if self.slots.len() < most {
-            self.slots.try_reserve(most - self.slots.len())?;
-            self.slots.resize(most, 0);
+            fallible::resize(&mut self.slots, most, 0)?;
             self.rows.try_reserve(most - self.rows.len())?;
         }
         Ok(())
@@ -46,6 +46,7 @@ impl Rows {
 
     /// The sides of a face on which the vertices `asked` (and possibly others) are.
     #[inline]
+    #[expect(clippy::disallowed_methods, reason = "there is room for all rows")]
     pub fn of(&mut self, points: &Points, signs: &mut Signs, face: Face, asked: u64) -> Sides {
         let corners = face.corners();
         let slot = &mut self.slots[triple(corners)];

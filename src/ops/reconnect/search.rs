@@ -1,5 +1,7 @@
 //! The search of [`Reconnect`](crate::ops::reconnect::Reconnect): depth first over front faces, with an explicit stack.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::ops::quality::quality;
 use crate::ops::reconnect::face::{take_lowest, Face, Front, Sides};
 use crate::ops::reconnect::free::Blocks;
@@ -10,13 +12,21 @@ use crate::ops::reconnect::{Polyhedron, MOST_VERTICES};
 use crate::predicates::Points;
 
 /// One step: a front face, the apexes to try, and what the current one changed.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(super) struct Level {
     pub(super) face: Face,
     /// Apexes not yet tried, the best last.
     pub(super) apexes: Vec<u8>,
     closed: Vec<(Face, Sides)>,
     opened: Vec<Face>,
+}
+
+/// What ends a search.
+#[derive(Clone, Copy)]
+pub(super) struct Budget<'a> {
+    /// The most apexes tried.
+    pub(super) steps: u32,
+    pub(super) control: &'a Control<'a>,
 }
 
 /// State and scratch space.
@@ -101,7 +111,7 @@ impl Search {
             // An edge to a vertex not of the polyhedron cannot be required.
             let number = |v: u32| self.signs.number(v).filter(|n| self.present >> n & 1 == 1);
             let [Some(a), Some(b)] = edge.map(number) else { return Ok(false) };
-            self.edges.push([a, b]);
+            fallible::push(&mut self.edges, [a, b])?;
         }
         self.front.clear(4 * self.boundary.len() + 64)?;
         for &face in &self.boundary {
@@ -124,13 +134,13 @@ impl Search {
                 *corner = number;
                 self.present |= 1 << number;
             }
-            self.boundary.push(Face::new(corners, &self.signs.vertices));
+            fallible::push(&mut self.boundary, Face::new(corners, &self.signs.vertices))?;
         }
         self.inner.clear();
         self.inner.try_reserve(polyhedron.inner.len())?;
         for &v in polyhedron.inner {
             let Some(number) = self.signs.add(points, v)? else { return Ok(false) };
-            self.inner.push(number);
+            fallible::push(&mut self.inner, number)?;
             self.present |= 1 << number;
         }
         self.rows.set_count(self.signs.count())?;
@@ -142,8 +152,7 @@ impl Search {
     fn is_closed(&mut self) -> Result<bool, Error> {
         let Search { balance, boundary, .. } = self;
         if balance.is_empty() {
-            balance.try_reserve(MOST_VERTICES * MOST_VERTICES)?;
-            balance.resize(MOST_VERTICES * MOST_VERTICES, 0);
+            fallible::resize(balance, MOST_VERTICES * MOST_VERTICES, 0)?;
         }
         let pair = |a: u8, b: u8| MOST_VERTICES * usize::from(a.min(b)) + usize::from(a.max(b));
         for face in boundary.iter() {
@@ -184,9 +193,13 @@ impl Search {
         }
         let mut best: Option<(f64, u8)> = None;
         // In the order of ids, so that the first of equal ones is taken.
-        let mut list: Vec<u8> = (0..MOST_VERTICES as u8).filter(|w| apexes & bit(w) != 0).collect();
-        list.sort_unstable_by_key(|&w| self.signs.vertices[w as usize]);
-        for w in list {
+        let (mut list, count) = ([0; MOST_VERTICES], apexes.count_ones() as usize);
+        for w in &mut list[..count] {
+            *w = apexes.trailing_zeros() as u8;
+            apexes &= apexes - 1;
+        }
+        list[..count].sort_unstable_by_key(|&w| self.signs.vertices[w as usize]);
+        for &w in &list[..count] {
             let away = self.boundary.iter().filter(|f| f.mask() & bit(&w) == 0);
             let worst = away.map(|&f| self.quality(w, f)).fold(f64::INFINITY, f64::min);
             if best.is_none_or(|b| worst > b.0) {
@@ -201,15 +214,15 @@ impl Search {
         tets.try_reserve(self.boundary.len())?;
         let id = |i: u8| self.signs.vertices[i as usize];
         let away = self.boundary.iter().filter(|f| f.mask() >> w & 1 == 0);
-        tets.extend(away.map(|f| {
+        for f in away {
             let [x, y, z] = f.corners().map(id);
-            [id(w), x, y, z]
-        }));
+            fallible::push(tets, [id(w), x, y, z])?;
+        }
         Ok(true)
     }
 
     /// Searches; appends the first solution and returns whether there is one.
-    pub fn run(&mut self, points: &Points, budget: u32, tets: &mut Vec<[u32; 4]>) -> Result<bool, Error> {
+    pub fn run(&mut self, points: &Points, budget: Budget, tets: &mut Vec<[u32; 4]>) -> Result<bool, Error> {
         if !self.descend(points)? {
             return Ok(false);
         }
@@ -222,17 +235,17 @@ impl Search {
                 continue;
             };
             self.steps += 1;
-            if self.steps > budget {
+            if self.steps > budget.steps {
                 return Ok(false);
             }
+            budget.control.step()?;
             if !self.apply(level, face, apex)? {
                 continue;
             }
             if self.front.faces.is_empty() {
                 if self.complete() {
-                    tets.try_reserve(self.tets.len())?;
                     let id = |i: u8| self.signs.vertices[i as usize];
-                    tets.extend(self.tets.iter().map(|t| t.map(id)));
+                    fallible::extend(tets, self.tets.iter().map(|t| t.map(id)))?;
                     return Ok(true);
                 }
                 self.undo(level);
@@ -283,7 +296,8 @@ impl Search {
             if self.is_free(points, w, face, on_front) {
                 let others = face.others(w, &self.signs.vertices);
                 let closes = others.iter().filter(|g| self.front.faces.contains(g)).count() as f64;
-                self.apexes.push((self.quality(w, face) * (1.0 + closes), w));
+                let quality = self.quality(w, face);
+                fallible::push(&mut self.apexes, (quality * (1.0 + closes), w))?;
             }
         }
         self.push_level(face)
@@ -295,8 +309,7 @@ impl Search {
             return Ok(false);
         }
         if self.levels.len() == self.depth {
-            self.levels.try_reserve(1)?;
-            self.levels.push(Level::default());
+            fallible::push(&mut self.levels, Level::default())?;
         }
         let Search { apexes, levels, signs, .. } = self;
         let id = |w: u8| signs.vertices[w as usize];
@@ -304,8 +317,7 @@ impl Search {
         let level = &mut levels[self.depth];
         level.face = face;
         level.apexes.clear();
-        level.apexes.try_reserve(apexes.len())?;
-        level.apexes.extend(apexes.iter().map(|a| a.1));
+        fallible::extend(&mut level.apexes, apexes.iter().map(|a| a.1))?;
         self.depth += 1;
         Ok(true)
     }
@@ -333,6 +345,7 @@ impl Search {
     }
 
     /// Joins a front face to an apex; returns false and changes nothing if a face would get a second tetrahedron on one side.
+    #[expect(clippy::disallowed_methods, reason = "there is room for the faces of one tetrahedron")]
     pub(super) fn apply(&mut self, level: usize, face: Face, apex: u8) -> Result<bool, Error> {
         let others = face.others(apex, &self.signs.vertices);
         let faces = &self.front.faces;
@@ -361,9 +374,8 @@ impl Search {
                 level.opened.push(far);
             }
         }
-        self.tets.try_reserve(1)?;
         let [x, y, z] = face.corners();
-        self.tets.push([apex, x, y, z]);
+        fallible::push(&mut self.tets, [apex, x, y, z])?;
         Ok(true)
     }
 

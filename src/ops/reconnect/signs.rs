@@ -3,6 +3,7 @@
 //! Vertices may be added while the table is in use: the combinatorial number system orders quadruples by their largest number first, so new
 //! ones come after all existing ones.
 use crate::error::Error;
+use crate::fallible;
 use crate::ops::reconnect::MOST_VERTICES;
 use crate::predicates::{Points, Sign};
 
@@ -123,12 +124,9 @@ impl Signs {
             return Ok(None);
         }
         let room = choose4(count + 1);
-        self.table.try_reserve(room - self.table.len())?;
-        self.table.resize(room, UNKNOWN);
-        self.vertices.try_reserve(1)?;
-        self.vertices.push(v);
-        self.xyz.try_reserve(1)?;
-        self.xyz.push(*points.xyz(v));
+        fallible::resize(&mut self.table, room, UNKNOWN)?;
+        fallible::push(&mut self.vertices, v)?;
+        fallible::push(&mut self.xyz, *points.xyz(v))?;
         self.buckets[at] = count as u8 + 1;
         Ok(Some(count as u8))
     }

@@ -1,4 +1,5 @@
 //! Fillings of known and random polyhedra.
+use crate::control::Control;
 use crate::delaunay::Construction;
 use crate::kernel::around::StarSearch;
 use crate::ops::quality::quality;
@@ -11,7 +12,7 @@ const BUDGET: u32 = 100_000;
 
 fn fill(points: &Points, polyhedron: &Polyhedron) -> Option<Vec<[u32; 4]>> {
     let mut tets = Vec::new();
-    let found = Reconnect::default().fill(points, polyhedron, BUDGET, &mut tets).unwrap();
+    let found = Reconnect::new(&Control::free()).fill(points, polyhedron, BUDGET, &mut tets).unwrap();
     assert_eq!(found, !tets.is_empty());
     found.then(|| {
         check(points, polyhedron, &tets);
@@ -157,7 +158,8 @@ fn stars_of_random_vertices_are_filled_without_them_and_with_them() {
 #[test]
 fn fillings_do_not_depend_on_what_was_filled_before() {
     let (points, stars) = random_stars();
-    let mut reconnect = Reconnect::default();
+    let free = Control::free();
+    let mut reconnect = Reconnect::new(&free);
     let (mut found, mut none) = (0, 0);
     for (i, (v, faces)) in stars.iter().enumerate() {
         // The same again, with the vertex, and with an edge that most fillings lack.
@@ -170,7 +172,8 @@ fn fillings_do_not_depend_on_what_was_filled_before() {
         ] {
             let (mut alone, mut after) = (Vec::new(), Vec::new());
             let budget = [50, 5][i % 2];
-            let filled = Reconnect::default().fill(&points, &polyhedron, budget, &mut alone).unwrap();
+            let filled =
+                Reconnect::new(&Control::free()).fill(&points, &polyhedron, budget, &mut alone).unwrap();
             assert_eq!(reconnect.fill_another(&points, &polyhedron, budget, &mut after).unwrap(), filled);
             assert_eq!(alone, after);
             *if filled { &mut found } else { &mut none } += 1;
@@ -188,7 +191,10 @@ fn a_face_with_the_inside_on_both_sides_is_kept() {
     let found = |edge: [u32; 2]| {
         let polyhedron = Polyhedron { faces: &faces, edges: &[edge], ..Default::default() };
         let mut tets = Vec::new();
-        Reconnect::default().fill(&points, &polyhedron, BUDGET, &mut tets).unwrap().then_some(tets)
+        Reconnect::new(&Control::free())
+            .fill(&points, &polyhedron, BUDGET, &mut tets)
+            .unwrap()
+            .then_some(tets)
     };
     assert!(found([4, 5]).is_none());
     let tets = found([0, 1]).unwrap();
@@ -365,7 +371,8 @@ fn skew_octahedron() -> (Points, Vec<[u32; 3]>) {
 fn the_best_filling_is_found() {
     let (points, faces) = skew_octahedron();
     let polyhedron = Polyhedron { faces: &faces, ..Default::default() };
-    let mut reconnect = Reconnect::default();
+    let free = Control::free();
+    let mut reconnect = Reconnect::new(&free);
     for measure in [Measure::Angle, Measure::Ratio] {
         let worst = |tets: &[[u32; 4]]| {
             tets.iter().map(|&t| Shape::of(&points, t).by(measure)).fold(f64::INFINITY, f64::min)

@@ -7,10 +7,13 @@
 //! Boxes that belong to fans come first, fan by fan; their pairs are also separated by directions (see [`fans`](crate::plc::intersect::fans)).
 //!
 //! Boxes are in single precision, rounded so that no pair that meets is missed (see [`Frame`]).
+use crate::control::Control;
 use crate::elementary::quotient;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::intersect::fans::{Fans, Member};
 use crate::plc::radix::sort_keyed;
+use std::ops::Range;
 
 /// An axis-parallel box in the coordinates of a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,6 +93,9 @@ impl Bounds {
     }
 }
 
+/// Turns of a traversal that make a step.
+const TURNS_PER_STEP: u32 = 32;
+
 /// Boxes per leaf.
 const LEAF: usize = 8;
 
@@ -111,20 +117,22 @@ pub(super) struct BoxTree {
 
 impl BoxTree {
     /// Builds the tree over `bounds`, some of which belong to fans.
-    pub(super) fn new(bounds: &[Bounds], fans: Fans) -> Result<BoxTree, Error> {
-        let mut keyed = Vec::new();
-        keyed.try_reserve_exact(bounds.len())?;
-        keyed.extend((0u32..).zip(bounds).map(|(i, b)| (AFTER_FANS | morton_code(b), i)));
+    pub(super) fn new(bounds: &[Bounds], fans: Fans, control: &Control) -> Result<BoxTree, Error> {
+        control.look()?;
+        let mut keyed =
+            fallible::collect((0u32..).zip(bounds).map(|(i, b)| (AFTER_FANS | morton_code(b), i)))?;
         (0..).zip(&fans.elements).for_each(|(k, &i)| keyed[i as usize].0 = k);
-        sort_keyed(&mut keyed)?;
+        sort_keyed(&mut keyed, control)?;
+        control.look()?;
         let (mut order, mut sorted, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
         order.try_reserve_exact(bounds.len())?;
         sorted.try_reserve_exact(bounds.len())?;
-        order.extend(keyed.iter().map(|&(_, i)| i));
-        sorted.extend(order.iter().map(|&i| bounds[i as usize]));
+        fallible::extend(&mut order, keyed.iter().map(|&(_, i)| i))?;
+        fallible::extend(&mut sorted, order.iter().map(|&i| bounds[i as usize]))?;
+        control.look()?;
         let leaves = bounds.len().div_ceil(LEAF).next_power_of_two();
         nodes.try_reserve_exact(2 * leaves)?;
-        nodes.resize(2 * leaves - 1, Bounds::EMPTY);
+        fallible::resize(&mut nodes, 2 * leaves - 1, Bounds::EMPTY)?;
         for (leaf, chunk) in sorted.chunks(LEAF).enumerate() {
             nodes[leaves - 1 + leaf] = chunk.iter().fold(Bounds::EMPTY, |all, b| all.union(b));
         }
@@ -178,15 +186,13 @@ impl BoxTree {
     ) -> Result<bool, Error> {
         let first_leaf = self.leaves - 1;
         stack.clear();
-        stack.try_reserve(64)?;
-        stack.push(0);
+        fallible::push(stack, 0)?;
         while let Some(node) = stack.pop() {
             if !self.nodes[node].meets(bounds) {
                 continue;
             }
             if node < first_leaf {
-                stack.try_reserve(2)?;
-                stack.extend([2 * node + 2, 2 * node + 1]);
+                fallible::extend(stack, [2 * node + 2, 2 * node + 1])?;
                 continue;
             }
             for place in self.leaf(node - first_leaf) {
@@ -202,22 +208,28 @@ impl BoxTree {
     /// `done` grows from 0 to 1. Pairs of fans that are known to have at most their apex in common are left out.
     pub(super) fn for_each_pair(
         &self,
+        control: &Control,
         mut visit: impl FnMut(usize, usize, f64) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let first_leaf = self.leaves - 1;
-        let mut finished = 0usize;
+        let (mut finished, mut turns) = (0usize, 0u32);
         let mut stack: Vec<(usize, usize)> = Vec::new();
-        stack.try_reserve(256)?;
-        stack.push((0, 0));
+        fallible::push(&mut stack, (0, 0))?;
         while let Some((x, y)) = stack.pop() {
-            stack.try_reserve(4)?;
+            turns = turns.wrapping_add(1);
+            if turns % TURNS_PER_STEP == 0 {
+                control.step()?;
+            }
             if x == y {
                 if x >= first_leaf {
                     finished += 1;
                     self.pairs_in_leaf(x - first_leaf, finished as f64 / self.leaves as f64, &mut visit)?;
                 } else {
                     // The pair of different children is done between the two, near both in memory.
-                    stack.extend([(2 * x + 2, 2 * x + 2), (2 * x + 1, 2 * x + 2), (2 * x + 1, 2 * x + 1)]);
+                    fallible::extend(
+                        &mut stack,
+                        [(2 * x + 2, 2 * x + 2), (2 * x + 1, 2 * x + 2), (2 * x + 1, 2 * x + 1)],
+                    )?;
                 }
             } else if self.nodes[x].meets(&self.nodes[y]) && !BoxTree::apart(&self.node_members, x, y) {
                 if x >= first_leaf {
@@ -226,14 +238,14 @@ impl BoxTree {
                 } else {
                     // x and y are always on one level: the tree is complete.
                     let (a, b) = (2 * x + 1, 2 * y + 1);
-                    stack.extend([(a, b), (a, b + 1), (a + 1, b), (a + 1, b + 1)]);
+                    fallible::extend(&mut stack, [(a, b), (a, b + 1), (a + 1, b), (a + 1, b + 1)])?;
                 }
             }
         }
         Ok(())
     }
 
-    fn leaf(&self, leaf: usize) -> std::ops::Range<usize> {
+    fn leaf(&self, leaf: usize) -> Range<usize> {
         let start = (leaf * LEAF).min(self.order.len());
         start..(start + LEAF).min(self.order.len())
     }
@@ -244,9 +256,9 @@ impl BoxTree {
         done: f64,
         visit: &mut impl FnMut(usize, usize, f64) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let range = self.leaf(leaf);
-        for i in range.clone() {
-            for j in i + 1..range.end {
+        let Range { start, end } = self.leaf(leaf);
+        for i in start..end {
+            for j in i + 1..end {
                 if self.may_meet(i, j) {
                     visit(i, j, done)?;
                 }
@@ -288,7 +300,7 @@ fn node_members(members: &[Member], leaves: usize) -> Result<Vec<Member>, Error>
         return Ok(nodes);
     }
     nodes.try_reserve_exact(2 * leaves - 1)?;
-    nodes.resize(2 * leaves - 1, Member::MIXED);
+    fallible::resize(&mut nodes, 2 * leaves - 1, Member::MIXED)?;
     // A leaf only partly filled by members is mixed.
     for (leaf, chunk) in members.chunks_exact(LEAF).enumerate() {
         nodes[leaves - 1 + leaf] = chunk[1..].iter().fold(chunk[0], |all, m| all.union(m));

@@ -1,4 +1,5 @@
 //! Collects contacts: sorted lists without duplicates, and one defect per pair of elements, at most as many as allowed.
+use crate::control::Control;
 use crate::error::{Defect, DefectKind, Element, Error};
 use crate::fallible;
 use crate::plc::intersect::locate_point::Triangle;
@@ -178,12 +179,14 @@ impl<'a> Collector<'a> {
 
     /// Every triangle at a crossed edge has met the segment, so the crossings of an edge tell whether all its triangles lie in one plane
     /// with the segment. If so, the edge is inside a flat patch and may be cut; otherwise it is part of the surface's shape.
-    fn resolve_crossings(&mut self) -> Result<(), Error> {
+    fn resolve_crossings(&mut self, control: &Control) -> Result<(), Error> {
         let mut crossings = std::mem::take(&mut self.crossings);
         let key = |c: &EdgeCrossing| (c.segment, c.edge, c.facet, c.triangle);
         fallible::stable_sort_by(&mut crossings, |x, y| key(x).cmp(&key(y)))?;
         crossings.dedup_by_key(|c| (c.segment, c.edge, c.triangle));
         for group in crossings.chunk_by(|x, y| (x.segment, x.edge) == (y.segment, y.edge)) {
+            // Another look each time: a segment may have many vertices.
+            control.look()?;
             let flat = group.len() > 1 && group.iter().all(|c| c.coplanar);
             if let (false, Some(c)) = (flat, group.first()) {
                 if self.found.meet_in_vertex(c.segment, c.edge) {
@@ -197,14 +200,16 @@ impl<'a> Collector<'a> {
     }
 
     /// Two segments that cross at a vertex are split there, and so are a segment and a triangle that it pierces at one.
-    fn resolve_segments(&mut self) -> Result<(), Error> {
+    fn resolve_segments(&mut self, control: &Control) -> Result<(), Error> {
         for ([a, b], point) in std::mem::take(&mut self.segments) {
+            control.look()?;
             let on_b = |v: u32| self.found.vertex_on_segment.binary_search(&(b, v)).is_ok();
             if !self.found.on_segment(a).any(on_b) {
                 self.defect(DefectKind::SegmentSegment, Element::Segment(a), Element::Segment(b), point)?;
             }
         }
         for ([segment, triangle, facet], point) in std::mem::take(&mut self.piercings) {
+            control.look()?;
             let inside = |v: u32| self.found.vertex_in_triangle.binary_search(&(triangle, v)).is_ok();
             if !self.found.on_segment(segment).any(inside) {
                 let (first, second) = (Element::Segment(segment), Element::Facet(facet));
@@ -215,15 +220,15 @@ impl<'a> Collector<'a> {
     }
 
     /// The sorted lists.
-    pub(super) fn finish(mut self) -> Result<Intersections, Error> {
-        sort_unique(&mut self.found.vertex_on_segment);
-        sort_unique(&mut self.found.vertex_on_edge);
-        sort_unique(&mut self.found.vertex_in_triangle);
-        sort_unique(&mut self.found.segment_in_facet);
-        sort_unique(&mut self.found.edge_in_facet);
+    pub(super) fn finish(mut self, control: &Control) -> Result<Intersections, Error> {
+        sort_unique(&mut self.found.vertex_on_segment, control)?;
+        sort_unique(&mut self.found.vertex_on_edge, control)?;
+        sort_unique(&mut self.found.vertex_in_triangle, control)?;
+        sort_unique(&mut self.found.segment_in_facet, control)?;
+        sort_unique(&mut self.found.edge_in_facet, control)?;
         self.found.edge_in_facet.dedup_by_key(|x| x.0);
-        self.resolve_crossings()?;
-        self.resolve_segments()?;
+        self.resolve_crossings(control)?;
+        self.resolve_segments(control)?;
         self.compact_pairs();
         self.compact_listed()?;
         let mut found = self.found;
@@ -238,12 +243,12 @@ fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
 }
 
 fn push<T>(list: &mut Vec<T>, value: T) -> Result<(), Error> {
-    list.try_reserve(1)?;
-    list.push(value);
+    fallible::push(list, value)?;
     Ok(())
 }
 
-fn sort_unique<T: Ord>(list: &mut Vec<T>) {
-    list.sort_unstable();
+fn sort_unique<T: Ord>(list: &mut Vec<T>, control: &Control) -> Result<(), Error> {
+    control.sort(list)?;
     list.dedup();
+    Ok(())
 }

@@ -1,6 +1,7 @@
 //! Real models: valid ones have no defect, invalid ones the recorded number. Reads OFF files of the corpus next to the project, if present.
 use super::*;
-use crate::progress::Silent;
+use crate::control::Control;
+use crate::progress::Phase;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -69,7 +70,7 @@ fn find(surface: &Surface) -> (Intersections, f64) {
         segments: &[],
     };
     let start = Instant::now();
-    let found = find_intersections(&input, 100, &mut Silent).unwrap();
+    let found = find_intersections(&input, 100, Control::free().whole(Phase::Validate)).unwrap();
     (found, start.elapsed().as_secs_f64() * 1e3)
 }
 
@@ -118,14 +119,14 @@ fn touching_pairs(surface: &Surface) -> usize {
     let facets: Vec<u32> = (0..surface.triangles.len() as u32).collect();
     let (points, triangles) = (&surface.points, &surface.triangles);
     let input = IntersectInput { points, vertices: &[], triangles, triangle_facet: &facets, segments: &[] };
-    let (elements, bounds, fans) = list_elements(&input).unwrap();
-    let tree = BoxTree::new(&bounds, fans).unwrap();
-    let scene = Scene::new(&input, &elements, tree.order()).unwrap();
+    let (elements, bounds, fans) = list_elements(&input, &Control::free()).unwrap();
+    let tree = BoxTree::new(&bounds, fans, &Control::free()).unwrap();
+    let scene = Scene::new(&input, &elements, tree.order(), &Control::free()).unwrap();
     let mut count = 0;
-    let visited = tree.for_each_pair(|i, j, _| {
+    let visited = tree.for_each_pair(&Control::free(), |i, j, _| {
         let mut collector = Collector::new(Names::NONE, 1);
         scene.classify(i, j, &mut collector)?;
-        let found = collector.finish()?;
+        let found = collector.finish(&Control::free())?;
         let touches =
             found.vertex_on_edge.len() + found.vertex_in_triangle.len() + found.edge_in_facet.len() > 0;
         count += usize::from(touches && found.defect_count == 0);

@@ -17,7 +17,9 @@
 //!
 //! An element is in the fan of its corner with the most elements, if there are [`MANY`] of them, otherwise in none. Pairs in which one
 //! element is in no fan are separated only by their boxes. Many triangles at one edge are still quadratic.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::intersect::boxtree::{morton_code, Bounds, Frame};
 use crate::plc::intersect::IntersectInput;
 use crate::vector::{cross, dot};
@@ -100,7 +102,7 @@ pub(super) struct Fans {
 
 impl Fans {
     /// The fans of an input; `valence` has the number of elements at each point. Triangles are numbered first, then segments.
-    pub(super) fn new(input: &IntersectInput, valence: &[u32]) -> Result<Fans, Error> {
+    pub(super) fn new(input: &IntersectInput, valence: &[u32], control: &Control) -> Result<Fans, Error> {
         let mut fans = Fans::default();
         if valence.iter().all(|&count| count < MANY) {
             return Ok(fans);
@@ -111,16 +113,16 @@ impl Fans {
         for (element, corners) in (0..).zip(corners) {
             let most = corners.iter().map(|&v| (valence[v as usize], std::cmp::Reverse(v))).max();
             let Some((MANY.., std::cmp::Reverse(apex))) = most else { continue };
+            control.step()?;
             let directions = directions(input.points, apex, corners);
-            found.try_reserve(1)?;
-            found.push((apex, morton_code(&directions), element, directions));
+            fallible::push(&mut found, (apex, morton_code(&directions), element, directions))?;
         }
-        found.sort_unstable_by_key(|&(apex, code, element, _)| (apex, code, element));
+        control.sort_by(&mut found, |x, y| (x.0, x.1, x.2).cmp(&(y.0, y.1, y.2)))?;
         fans.elements.try_reserve_exact(found.len())?;
         fans.members.try_reserve_exact(found.len())?;
         for (apex, _, element, directions) in found {
-            fans.elements.push(element);
-            fans.members.push(Member { apex, at: input.points[apex as usize], directions });
+            fallible::push(&mut fans.elements, element)?;
+            fallible::push(&mut fans.members, Member { apex, at: input.points[apex as usize], directions })?;
         }
         Ok(fans)
     }

@@ -1,5 +1,6 @@
 //! Fans: nothing is missed compared with a test of all pairs, and the number of pairs does not grow quadratically.
 use super::*;
+use crate::control::Control;
 use crate::plc::intersect::fans::Fans;
 use crate::plc::intersect::tests::{Model, Random};
 
@@ -19,28 +20,31 @@ fn with_input<T>(model: &Model, test: impl FnOnce(&IntersectInput) -> T) -> T {
 /// All contacts, every element against every other.
 fn by_brute_force(model: &Model) -> Intersections {
     with_input(model, |input| {
-        let (elements, _, _) = list_elements(input).unwrap();
+        let (elements, _, _) = list_elements(input, &Control::free()).unwrap();
         let order: Vec<u32> = (0..elements.len() as u32).collect();
-        let scene = Scene::new(input, &elements, &order).unwrap();
+        let scene = Scene::new(input, &elements, &order, &Control::free()).unwrap();
         let mut collector = Collector::new(Names::NONE, usize::MAX);
         for i in 0..elements.len() {
             for j in i + 1..elements.len() {
                 scene.classify(i, j, &mut collector).unwrap();
             }
         }
-        collector.finish().unwrap()
+        collector.finish(&Control::free()).unwrap()
     })
 }
 
 /// How many pairs are classified.
 fn pairs(model: &Model) -> usize {
     with_input(model, |input| {
-        let (_, bounds, fans) = list_elements(input).unwrap();
+        let (_, bounds, fans) = list_elements(input, &Control::free()).unwrap();
         let mut count = 0;
-        let visited = BoxTree::new(&bounds, fans).unwrap().for_each_pair(|_, _, _| {
-            count += 1;
-            Ok(())
-        });
+        let visited = BoxTree::new(&bounds, fans, &Control::free()).unwrap().for_each_pair(
+            &Control::free(),
+            |_, _, _| {
+                count += 1;
+                Ok(())
+            },
+        );
         visited.unwrap();
         count
     })
@@ -81,7 +85,9 @@ fn random_fans_agree_with_a_test_of_all_pairs() {
     let mut random = Random(11);
     for round in 0..120 {
         let model = random_fans(&mut random, 2 + round % 5, 1 + round % 3, 150 + round);
-        with_input(&model, |input| assert!(!list_elements(input).unwrap().2.elements.is_empty()));
+        with_input(&model, |input| {
+            assert!(!list_elements(input, &Control::free()).unwrap().2.elements.is_empty())
+        });
         let (found, expected) = (model.find(), by_brute_force(&model));
         assert!(found.defect_count > 0 || round % 5 > 0);
         assert_eq!(found, expected, "{model:?}");
@@ -163,7 +169,7 @@ fn pairs_of_a_fan_grow_like_its_elements() {
 #[test]
 fn ordinary_surfaces_have_no_fans() {
     with_input(&cone(31), |input| {
-        let fans: Fans = list_elements(input).unwrap().2;
+        let fans: Fans = list_elements(input, &Control::free()).unwrap().2;
         assert!(fans.elements.is_empty() && fans.members.is_empty());
     });
 }

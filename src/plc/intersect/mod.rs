@@ -7,8 +7,9 @@
 //! (Möller 1997, "A fast triangle-triangle intersection test", with exact signs; Guigue & Devillers 2003 for the predicates).
 //!
 //! Invariant: the lists are sorted and without duplicates, and depend only on the input.
+use crate::control::{Control, Part};
 use crate::error::{Defect, DefectKind, Element, Error};
-use crate::progress::{report, Observer, Phase};
+use crate::fallible;
 use boxtree::{Bounds, BoxTree, Frame};
 use collector::Collector;
 use fans::Fans;
@@ -84,7 +85,7 @@ impl Names<'_> {
 }
 
 /// The result. All lists but the defects are legal contacts.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq)]
 pub struct Intersections {
     /// (segment, vertex): the vertex lies strictly inside the segment and splits it.
     pub vertex_on_segment: Vec<(u32, u32)>,
@@ -115,19 +116,19 @@ impl Intersections {
     }
 }
 
-/// How many candidate pairs are classified between two calls of the observer.
+/// How many candidate pairs are classified between two reports of progress.
 const PAIRS_PER_REPORT: u32 = 1 << 14;
 
 /// Finds all contacts, with segments named by their index in reports. A pair of elements is one defect, however often they meet.
 ///
 /// # Errors
-/// `Cancelled` by the observer, `OutOfMemory`, `IndexOutOfRange` where an index refers to no point.
+/// What ends the run, `OutOfMemory`, `IndexOutOfRange` where an index refers to no point.
 pub fn find_intersections(
     input: &IntersectInput,
     max_defects: usize,
-    observer: &mut dyn Observer,
+    part: Part,
 ) -> Result<Intersections, Error> {
-    find_named_intersections(input, Names::NONE, max_defects, observer)
+    find_named_intersections(input, Names::NONE, max_defects, part)
 }
 
 /// The same with the names to be used in reports.
@@ -138,25 +139,26 @@ pub fn find_named_intersections(
     input: &IntersectInput,
     names: Names,
     max_defects: usize,
-    observer: &mut dyn Observer,
+    part: Part,
 ) -> Result<Intersections, Error> {
     check_indices(input)?;
-    report(observer, Phase::Validate, 0.0)?;
-    let (elements, bounds, fans) = list_elements(input)?;
-    let tree = BoxTree::new(&bounds, fans)?;
+    part.progress(0.0)?;
+    let (elements, bounds, fans) = list_elements(input, &part)?;
+    let tree = BoxTree::new(&bounds, fans, &part)?;
     drop(bounds);
-    let scene = Scene::new(input, &elements, tree.order())?;
+    let scene = Scene::new(input, &elements, tree.order(), &part)?;
     let mut collector = Collector::new(names, max_defects);
     let mut countdown = PAIRS_PER_REPORT;
-    tree.for_each_pair(|i, j, done| {
+    tree.for_each_pair(&part, |i, j, done| {
+        part.step()?;
         countdown -= 1;
         if countdown == 0 {
             countdown = PAIRS_PER_REPORT;
-            report(observer, Phase::Validate, done)?;
+            part.progress(done)?;
         }
         scene.classify(i, j, &mut collector)
     })?;
-    collector.finish()
+    collector.finish(&part)
 }
 
 /// An element in the tree. The order of variants is the order in which `classify` expects a pair.
@@ -186,26 +188,25 @@ fn check_indices(input: &IntersectInput) -> Result<(), Error> {
 }
 
 /// Triangles, segments and isolated vertices with their boxes, and the fans of the triangles and segments.
-fn list_elements(input: &IntersectInput) -> Result<(Vec<Item>, Vec<Bounds>, Fans), Error> {
-    let mut valence = Vec::new();
-    valence.try_reserve_exact(input.points.len())?;
-    valence.resize(input.points.len(), 0);
+fn list_elements(input: &IntersectInput, control: &Control) -> Result<(Vec<Item>, Vec<Bounds>, Fans), Error> {
+    let mut valence = fallible::filled(0, input.points.len())?;
     let corners = input.triangles.iter().flatten().chain(input.segments.iter().flatten());
     corners.for_each(|&v| valence[v as usize] += 1);
-    let isolated = input.vertices.iter().filter(|&&v| valence[v as usize] == 0);
-    let count = input.triangles.len() + input.segments.len() + isolated.clone().count();
-    let (mut elements, mut bounds) = (Vec::new(), Vec::new());
-    elements.try_reserve_exact(count)?;
-    bounds.try_reserve_exact(count)?;
+    let isolated = || input.vertices.iter().filter(|&&v| valence[v as usize] == 0);
+    let count = input.triangles.len() + input.segments.len() + isolated().count();
+    let (mut elements, mut bounds) = (fallible::reserved(count)?, fallible::reserved(count)?);
+    control.look()?;
     let frame = Frame::of(input.points.iter());
-    let mut add = |item: Item, corners: &[u32]| {
-        elements.push(item);
-        bounds.push(frame.bounds(corners.iter().map(|&v| &input.points[v as usize])));
+    let mut add = |item: Item, corners: &[u32]| -> Result<(), Error> {
+        fallible::push(&mut elements, item)?;
+        fallible::push(&mut bounds, frame.bounds(corners.iter().map(|&v| &input.points[v as usize])))?;
+        Ok(())
     };
-    (0..).zip(input.triangles).for_each(|(i, corners)| add(Item::Triangle(i), corners));
-    (0..).zip(input.segments).for_each(|(i, ends)| add(Item::Segment(i), ends));
-    isolated.for_each(|&v| add(Item::Vertex(v), &[v]));
-    let fans = Fans::new(input, &valence)?;
+    (0..).zip(input.triangles).try_for_each(|(i, corners)| add(Item::Triangle(i), corners))?;
+    (0..).zip(input.segments).try_for_each(|(i, ends)| add(Item::Segment(i), ends))?;
+    isolated().try_for_each(|&v| add(Item::Vertex(v), &[v]))?;
+    control.look()?;
+    let fans = Fans::new(input, &valence, control)?;
     Ok((elements, bounds, fans))
 }
 
@@ -218,18 +219,24 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(input: &'a IntersectInput<'a>, elements: &[Item], order: &[u32]) -> Result<Scene<'a>, Error> {
+    fn new(
+        input: &'a IntersectInput<'a>,
+        elements: &[Item],
+        order: &[u32],
+        control: &Control,
+    ) -> Result<Scene<'a>, Error> {
         let (mut items, mut triangles) = (Vec::new(), Vec::new());
         items.try_reserve_exact(elements.len())?;
         triangles.try_reserve_exact(input.triangles.len())?;
         for &i in order {
+            control.step()?;
             let mut item = elements[i as usize];
             if let Item::Triangle(t) = item {
                 item = Item::Triangle(triangles.len() as u32);
                 let (facet, corners) = (input.triangle_facet[t as usize], input.triangles[t as usize]);
-                triangles.push(Triangle::new(input.points, t, facet, corners));
+                fallible::push(&mut triangles, Triangle::new(input.points, t, facet, corners))?;
             }
-            items.push(item);
+            fallible::push(&mut items, item)?;
         }
         Ok(Scene { input, items, triangles })
     }

@@ -5,7 +5,9 @@
 //! inside: a convex piece of a triangle in the tetrahedron would have its corners where the triangle meets the boundary, which is in one
 //! common vertex or edge.
 //! A contact that would be legal elsewhere (a vertex in an edge or a triangle) counts as an obstacle too.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::intersect::boxtree::{BoxTree, Frame};
 use crate::plc::intersect::collector::Collector;
 use crate::plc::intersect::fans::Fans;
@@ -37,12 +39,13 @@ impl Obstacles {
     /// (isolated vertices and seeds).
     ///
     /// # Errors
-    /// `OutOfMemory`.
+    /// What ends the run, `OutOfMemory`.
     pub fn new(
         points: &[[f64; 3]],
         triangles: &[[u32; 3]],
         segments: &[[u32; 2]],
         seeds: &[[f64; 3]],
+        control: &Control,
     ) -> Result<Obstacles, Error> {
         let frame = Frame::of(points.iter().chain(seeds));
         let count = triangles.len() + segments.len() + seeds.len();
@@ -50,26 +53,26 @@ impl Obstacles {
         unsorted.try_reserve_exact(count)?;
         bounds.try_reserve_exact(count)?;
         items.try_reserve_exact(count)?;
-        unsorted.extend((0..triangles.len() as u32).map(Item::Triangle));
-        unsorted.extend(segments.iter().map(|&s| Item::Segment(s)));
-        unsorted.extend(seeds.iter().map(|&p| Item::Seed(p)));
+        fallible::extend(&mut unsorted, (0..triangles.len() as u32).map(Item::Triangle))?;
+        fallible::extend(&mut unsorted, segments.iter().map(|&s| Item::Segment(s)))?;
+        fallible::extend(&mut unsorted, seeds.iter().map(|&p| Item::Seed(p)))?;
         let at = |v: &u32| &points[*v as usize];
-        bounds.extend(triangles.iter().map(|t| frame.bounds(t.iter().map(at))));
-        bounds.extend(segments.iter().map(|s| frame.bounds(s.iter().map(at))));
-        bounds.extend(seeds.iter().map(|p| frame.bounds([p].into_iter())));
-        let tree = BoxTree::new(&bounds, Fans::default())?;
-        let mut place = Vec::new();
-        place.try_reserve_exact(triangles.len())?;
-        place.resize(triangles.len(), 0);
+        fallible::extend(&mut bounds, triangles.iter().map(|t| frame.bounds(t.iter().map(at))))?;
+        fallible::extend(&mut bounds, segments.iter().map(|s| frame.bounds(s.iter().map(at))))?;
+        fallible::extend(&mut bounds, seeds.iter().map(|p| frame.bounds([p].into_iter())))?;
+        let tree = BoxTree::new(&bounds, Fans::default(), control)?;
+        let mut place = fallible::filled(0, triangles.len())?;
         for (k, &i) in (0..).zip(tree.order()) {
-            items.push(unsorted[i as usize]);
+            fallible::push(&mut items, unsorted[i as usize])?;
             if let Some(place) = place.get_mut(i as usize) {
                 *place = k;
             }
         }
-        let mut cached = Vec::new();
-        cached.try_reserve_exact(triangles.len())?;
-        cached.extend((0..).zip(triangles).map(|(i, &corners)| Triangle::new(points, i, i, corners)));
+        let mut cached = fallible::reserved(triangles.len())?;
+        for (i, &corners) in (0..).zip(triangles) {
+            control.step()?;
+            fallible::push(&mut cached, Triangle::new(points, i, i, corners))?;
+        }
         Ok(Obstacles { frame, tree, items, place, triangles: cached, stack: Vec::new() })
     }
 
@@ -84,12 +87,13 @@ impl Obstacles {
     /// must not be flat, and `cd` must not yet be an edge of any element.
     ///
     /// # Errors
-    /// `OutOfMemory`.
+    /// What ends the run, `OutOfMemory`.
     pub fn allow_flip(
         &mut self,
         points: &[[f64; 3]],
         old: [u32; 2],
         [a, b, c, d]: [u32; 4],
+        control: &Control,
     ) -> Result<bool, Error> {
         let mut stack = std::mem::take(&mut self.stack);
         let tet = Tetrahedron::new(points, [a, b, c, d]);
@@ -97,6 +101,7 @@ impl Obstacles {
         let bounds = self.frame.bounds(tet.corners.iter());
         let mut collector = Collector::new(Names::NONE, 1);
         let hit = self.tree.any(&bounds, &mut stack, |place| {
+            control.step()?;
             match self.items[place] {
                 Item::Triangle(t) if old.contains(&t) => {}
                 Item::Triangle(t) => {

@@ -1,7 +1,8 @@
 //! Hand-made contacts of each kind, the box hierarchy, and the interface.
 use super::*;
+use crate::control::{controlled, Control, Limits};
 use crate::error::{DefectKind, Element, Status};
-use crate::progress::Silent;
+use crate::progress::{Observer, Phase};
 use std::ops::ControlFlow;
 
 /// A PLC with every triangle its own facet and every point a vertex.
@@ -23,7 +24,7 @@ impl Model {
             triangle_facet: &facets,
             segments: &self.segments,
         };
-        find_intersections(&input, max_defects, &mut Silent).unwrap()
+        find_intersections(&input, max_defects, Control::free().whole(Phase::Validate)).unwrap()
     }
 
     pub(super) fn find(&self) -> Intersections {
@@ -204,7 +205,7 @@ fn one_defect_per_pair_of_polygon_facets() {
         triangle_facet: &[7, 7, 5, 5],
         segments: &[],
     };
-    let found = find_intersections(&input, 10, &mut Silent).unwrap();
+    let found = find_intersections(&input, 10, Control::free().whole(Phase::Validate)).unwrap();
     assert_eq!(found.defect_count, 1);
     assert_eq!(
         (found.defects[0].first, found.defects[0].second),
@@ -238,10 +239,13 @@ fn boxes_at_the_ends_of_the_range_still_meet() {
         let frame = Frame::of(points.iter());
         let bounds = [frame.bounds(points[..2].iter()), frame.bounds(points[2..].iter())];
         let mut pairs = vec![];
-        let visited = BoxTree::new(&bounds, Fans::default()).unwrap().for_each_pair(|i, j, _| {
-            pairs.push((i.min(j), i.max(j)));
-            Ok(())
-        });
+        let visited = BoxTree::new(&bounds, Fans::default(), &Control::free()).unwrap().for_each_pair(
+            &Control::free(),
+            |i, j, _| {
+                pairs.push((i.min(j), i.max(j)));
+                Ok(())
+            },
+        );
         visited.unwrap();
         assert_eq!(pairs, [(0, 1)], "size {size}");
     }
@@ -255,10 +259,10 @@ fn all_meeting_boxes_are_found_once() {
     let frame = Frame::of(points.iter());
     let pieces: Vec<&[[f64; 3]]> = (0..299).map(|i| &points[2 * i..2 * i + 1 + i % 2]).collect();
     let bounds: Vec<Bounds> = pieces.iter().map(|p| frame.bounds(p.iter())).collect();
-    let tree = BoxTree::new(&bounds, Fans::default()).unwrap();
+    let tree = BoxTree::new(&bounds, Fans::default(), &Control::free()).unwrap();
     let mut found = vec![];
     let place = |i: usize| tree.order()[i] as usize;
-    let visited = tree.for_each_pair(|i, j, _| {
+    let visited = tree.for_each_pair(&Control::free(), |i, j, _| {
         found.push((place(i).min(place(j)), place(i).max(place(j))));
         Ok(())
     });
@@ -286,7 +290,10 @@ fn empty_and_wrong_input() {
         triangle_facet: &[0],
         segments: &[],
     };
-    assert_eq!(find_intersections(&input, 1, &mut Silent).unwrap_err().status, Status::IndexOutOfRange);
+    assert_eq!(
+        find_intersections(&input, 1, Control::free().whole(Phase::Validate)).unwrap_err().status,
+        Status::IndexOutOfRange
+    );
 }
 
 #[test]
@@ -314,10 +321,15 @@ fn the_observer_cancels_and_sees_growing_fractions() {
         segments: &[],
     };
     let mut watch = Watch(vec![], usize::MAX);
-    let found = find_intersections(&input, 1, &mut watch).unwrap();
+    let find = |watch: &mut Watch| {
+        controlled(Limits::default(), watch, |control| {
+            find_intersections(&input, 1, control.whole(Phase::Validate))
+        })
+    };
+    let found = find(&mut watch).unwrap();
     assert_eq!(found, Intersections::default());
     assert!(watch.0.len() > 3 && watch.0.windows(2).all(|w| w[0] <= w[1]), "{:?}", watch.0);
-    let error = find_intersections(&input, 1, &mut Watch(vec![], 2)).unwrap_err();
+    let error = find(&mut Watch(vec![], 2)).unwrap_err();
     assert_eq!(error.status, Status::Cancelled);
 }
 

@@ -1,5 +1,7 @@
 //! The edges of a surface's triangles during flipping, and the users of each.
-use crate::error::{Error, Status};
+use crate::control::Control;
+use crate::error::Error;
+use crate::fallible;
 use crate::plc::patch::FixedEdge;
 use crate::INVALID;
 use rustc_hash::FxHashMap;
@@ -34,27 +36,30 @@ pub(super) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
 }
 
 impl Edges {
-    pub(super) fn new(triangles: &[[u32; 3]], fixed: &[FixedEdge]) -> Result<Edges, Error> {
+    pub(super) fn new(
+        triangles: &[[u32; 3]],
+        fixed: &[FixedEdge],
+        control: &Control,
+    ) -> Result<Edges, Error> {
         let mut users: FxHashMap<[u32; 2], Users> = FxHashMap::default();
-        users
-            .try_reserve(triangles.len() / 2 * 3 + fixed.len() + 16)
-            .map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        users.try_reserve(triangles.len() / 2 * 3 + fixed.len() + 16)?;
         let mut edges = Edges { users, removers: FxHashMap::default() };
         for (t, &corners) in (0..).zip(triangles) {
+            control.step()?;
             for side in sides(corners) {
                 edges.add(side, t)?;
             }
         }
         for edge in fixed {
+            control.step()?;
             edges.entry(edge.ends)?.fixed = true;
         }
         Ok(edges)
     }
 
     fn entry(&mut self, ends: [u32; 2]) -> Result<&mut Users, Error> {
-        self.users.try_reserve(1).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
         let none = Users { triangles: [INVALID; 2], count: 0, fixed: false, maker: INVALID };
-        Ok(self.users.entry(key(ends)).or_insert(none))
+        Ok(fallible::entry(&mut self.users, key(ends))?.or_insert(none))
     }
 
     fn add(&mut self, ends: [u32; 2], triangle: u32) -> Result<(), Error> {
@@ -110,8 +115,7 @@ impl Edges {
         number: u32,
     ) -> Result<(), Error> {
         self.users.remove(&key(old));
-        self.removers.try_reserve(1).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
-        self.removers.insert(key(old), number);
+        fallible::insert(&mut self.removers, key(old), number)?;
         self.add(new, t)?;
         self.add(new, u)?;
         self.entry(new)?.maker = maker;

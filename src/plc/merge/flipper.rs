@@ -2,7 +2,9 @@
 //!
 //! Invariants: the surface is a valid PLC; `edges` and `obstacles` describe its triangles; `records` has one entry per flip of the
 //! surface.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::output::FacetFlip;
 use crate::plc::intersect::obstacles::Obstacles;
 use crate::plc::merge::edges::{sides, Edges};
@@ -13,12 +15,12 @@ use crate::plc::polygon::collinear;
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
 use crate::predicates::{orient3d, scale, Sign};
-use crate::progress::{report, Observer, Phase};
+use crate::progress::Phase;
 use crate::INVALID;
 
 /// Limit of flips per triangle. Flips of a curved surface could cycle.
 const FLIPS_PER_TRIANGLE: usize = 64;
-/// How many edges are examined between two calls of the observer.
+/// How many edges are examined between two reports of progress.
 const EDGES_PER_REPORT: usize = 1 << 12;
 
 /// Which flips are wanted.
@@ -79,17 +81,19 @@ impl<'a> Flipper<'a> {
         fixed: &[FixedEdge],
         plc: &'a Plc,
         degrees: f64,
+        control: &Control,
     ) -> Result<Flipper<'a>, Error> {
-        let edges = Edges::new(&surface.triangles, fixed)?;
-        let mut segments: Vec<[u32; 2]> = Vec::new();
-        segments.try_reserve_exact(fixed.len())?;
-        segments.extend(fixed.iter().map(|edge| edge.ends).filter(|&ends| !edges.in_triangle(ends)));
+        let edges = Edges::new(&surface.triangles, fixed, control)?;
+        let mut segments: Vec<[u32; 2]> = fallible::reserved(fixed.len())?;
+        fallible::extend(
+            &mut segments,
+            fixed.iter().map(|edge| edge.ends).filter(|&ends| !edges.in_triangle(ends)),
+        )?;
         let seeds = single_points(surface, fixed, plc)?;
-        let obstacles = Obstacles::new(&surface.points, &surface.triangles, &segments, &seeds)?;
+        let obstacles = Obstacles::new(&surface.points, &surface.triangles, &segments, &seeds, control)?;
         let movable = whole_triangles(surface, plc)?;
-        let mut deviation: Vec<f64> = Vec::new();
-        deviation.try_reserve_exact(surface.triangles.len())?;
-        deviation.resize(surface.triangles.len(), 0.0);
+        control.look()?;
+        let deviation: Vec<f64> = fallible::filled(0.0, surface.triangles.len())?;
         surface.facet_flips.clear();
         let negligible = NEGLIGIBLE * diagonal(&surface.points);
         let mut flipper = Flipper {
@@ -106,14 +110,15 @@ impl<'a> Flipper<'a> {
             blocked: Vec::new(),
             looked: 0,
         };
-        flipper.fix_creases();
+        flipper.fix_creases(control)?;
         Ok(flipper)
     }
 
     /// Fixes every edge at which the input's triangles meet below the bound. Otherwise a chain of flips could turn a triangle little by
     /// little until a crease looks flat.
-    fn fix_creases(&mut self) {
+    fn fix_creases(&mut self, control: &Control) -> Result<(), Error> {
         for t in 0..self.surface.triangles.len() {
+            control.step()?;
             for ends in sides(self.surface.triangles[t]) {
                 let Some(Candidate { vertices, .. }) = self.candidate(ends) else { continue };
                 let vertices = vertices.map(|v| &self.surface.points[v as usize]);
@@ -122,6 +127,7 @@ impl<'a> Flipper<'a> {
                 }
             }
         }
+        Ok(())
     }
 
     /// Examines every edge until there is nothing to flip. Edges whose flip is wanted but not allowed are tried at most `passes` times,
@@ -131,16 +137,15 @@ impl<'a> Flipper<'a> {
         rule: Rule,
         guide: &mut Guide,
         passes: usize,
-        observer: &mut dyn Observer,
+        control: &Control,
     ) -> Result<(), Error> {
         self.queue.clear();
         self.blocked.clear();
         for t in 0..self.surface.triangles.len() {
-            self.queue.try_reserve(3)?;
-            self.queue.extend(sides(self.surface.triangles[t]));
-            self.empty_queue(rule, guide, observer)?;
+            fallible::extend(&mut self.queue, sides(self.surface.triangles[t]))?;
+            self.empty_queue(rule, guide, control)?;
         }
-        self.run_on(rule, guide, passes - 1, observer)
+        self.run_on(rule, guide, passes - 1, control)
     }
 
     /// The same for only the edges in the queue and those whose flip was not allowed, when all others have been examined.
@@ -149,16 +154,15 @@ impl<'a> Flipper<'a> {
         rule: Rule,
         guide: &mut Guide,
         passes: usize,
-        observer: &mut dyn Observer,
+        control: &Control,
     ) -> Result<(), Error> {
         for _ in 0..passes {
             let before = self.records.len();
             let blocked = std::mem::take(&mut self.blocked);
-            self.empty_queue(rule, guide, observer)?;
+            self.empty_queue(rule, guide, control)?;
             for edge in blocked {
-                self.queue.try_reserve(1)?;
-                self.queue.push(edge);
-                self.empty_queue(rule, guide, observer)?;
+                fallible::push(&mut self.queue, edge)?;
+                self.empty_queue(rule, guide, control)?;
             }
             if self.records.len() == before || self.is_exhausted() {
                 break;
@@ -169,8 +173,7 @@ impl<'a> Flipper<'a> {
 
     /// Puts an edge into the queue.
     pub(super) fn look_at(&mut self, edge: [u32; 2]) -> Result<(), Error> {
-        self.queue.try_reserve(1)?;
-        self.queue.push(edge);
+        fallible::push(&mut self.queue, edge)?;
         Ok(())
     }
 
@@ -184,16 +187,12 @@ impl<'a> Flipper<'a> {
     }
 
     /// Examines the edges in the queue, and those around each flip.
-    fn empty_queue(
-        &mut self,
-        rule: Rule,
-        guide: &mut Guide,
-        observer: &mut dyn Observer,
-    ) -> Result<(), Error> {
+    fn empty_queue(&mut self, rule: Rule, guide: &mut Guide, control: &Control) -> Result<(), Error> {
         while let Some(edge) = self.queue.pop() {
             if self.looked % EDGES_PER_REPORT == 0 {
-                report(observer, Phase::Validate, 0.9)?;
+                control.progress(Phase::Validate, 0.9)?;
             }
+            control.step()?;
             self.looked += 1;
             if self.is_exhausted() {
                 self.queue.clear();
@@ -203,11 +202,10 @@ impl<'a> Flipper<'a> {
             if !self.is_wanted(rule, guide, &candidate) {
                 continue;
             }
-            if self.is_allowed(&candidate)? {
+            if self.is_allowed(&candidate, control)? {
                 self.flip(&candidate)?;
             } else {
-                self.blocked.try_reserve(1)?;
-                self.blocked.push(edge);
+                fallible::push(&mut self.blocked, edge)?;
             }
         }
         Ok(())
@@ -264,7 +262,7 @@ impl<'a> Flipper<'a> {
     }
 
     /// Whether the surface is valid after the flip, exactly.
-    pub(super) fn is_allowed(&mut self, candidate: &Candidate) -> Result<bool, Error> {
+    pub(super) fn is_allowed(&mut self, candidate: &Candidate, control: &Control) -> Result<bool, Error> {
         let points = &self.surface.points;
         let [a, b, c, d] = candidate.vertices;
         if self.edges.contains([c, d]) || collinear(points, c, d, a) || collinear(points, c, d, b) {
@@ -275,7 +273,7 @@ impl<'a> Flipper<'a> {
             // Strictly convex: the same points are covered before and after.
             return Ok(are_flat(points, [a, b], c, d) && are_flat(points, [c, d], a, b));
         }
-        self.obstacles.allow_flip(points, candidate.triangles, candidate.vertices)
+        self.obstacles.allow_flip(points, candidate.triangles, candidate.vertices, control)
     }
 
     /// Edge `ab` becomes `cd`; the triangle with `a` becomes `t`, the one with `b` becomes `u`, or the reverse if that gives both facets
@@ -313,12 +311,9 @@ impl<'a> Flipper<'a> {
             self.deviation[slot as usize] = deviation;
             self.obstacles.replace(&surface.points, slot, corners);
         }
-        surface.facet_flips.try_reserve(1)?;
-        surface.facet_flips.push(FacetFlip { old, new: [c, d], facets });
-        self.records.try_reserve(1)?;
-        self.records.push(record);
-        self.queue.try_reserve(4)?;
-        self.queue.extend([[a, c], [c, b], [b, d], [d, a]]);
+        fallible::push(&mut surface.facet_flips, FacetFlip { old, new: [c, d], facets })?;
+        fallible::push(&mut self.records, record)?;
+        fallible::extend(&mut self.queue, [[a, c], [c, b], [b, d], [d, a]])?;
         Ok(())
     }
 }
@@ -333,29 +328,24 @@ fn diagonal(points: &[[f64; 3]]) -> f64 {
 
 /// Vertices of no triangle and no segment, and the seeds of holes and regions: a flip must not pass over them.
 fn single_points(surface: &Surface, fixed: &[FixedEdge], plc: &Plc) -> Result<Vec<[f64; 3]>, Error> {
-    let mut used: Vec<bool> = Vec::new();
-    used.try_reserve_exact(surface.points.len())?;
-    used.resize(surface.points.len(), false);
+    let mut used: Vec<bool> = fallible::filled(false, surface.points.len())?;
     let ends = fixed.iter().flat_map(|edge| edge.ends);
     surface.triangles.iter().flatten().copied().chain(ends).for_each(|v| used[v as usize] = true);
     let isolated = (0..surface.points.len()).filter(|&v| !used[v] && surface.alias[v] as usize == v);
-    let mut single: Vec<[f64; 3]> = Vec::new();
-    single.try_reserve_exact(plc.holes.len() + plc.regions.len() + isolated.clone().count())?;
-    single.extend(isolated.map(|v| surface.points[v]));
+    let mut single: Vec<[f64; 3]> = fallible::collect(isolated.map(|v| surface.points[v]))?;
     let seeds = plc.holes.iter().chain(plc.regions.iter().map(|region| &region.point));
-    single.extend(seeds.map(|p| p.map(|x| scale(x, surface.scale))));
+    fallible::extend(&mut single, seeds.map(|p| p.map(|x| scale(x, surface.scale))))?;
     Ok(single)
 }
 
 /// For each triangle whether it is a whole input triangle.
 fn whole_triangles(surface: &Surface, plc: &Plc) -> Result<Vec<bool>, Error> {
-    let mut whole: Vec<bool> = Vec::new();
-    whole.try_reserve_exact(surface.triangles.len())?;
-    whole.extend(surface.triangles.iter().zip(&surface.triangle_facet).map(|(corners, &facet)| {
-        plc.triangles.get(facet as usize).is_some_and(|input| {
-            let given = input.map(|v| surface.alias[v as usize]);
-            corners.iter().all(|v| given.contains(v))
-        })
-    }));
+    let whole: Vec<bool> =
+        fallible::collect(surface.triangles.iter().zip(&surface.triangle_facet).map(|(corners, &facet)| {
+            plc.triangles.get(facet as usize).is_some_and(|input| {
+                let given = input.map(|v| surface.alias[v as usize]);
+                corners.iter().all(|v| given.contains(v))
+            })
+        }))?;
     Ok(whole)
 }

@@ -12,11 +12,12 @@
 //! meanwhile wants to avoid.
 //!
 //! Only facets given as triangles and not split by vertices are flipped, so that a flip can be expressed in terms of the input.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::patch::{connect, FixedEdge};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
-use crate::progress::Observer;
 use crate::INVALID;
 use flipper::{Flipper, Rule};
 
@@ -61,14 +62,16 @@ impl<'a> Merger<'a> {
     /// that must stay.
     ///
     /// # Errors
-    /// `OutOfMemory`.
+    /// What ends the run, `OutOfMemory`.
     pub fn new(
         surface: &'a mut Surface,
         fixed: Vec<FixedEdge>,
         plc: &'a Plc,
         degrees: f64,
+        control: &Control,
     ) -> Result<Merger<'a>, Error> {
-        Ok(Merger { flipper: Flipper::new(surface, &fixed, plc, degrees)?, fixed, plc, is_steered: false })
+        let flipper = Flipper::new(surface, &fixed, plc, degrees, control)?;
+        Ok(Merger { flipper, fixed, plc, is_steered: false })
     }
 
     /// The surface as it is now.
@@ -89,7 +92,7 @@ impl<'a> Merger<'a> {
         self.fixed.try_reserve(edges.len())?;
         for &ends in edges {
             self.flipper.edges.fix(ends);
-            self.fixed.push(FixedEdge { ends, parent: INVALID });
+            fallible::push(&mut self.fixed, FixedEdge { ends, parent: INVALID })?;
         }
         Ok(())
     }
@@ -98,14 +101,14 @@ impl<'a> Merger<'a> {
     ///
     /// # Errors
     /// `Cancelled`, `OutOfMemory`, `TooLarge`.
-    pub fn run(&mut self, guide: Option<&mut Guide>, observer: &mut dyn Observer) -> Result<(), Error> {
+    pub fn run(&mut self, guide: Option<&mut Guide>, control: &Control) -> Result<(), Error> {
         let flipper = &mut self.flipper;
         let again = std::mem::replace(&mut self.is_steered, guide.is_some());
         if !flipper.is_started() {
             let (avoid, avoid_all) =
                 guide.as_ref().map_or((&[][..], false), |guide| (guide.avoid, guide.avoid_all));
             let mut none = Guide { is_edge: &mut |_| true, avoid, avoid_all };
-            flipper.run(Rule::Angles, &mut none, PASSES, observer)?;
+            flipper.run(Rule::Angles, &mut none, PASSES, control)?;
         }
         if let Some(guide) = guide {
             if again {
@@ -113,15 +116,15 @@ impl<'a> Merger<'a> {
                 for &edge in guide.avoid {
                     flipper.look_at(edge)?;
                 }
-                flipper.run_on(Rule::Cost, guide, PASSES, observer)?;
+                flipper.run_on(Rule::Cost, guide, PASSES, control)?;
             } else {
-                flipper.run(Rule::Cost, guide, PASSES, observer)?;
+                flipper.run(Rule::Cost, guide, PASSES, control)?;
             }
-            flipper.take_back(guide, observer)?;
-            flipper.run_on(Rule::Cost, guide, PASSES, observer)?;
+            flipper.take_back(guide, control)?;
+            flipper.run_on(Rule::Cost, guide, PASSES, control)?;
         }
-        let beside = flipper.edges_beside()?;
+        let beside = flipper.edges_beside(control)?;
         flipper.surface.edges_beside = beside;
-        connect(flipper.surface, &self.fixed, |facet| self.plc.facet_marker(facet as usize))
+        connect(flipper.surface, &self.fixed, |facet| self.plc.facet_marker(facet as usize), control)
     }
 }

@@ -2,7 +2,9 @@
 //!
 //! Flips of different triangles commute. So a flip and a later one that undoes it cancel if no remaining flip between them touches one of
 //! the two triangles.
-use crate::error::{Error, Status};
+use crate::control::Control;
+use crate::error::Error;
+use crate::fallible;
 use crate::output::FacetFlip;
 use crate::INVALID;
 use rustc_hash::FxHashMap;
@@ -10,36 +12,33 @@ use rustc_hash::FxHashMap;
 /// The flips of a list without the pairs that cancel, in order.
 ///
 /// # Errors
-/// [`Status::OutOfMemory`].
-pub fn net_flips(flips: &[FacetFlip]) -> Result<Vec<FacetFlip>, Error> {
+/// What ends the run, [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+pub fn net_flips(flips: &[FacetFlip], control: &Control) -> Result<Vec<FacetFlip>, Error> {
     // Each kept flip, and the kept flip before it at each of its facets.
-    let mut kept: Vec<(FacetFlip, [u32; 2])> = Vec::new();
-    kept.try_reserve_exact(flips.len())?;
-    let mut is_dropped: Vec<bool> = Vec::new();
-    is_dropped.try_reserve_exact(flips.len())?;
+    let mut kept: Vec<(FacetFlip, [u32; 2])> = fallible::reserved(flips.len())?;
+    let mut is_dropped: Vec<bool> = fallible::reserved(flips.len())?;
     // The last flip kept at each facet. Only looked up, never iterated.
     let mut last: FxHashMap<u32, u32> = FxHashMap::default();
     for flip in flips {
-        last.try_reserve(2).map_err(|_| Error::new(Status::OutOfMemory, "out of memory"))?;
+        control.step()?;
         let before = flip.facets.map(|facet| last.get(&facet).copied().unwrap_or(INVALID));
         let [k, other] = before;
         if k == other && kept.get(k as usize).is_some_and(|(earlier, _)| takes_back(earlier, flip)) {
             let (earlier, before) = kept[k as usize];
             is_dropped[k as usize] = true;
             for (facet, flip) in earlier.facets.into_iter().zip(before) {
-                last.insert(facet, flip);
+                fallible::insert(&mut last, facet, flip)?;
             }
             continue;
         }
         for facet in flip.facets {
-            last.insert(facet, kept.len() as u32);
+            fallible::insert(&mut last, facet, kept.len() as u32)?;
         }
-        kept.push((*flip, before));
-        is_dropped.push(false);
+        fallible::push(&mut kept, (*flip, before))?;
+        fallible::push(&mut is_dropped, false)?;
     }
-    let mut net: Vec<FacetFlip> = Vec::new();
-    net.try_reserve_exact(is_dropped.iter().filter(|&&dropped| !dropped).count())?;
-    net.extend(kept.iter().zip(&is_dropped).filter(|x| !x.1).map(|x| x.0 .0));
+    let mut net: Vec<FacetFlip> = fallible::reserved(is_dropped.iter().filter(|&&dropped| !dropped).count())?;
+    fallible::extend(&mut net, kept.iter().zip(&is_dropped).filter(|x| !x.1).map(|x| x.0 .0))?;
     Ok(net)
 }
 

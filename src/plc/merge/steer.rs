@@ -4,10 +4,12 @@
 //! surface, and much more if it is a new edge off it, since its Steiner points would lie off the surface too. Flips that lower the cost are
 //! made as long as there are any; then the flips that made new edges of the expensive kind are undone, together with later flips that
 //! changed the triangles at them.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::merge::flipper::{Candidate, Flipper};
 use crate::plc::merge::Guide;
-use crate::progress::{report, Observer, Phase};
+use crate::progress::Phase;
 
 /// Limit of undo rounds: a restored edge may itself be expensive.
 const ROUNDS: usize = 32;
@@ -39,12 +41,12 @@ impl Flipper<'_> {
     }
 
     /// The edges made by flips that lie off the input's surface, sorted.
-    pub(super) fn edges_beside(&self) -> Result<Vec<[u32; 2]>, Error> {
+    pub(super) fn edges_beside(&self, control: &Control) -> Result<Vec<[u32; 2]>, Error> {
         let mut beside: Vec<[u32; 2]> = Vec::new();
         for (ends, record) in self.surface.facet_flips.iter().map(|flip| flip.new).zip(&self.records) {
+            control.step()?;
             if record.deviation > self.negligible && self.is_beside(ends) {
-                beside.try_reserve(1)?;
-                beside.push([ends[0].min(ends[1]), ends[0].max(ends[1])]);
+                fallible::push(&mut beside, [ends[0].min(ends[1]), ends[0].max(ends[1])])?;
             }
         }
         beside.sort_unstable();
@@ -58,14 +60,15 @@ impl Flipper<'_> {
     }
 
     /// Undoes flips until no missing edge lies off the input's surface, or none of those can be undone.
-    pub(super) fn take_back(&mut self, guide: &mut Guide, observer: &mut dyn Observer) -> Result<(), Error> {
+    pub(super) fn take_back(&mut self, guide: &mut Guide, control: &Control) -> Result<(), Error> {
         for _ in 0..ROUNDS {
-            report(observer, Phase::Validate, 0.95)?;
+            control.progress(Phase::Validate, 0.95)?;
             let before = self.records.len();
             for k in 0..before {
+                control.step()?;
                 let ends = self.surface.facet_flips[k].new;
                 if self.is_beside(ends) && self.live_cost(guide, ends) == MISSING_BESIDE {
-                    self.take_back_edge(ends)?;
+                    self.take_back_edge(ends, control)?;
                 }
             }
             if self.records.len() == before || self.is_exhausted() {
@@ -76,12 +79,12 @@ impl Flipper<'_> {
     }
 
     /// Undoes the flip that made an edge, after undoing those that have changed the triangles at it since.
-    fn take_back_edge(&mut self, ends: [u32; 2]) -> Result<(), Error> {
+    fn take_back_edge(&mut self, ends: [u32; 2], control: &Control) -> Result<(), Error> {
         let mut stack: Vec<[u32; 2]> = Vec::new();
-        stack.try_reserve(16)?;
-        stack.push(ends);
+        fallible::push(&mut stack, ends)?;
         let mut steps = 0;
         while let Some(&edge) = stack.last() {
+            control.step()?;
             steps += 1;
             if steps > DEPTH {
                 break;
@@ -96,8 +99,7 @@ impl Flipper<'_> {
             if let Some(gone) = around.into_iter().find(|&e| !self.edges.contains(e)) {
                 match self.heir(gone) {
                     Some(heir) if !stack.contains(&heir) => {
-                        stack.try_reserve(1)?;
-                        stack.push(heir);
+                        fallible::push(&mut stack, heir)?;
                         continue;
                     }
                     _ => break,
@@ -105,7 +107,7 @@ impl Flipper<'_> {
             }
             let Some(candidate) = self.candidate(edge) else { break };
             let [_, _, p, q] = candidate.vertices;
-            if ([p, q] != [a, b] && [q, p] != [a, b]) || !self.is_allowed(&candidate)? {
+            if ([p, q] != [a, b] && [q, p] != [a, b]) || !self.is_allowed(&candidate, control)? {
                 break;
             }
             self.flip(&candidate)?;

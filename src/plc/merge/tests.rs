@@ -1,10 +1,11 @@
 use super::*;
+use crate::control::Control;
 use crate::options::Options;
 use crate::output::FacetFlip;
 use crate::plc::intersect::{find_intersections, IntersectInput};
 use crate::plc::merge::net::net_flips;
 use crate::plc::{prepare, RegionSeed, Segment};
-use crate::progress::Silent;
+use crate::progress::Phase;
 
 /// A tube of `n` strips (full circle), each strip cut into `m` slivers by fans from its ends, coordinates in single precision.
 fn tube(n: u32, m: u32) -> Plc {
@@ -40,7 +41,7 @@ fn tube(n: u32, m: u32) -> Plc {
 }
 
 fn merged(plc: &Plc, degrees: f64) -> Surface {
-    prepare(plc, &Options { merge_facets: Some(degrees), ..Options::default() }, &mut Silent).unwrap()
+    prepare(plc, &Options { merge_facets: Some(degrees), ..Options::default() }, &Control::free()).unwrap()
 }
 
 /// Two triangles at an edge from (0, 0, 0) to (1, 0, 0), the first opposite vertex at y = 0.1, the other at y = -0.1 and height `z`: the
@@ -67,7 +68,7 @@ fn defects(surface: &Surface, segments: &[[u32; 2]]) -> usize {
         triangle_facet: &surface.triangle_facet,
         segments,
     };
-    let found = find_intersections(&input, 10, &mut Silent).unwrap();
+    let found = find_intersections(&input, 10, Control::free().whole(Phase::Validate)).unwrap();
     found.defect_count + found.vertex_on_edge.len() + found.vertex_in_triangle.len()
 }
 
@@ -205,9 +206,13 @@ fn missing_edges_beside_the_surface_are_taken_back() {
     let plc = tube(24, 9);
     let with = |is_edge: &mut dyn FnMut([u32; 2]) -> bool, avoid_all| {
         let mut guide = Guide { is_edge, avoid: &[], avoid_all };
-        let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &mut Silent).unwrap();
-        prepared.merger(&plc, 179.9).unwrap().run(Some(&mut guide), &mut Silent).unwrap();
-        prepared.into_surface().unwrap()
+        let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &Control::free()).unwrap();
+        prepared
+            .merger(&plc, 179.9, &Control::free())
+            .unwrap()
+            .run(Some(&mut guide), &Control::free())
+            .unwrap();
+        prepared.into_surface(&Control::free()).unwrap()
     };
     let all = with(&mut |_| true, false);
     assert!(!all.edges_beside.is_empty());
@@ -215,7 +220,7 @@ fn missing_edges_beside_the_surface_are_taken_back() {
     let back = with(&mut |_| false, false);
     // Only net flips are listed.
     assert!(back.facet_flips.len() < all.facet_flips.len());
-    assert!(net_flips(&back.facet_flips).unwrap() == back.facet_flips);
+    assert!(net_flips(&back.facet_flips, &Control::free()).unwrap() == back.facet_flips);
     // All are unwanted: they are not made.
     let none = with(&mut |_| true, true);
     assert!(none.facet_flips.len() < all.facet_flips.len());
@@ -228,16 +233,16 @@ fn missing_edges_beside_the_surface_are_taken_back() {
 #[test]
 fn merging_is_taken_up_again() {
     let plc = tube(24, 9);
-    let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &mut Silent).unwrap();
-    let mut merger = prepared.merger(&plc, 179.9).unwrap();
+    let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &Control::free()).unwrap();
+    let mut merger = prepared.merger(&plc, 179.9, &Control::free()).unwrap();
     let mut guide = Guide { is_edge: &mut |_| true, avoid: &[], avoid_all: false };
-    merger.run(Some(&mut guide), &mut Silent).unwrap();
+    merger.run(Some(&mut guide), &Control::free()).unwrap();
     let beside = merger.surface().edges_beside.clone();
     let (unwanted, pinned) = (&beside[..1], &beside[1..]);
     merger.keep(pinned).unwrap();
     let mut guide = Guide { is_edge: &mut |_| true, avoid: unwanted, avoid_all: false };
-    merger.run(Some(&mut guide), &mut Silent).unwrap();
-    let surface = prepared.into_surface().unwrap();
+    merger.run(Some(&mut guide), &Control::free()).unwrap();
+    let surface = prepared.into_surface(&Control::free()).unwrap();
     assert!(!surface.edges_beside.contains(&unwanted[0]));
     for edge in pinned {
         assert!(surface.segments.contains(edge), "{edge:?}");
@@ -250,7 +255,7 @@ fn flips_and_their_undoing_cancel() {
     let flip = |old, new, facets| FacetFlip { old, new, facets };
     let first = flip([0, 1], [2, 3], [0, 1]);
     let far = flip([10, 11], [12, 13], [5, 6]);
-    let net = |list: &[FacetFlip]| net_flips(list).unwrap();
+    let net = |list: &[FacetFlip]| net_flips(list, &Control::free()).unwrap();
     assert_eq!(net(&[first, far]), [first, far]);
     // Facet 0 has vertex 2 again: recognized from either facet.
     for back in [flip([2, 3], [0, 1], [0, 1]), flip([3, 2], [1, 0], [1, 0])] {
@@ -270,19 +275,19 @@ fn flips_and_their_undoing_cancel() {
 fn what_is_flipped_back_is_as_it_was() {
     // Every flip undone: each facet has the triangle it was given.
     let plc = tube(24, 9);
-    let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &mut Silent).unwrap();
+    let mut prepared = crate::plc::check_and_split(&plc, &Options::default(), &Control::free()).unwrap();
     let given: Vec<_> = prepared.surface().triangles.iter().map(|&t| sorted(t)).collect();
-    let mut merger = prepared.merger(&plc, 179.9).unwrap();
+    let mut merger = prepared.merger(&plc, 179.9, &Control::free()).unwrap();
     let flipper = &mut merger.flipper;
     let mut guide = Guide { is_edge: &mut |_| true, avoid: &[], avoid_all: false };
-    flipper.run(Rule::Angles, &mut guide, 1, &mut Silent).unwrap();
+    flipper.run(Rule::Angles, &mut guide, 1, &Control::free()).unwrap();
     let count = flipper.records.len();
     assert!(count > 100);
     for k in (0..count).rev() {
         let candidate = flipper.candidate(flipper.surface.facet_flips[k].new).unwrap();
         flipper.flip(&candidate).unwrap();
     }
-    let surface = prepared.into_surface().unwrap();
+    let surface = prepared.into_surface(&Control::free()).unwrap();
     assert_eq!(surface.facet_flips, []);
     assert_eq!(surface.triangles.iter().map(|&t| sorted(t)).collect::<Vec<_>>(), given);
 }

@@ -3,7 +3,9 @@
 //! Removing the triangles that an edge crosses leaves a pseudo-polygon on each side, which is filled with triangles whose circumcircles
 //! contain no other corner of it (Anglada 1997). A vertex on the edge splits it. The chain of a pseudo-polygon may pass through a vertex
 //! more than once, or along both sides of an edge.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::polygon::delaunay::{next, prev, Triangulation, GHOST};
 use crate::predicates::{incircle, Sign};
 use crate::INVALID;
@@ -69,14 +71,14 @@ impl Inserter {
         u: u32,
         v: u32,
         polygon: u32,
+        control: &Control,
     ) -> Result<Result<(), Obstacle>, Error> {
-        self.covers.try_reserve(1)?;
         let mut a = u;
         while a != v {
-            let start = match leave(mesh, a, v) {
+            let start = match leave(mesh, a, v, control)? {
                 Some(Way::Along(h)) => {
                     let end = mesh.to(h);
-                    self.cover(mesh, h, polygon);
+                    self.cover(mesh, h, polygon)?;
                     self.pass(u, v, end)?;
                     a = end;
                     continue;
@@ -84,12 +86,12 @@ impl Inserter {
                 Some(Way::Across(h)) => h,
                 None => return Ok(Err(Obstacle::Broken)),
             };
-            let end = match self.dig(mesh, a, v, start)? {
+            let end = match self.dig(mesh, a, v, start, control)? {
                 Ok(end) => end,
                 Err(obstacle) => return Ok(Err(obstacle)),
             };
-            let Some(h) = self.refill(mesh)? else { return Ok(Err(Obstacle::Broken)) };
-            self.cover(mesh, h, polygon);
+            let Some(h) = self.refill(mesh, control)? else { return Ok(Err(Obstacle::Broken)) };
+            self.cover(mesh, h, polygon)?;
             self.pass(u, v, end)?;
             a = end;
         }
@@ -99,19 +101,18 @@ impl Inserter {
     /// Records a vertex inside an edge.
     fn pass(&mut self, u: u32, v: u32, vertex: u32) -> Result<(), Error> {
         if vertex != v {
-            self.hits.try_reserve(1)?;
-            self.hits.push([u, v, vertex]);
-            self.covers.try_reserve(1)?;
+            fallible::push(&mut self.hits, [u, v, vertex])?;
         }
         Ok(())
     }
 
     /// Records that `polygon` runs along half-edge `h`.
-    fn cover(&mut self, mesh: &mut Triangulation, h: u32, polygon: u32) {
+    fn cover(&mut self, mesh: &mut Triangulation, h: u32, polygon: u32) -> Result<(), Error> {
         let head = self.covers.len() as u32;
-        self.covers.push(Cover { polygon, from: mesh.from(h), next: mesh.mark[h as usize] });
+        fallible::push(&mut self.covers, Cover { polygon, from: mesh.from(h), next: mesh.mark[h as usize] })?;
         mesh.mark[h as usize] = head;
         mesh.mark[mesh.twin[h as usize] as usize] = head;
+        Ok(())
     }
 
     /// Collects the triangles crossed from `a` towards `v`, entered through `start`, up to the first vertex on the edge.
@@ -121,6 +122,7 @@ impl Inserter {
         a: u32,
         v: u32,
         start: u32,
+        control: &Control,
     ) -> Result<Result<u32, Obstacle>, Error> {
         self.crossed.clear();
         self.upper.clear();
@@ -134,17 +136,13 @@ impl Inserter {
             own: INVALID,
         };
         let mut h = start;
-        self.crossed.push(h / 3);
-        self.upper.extend([a, mesh.to(h)]);
-        self.lower.extend([a, mesh.from(h)]);
-        self.upper_sides.push(side(next(h)));
-        self.lower_sides.push(side(prev(h)));
+        fallible::push(&mut self.crossed, h / 3)?;
+        fallible::extend(&mut self.upper, [a, mesh.to(h)])?;
+        fallible::extend(&mut self.lower, [a, mesh.from(h)])?;
+        fallible::push(&mut self.upper_sides, side(next(h)))?;
+        fallible::push(&mut self.lower_sides, side(prev(h)))?;
         loop {
-            for list in [&mut self.crossed, &mut self.upper, &mut self.lower] {
-                list.try_reserve(1)?;
-            }
-            self.upper_sides.try_reserve(1)?;
-            self.lower_sides.try_reserve(1)?;
+            control.step()?;
             if mesh.mark[h as usize] != INVALID {
                 return Ok(Err(Obstacle::Crossing([mesh.from(h), mesh.to(h)])));
             }
@@ -153,16 +151,16 @@ impl Inserter {
             if x == GHOST {
                 return Ok(Err(Obstacle::Broken));
             }
-            self.crossed.push(g / 3);
+            fallible::push(&mut self.crossed, g / 3)?;
             let turn = if x == v { Sign::Zero } else { mesh.turn(a, v, x) };
             if turn != Sign::Negative {
-                self.upper.push(x);
-                self.upper_sides.push(side(prev(g)));
+                fallible::push(&mut self.upper, x)?;
+                fallible::push(&mut self.upper_sides, side(prev(g)))?;
                 h = next(g);
             }
             if turn != Sign::Positive {
-                self.lower.push(x);
-                self.lower_sides.push(side(next(g)));
+                fallible::push(&mut self.lower, x)?;
+                fallible::push(&mut self.lower_sides, side(next(g)))?;
                 h = prev(g);
             }
             if turn == Sign::Zero {
@@ -172,16 +170,15 @@ impl Inserter {
     }
 
     /// Fills both pseudo-polygons; returns the half-edge of the new edge, in its direction.
-    fn refill(&mut self, mesh: &mut Triangulation) -> Result<Option<u32>, Error> {
+    fn refill(&mut self, mesh: &mut Triangulation, control: &Control) -> Result<Option<u32>, Error> {
         self.lower.reverse();
         self.lower_sides.reverse();
-        let missing = mesh.corner.len().saturating_sub(self.side_of.len());
-        self.side_of.try_reserve(missing)?;
-        self.side_of.resize(mesh.corner.len().max(self.side_of.len()), INVALID);
+        let room = mesh.corner.len().max(self.side_of.len());
+        fallible::resize(&mut self.side_of, room, INVALID)?;
         let mut slots = std::mem::take(&mut self.crossed);
         let tops = (
-            fill(mesh, &self.upper, &mut self.upper_sides, &mut slots, &mut self.tasks)?,
-            fill(mesh, &self.lower, &mut self.lower_sides, &mut slots, &mut self.tasks)?,
+            fill(mesh, &self.upper, &mut self.upper_sides, &mut slots, &mut self.tasks, control)?,
+            fill(mesh, &self.lower, &mut self.lower_sides, &mut slots, &mut self.tasks, control)?,
         );
         self.crossed = slots;
         let (Some(up), Some(down)) = tops else { return Ok(None) };
@@ -221,31 +218,33 @@ enum Way {
 }
 
 /// Turns about `a` to find the way to `v`.
-fn leave(mesh: &Triangulation, a: u32, v: u32) -> Option<Way> {
+fn leave(mesh: &Triangulation, a: u32, v: u32, control: &Control) -> Result<Option<Way>, Error> {
     let first = mesh.triangle_of[a as usize];
     let mut t = first;
     loop {
-        let h = 3 * t + mesh.corners(t).iter().position(|&c| c == a)? as u32;
+        control.step()?;
+        let Some(corner) = mesh.corners(t).iter().position(|&c| c == a) else { return Ok(None) };
+        let h = 3 * t + corner as u32;
         let (right, left) = (mesh.from(h), mesh.to(h));
         if right == v {
-            return Some(Way::Along(prev(h)));
+            return Ok(Some(Way::Along(prev(h))));
         }
         if right != GHOST && left != GHOST && left != v {
             let (r, l) = (mesh.turn(a, v, right), mesh.turn(a, v, left));
             if r == Sign::Zero && l == Sign::Positive {
-                return Some(Way::Along(prev(h)));
+                return Ok(Some(Way::Along(prev(h))));
             }
             if r == Sign::Negative && l == Sign::Zero {
-                return Some(Way::Along(mesh.twin[next(h) as usize]));
+                return Ok(Some(Way::Along(mesh.twin[next(h) as usize])));
             }
             if r == Sign::Negative && l == Sign::Positive {
-                return Some(Way::Across(h));
+                return Ok(Some(Way::Across(h)));
             }
         }
         // Counter-clockwise: across the side from `left` to `a`.
         t = mesh.twin[next(h) as usize] / 3;
         if t == first {
-            return None;
+            return Ok(None);
         }
     }
 }
@@ -257,15 +256,17 @@ fn fill(
     sides: &mut [Side],
     slots: &mut Vec<u32>,
     tasks: &mut Vec<(u32, u32, u32)>,
+    control: &Control,
 ) -> Result<Option<u32>, Error> {
     let mut base = None;
     tasks.clear();
-    tasks.push((0, chain.len() as u32 - 1, INVALID));
+    fallible::push(tasks, (0, chain.len() as u32 - 1, INVALID))?;
     while let Some((i, j, parent)) = tasks.pop() {
         if j - i == 1 {
             sides[i as usize].own = parent;
             continue;
         }
+        control.steps(j - i)?;
         let Some(k) = choose(mesh, chain, i, j) else { return Ok(None) };
         let Some(t) = slots.pop() else { return Ok(None) };
         mesh.set_triangle(t, [chain[i as usize], chain[j as usize], chain[k as usize]]);
@@ -274,9 +275,8 @@ fn fill(
         } else {
             mesh.link(3 * t + 2, parent);
         }
-        tasks.try_reserve(2)?;
-        tasks.push((i, k, 3 * t + 1));
-        tasks.push((k, j, 3 * t));
+        fallible::push(tasks, (i, k, 3 * t + 1))?;
+        fallible::push(tasks, (k, j, 3 * t))?;
     }
     Ok(base)
 }

@@ -6,7 +6,9 @@
 //!
 //! Half-edge `h = 3 t + i` is the side of triangle `t` opposite its corner `i`; it runs from corner `i + 1` to `i + 2`, with the
 //! triangle on its left. Invariants: `twin[twin[h]] == h`; finite triangles are counter-clockwise.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::predicates::{incircle, orient2d, Sign};
 use crate::INVALID;
 
@@ -126,28 +128,25 @@ impl Triangulation {
         self.twin[h as usize] = g;
     }
 
-    fn new_triangle(&mut self) -> u32 {
+    fn new_triangle(&mut self) -> Result<u32, Error> {
         let t = self.triangle_count();
-        self.corner.extend([GHOST; 3]);
-        self.twin.extend([INVALID; 3]);
-        self.mark.extend([INVALID; 3]);
-        t
+        fallible::extend(&mut self.corner, [GHOST; 3])?;
+        fallible::extend(&mut self.twin, [INVALID; 3])?;
+        fallible::extend(&mut self.mark, [INVALID; 3])?;
+        Ok(t)
     }
 
     /// Triangulates `self.points`. Returns a flaw if there is no triangulation; fails if memory runs out.
-    pub fn build(&mut self) -> Result<Result<(), Flaw>, Error> {
+    pub fn build(&mut self, control: &Control) -> Result<Result<(), Flaw>, Error> {
         let n = self.points.len();
         for list in [&mut self.corner, &mut self.twin, &mut self.mark] {
             list.clear();
             list.try_reserve(6 * n)?;
         }
-        // The stack holds edges of different triangles at the new vertex: at most as many as there are vertices, plus infinity.
         self.stack.clear();
-        self.stack.try_reserve(n + 4)?;
         self.triangle_of.clear();
-        self.triangle_of.try_reserve(n)?;
-        self.triangle_of.resize(n, INVALID);
-        self.sort()?;
+        fallible::resize(&mut self.triangle_of, n, INVALID)?;
+        self.sort(control)?;
         let Some(second) =
             (1..n).find(|&i| self.points[self.order[i].1 as usize] != self.points[self.order[0].1 as usize])
         else {
@@ -158,13 +157,13 @@ impl Triangulation {
             return Ok(Err(Flaw::Collinear));
         };
         let c = self.order[third].1;
-        self.first_triangle(if self.turn(a, b, c) == Sign::Positive { [a, b, c] } else { [b, a, c] });
+        self.first_triangle(if self.turn(a, b, c) == Sign::Positive { [a, b, c] } else { [b, a, c] })?;
         for i in 1..n {
             if i == second || i == third {
                 continue;
             }
             let v = self.order[i].1;
-            if !self.insert(v) {
+            if !self.insert(v, control)? {
                 return Ok(Err(Flaw::Coincident));
             }
         }
@@ -172,11 +171,10 @@ impl Triangulation {
     }
 
     /// The order of insertion: rounds of about eightfold size, each along a Hilbert curve.
-    fn sort(&mut self) -> Result<(), Error> {
+    fn sort(&mut self, control: &Control) -> Result<(), Error> {
         self.order.clear();
-        self.order.try_reserve(self.points.len())?;
         if self.points.len() <= 16 {
-            self.order.extend((0..self.points.len() as u32).map(|i| (0, i)));
+            fallible::extend(&mut self.order, (0..self.points.len() as u32).map(|i| (0, i)))?;
             return Ok(());
         }
         let (mut low, mut high) = (self.points[0], self.points[0]);
@@ -191,28 +189,27 @@ impl Triangulation {
         for (i, p) in self.points.iter().enumerate() {
             let round = ((i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 20).trailing_zeros() / 3;
             let curve = u64::from(hilbert(cell(p, 0), cell(p, 1)));
-            self.order.push((u64::from(63 - round) << 32 | curve, i as u32));
+            fallible::push(&mut self.order, (u64::from(63 - round) << 32 | curve, i as u32))?;
         }
-        self.order.sort_unstable();
-        Ok(())
+        control.sort(&mut self.order)
     }
 
-    fn first_triangle(&mut self, [a, b, c]: [u32; 3]) {
-        let t = self.new_triangle();
+    fn first_triangle(&mut self, [a, b, c]: [u32; 3]) -> Result<(), Error> {
+        let t = self.new_triangle()?;
         self.set_triangle(t, [a, b, c]);
-        let ghosts = [[c, b, GHOST], [a, c, GHOST], [b, a, GHOST]].map(|corners| {
-            let g = self.new_triangle();
+        let ghosts = [self.new_triangle()?, self.new_triangle()?, self.new_triangle()?];
+        for (g, corners) in ghosts.into_iter().zip([[c, b, GHOST], [a, c, GHOST], [b, a, GHOST]]) {
             for (i, v) in corners.into_iter().enumerate() {
                 self.corner[(3 * g) as usize + i] = v;
             }
-            g
-        });
+        }
         for i in 0..3 {
             self.link(3 * t + i, 3 * ghosts[i as usize] + 2);
             // Ghost i has the finite edge (x, y); its side from y to infinity meets the ghost whose edge begins at y.
             self.link(3 * ghosts[i as usize], 3 * ghosts[((i + 2) % 3) as usize] + 1);
         }
         self.last = t;
+        Ok(())
     }
 
     /// Finds `p` by a walk from the last triangle. It terminates because the triangulation is Delaunay while points are inserted.
@@ -247,46 +244,49 @@ impl Triangulation {
     }
 
     /// Inserts a vertex; returns false if there is an equal one.
-    fn insert(&mut self, v: u32) -> bool {
+    fn insert(&mut self, v: u32, control: &Control) -> Result<bool, Error> {
         let p = self.points[v as usize];
         match self.locate(p) {
-            Place::Vertex(_) => return false,
+            Place::Vertex(_) => return Ok(false),
             Place::Triangle(t) => {
-                let slots = [t, self.new_triangle(), self.new_triangle(), INVALID];
-                self.star(v, [3 * t, 3 * t + 1, 3 * t + 2, INVALID], slots, 3);
+                let slots = [t, self.new_triangle()?, self.new_triangle()?, INVALID];
+                self.star(v, [3 * t, 3 * t + 1, 3 * t + 2, INVALID], slots, 3)?;
             }
             Place::Edge(h) => {
                 let g = self.twin[h as usize];
-                let slots = [h / 3, g / 3, self.new_triangle(), self.new_triangle()];
-                self.star(v, [next(h), prev(h), next(g), prev(g)], slots, 4);
+                let slots = [h / 3, g / 3, self.new_triangle()?, self.new_triangle()?];
+                self.star(v, [next(h), prev(h), next(g), prev(g)], slots, 4)?;
             }
         }
-        self.legalize(v);
+        self.legalize(v, control)?;
         self.last = self.triangle_of[v as usize];
-        true
+        Ok(true)
     }
 
     /// Replaces the triangles whose border is given, in counter-clockwise order, by triangles from `v`.
-    fn star(&mut self, v: u32, border: [u32; 4], slots: [u32; 4], count: usize) {
+    fn star(&mut self, v: u32, border: [u32; 4], slots: [u32; 4], count: usize) -> Result<(), Error> {
         let ends = border.map(|h| if h == INVALID { (0, 0) } else { (self.from(h), self.to(h)) });
         let outer = border.map(|h| if h == INVALID { INVALID } else { self.twin[h as usize] });
         for k in 0..count {
             self.set_triangle(slots[k], [v, ends[k].0, ends[k].1]);
             self.link(3 * slots[k], outer[k]);
             self.link(3 * slots[k] + 1, 3 * slots[(k + 1) % count] + 2);
-            self.stack.push(3 * slots[k]);
+            fallible::push(&mut self.stack, 3 * slots[k])?;
         }
+        Ok(())
     }
 
     /// Flips until all edges opposite the new vertex are locally Delaunay.
-    fn legalize(&mut self, v: u32) {
+    fn legalize(&mut self, v: u32, control: &Control) -> Result<(), Error> {
         while let Some(h) = self.stack.pop() {
+            control.step()?;
             debug_assert_eq!(self.corner[h as usize], v);
             if self.is_illegal(h) {
                 let g = self.flip(h);
-                self.stack.extend(g);
+                fallible::extend(&mut self.stack, g)?;
             }
         }
+        Ok(())
     }
 
     /// Whether the vertex beyond half-edge `h` is in conflict with the triangle of `h`, whose apex is finite.

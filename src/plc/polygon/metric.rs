@@ -4,7 +4,9 @@
 //! space as lifts (the plane need not be known) Lawson's flips (1977) lead to the Delaunay triangulation of the polygon itself, whose edges
 //! the Delaunay tetrahedralization of all points is likely to have. Rounded arithmetic suffices: any triangulation of a polygon is valid.
 //! Whether a quadrilateral is convex is decided exactly, in the projection.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::polygon::delaunay::{next, prev, Triangulation};
 use crate::plc::polygon::project;
 use crate::predicates::Sign;
@@ -41,12 +43,13 @@ pub(super) fn improve(
     axis: usize,
     points: impl Fn(u32) -> [f64; 3],
     stack: &mut Vec<u32>,
+    control: &Control,
 ) -> Result<(), Error> {
     stack.clear();
-    stack.try_reserve(mesh.corner.len())?;
-    stack.extend((0..mesh.corner.len() as u32).filter(|&h| h < mesh.twin[h as usize]));
+    fallible::extend(stack, (0..mesh.corner.len() as u32).filter(|&h| h < mesh.twin[h as usize]))?;
     let origin = points(0);
     while let Some(h) = stack.pop() {
+        control.step()?;
         let g = mesh.twin[h as usize];
         if mesh.mark[h as usize] != INVALID || !inside[h as usize / 3] || !inside[g as usize / 3] {
             continue;
@@ -62,8 +65,7 @@ pub(super) fn improve(
         for side in (3 * t..3 * t + 3).chain(3 * u..3 * u + 3) {
             mesh.mark[side as usize] = mesh.mark[mesh.twin[side as usize] as usize];
         }
-        stack.try_reserve(4)?;
-        stack.extend([3 * t, 3 * u].into_iter().chain([prev(3 * t), next(3 * u)]));
+        fallible::extend(stack, [3 * t, 3 * u].into_iter().chain([prev(3 * t), next(3 * u)]))?;
     }
     Ok(())
 }
@@ -71,6 +73,7 @@ pub(super) fn improve(
 #[cfg(test)]
 mod tests {
     use super::super::Triangulator;
+    use crate::control::Control;
     use crate::plc::Interior;
 
     /// Points of the plane x = 3 y + 0.1 z, where neither projection along x nor along y keeps circles.
@@ -100,7 +103,8 @@ mod tests {
             for k in 0..ring.len() {
                 triangulator.add_edge(polygon, ring[k], ring[(k + 1) % ring.len()]).unwrap();
             }
-            triangulator.triangulate(points, Interior::default(), &[]).unwrap().unwrap();
+            let control = Control::free();
+            triangulator.triangulate(points, Interior::default(), &[], &control).unwrap().unwrap();
         }
         triangulator.triangles
     }

@@ -7,9 +7,12 @@
 //!
 //! Invariant of the result: each triangle has the orientation of the outer ring, is not degenerate, and has only corners of the polygons;
 //! each polygon vertex that lies on a polygon's edge splits it.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::Interior;
 use crate::predicates::{orient2d, orient3d, Sign};
+use crate::vector::by_size;
 use crate::INVALID;
 
 pub mod constraint;
@@ -83,7 +86,7 @@ impl Triangulator {
     pub fn new(point_count: usize) -> Result<Self, Error> {
         let mut triangulator = Triangulator::default();
         triangulator.local.try_reserve_exact(point_count)?;
-        triangulator.local.resize(point_count, INVALID);
+        fallible::resize(&mut triangulator.local, point_count, INVALID)?;
         Ok(triangulator)
     }
 
@@ -102,9 +105,8 @@ impl Triangulator {
     /// Adds a vertex.
     pub fn add_vertex(&mut self, v: u32) -> Result<u32, Error> {
         if self.local[v as usize] == INVALID {
-            self.vertices.try_reserve(1)?;
             self.local[v as usize] = self.vertices.len() as u32;
-            self.vertices.push(v);
+            fallible::push(&mut self.vertices, v)?;
         }
         Ok(self.local[v as usize])
     }
@@ -116,8 +118,7 @@ impl Triangulator {
 
     /// Adds a polygon without edges; returns its number.
     pub fn add_polygon(&mut self, role: Role) -> Result<u32, Error> {
-        self.roles.try_reserve(1)?;
-        self.roles.push(role);
+        fallible::push(&mut self.roles, role)?;
         Ok(self.roles.len() as u32 - 1)
     }
 
@@ -125,8 +126,7 @@ impl Triangulator {
     pub fn add_edge(&mut self, polygon: u32, u: u32, v: u32) -> Result<(), Error> {
         let edge = [self.add_vertex(u)?, self.add_vertex(v)?, polygon];
         if u != v {
-            self.input.try_reserve(1)?;
-            self.input.push(edge);
+            fallible::push(&mut self.input, edge)?;
         }
         Ok(())
     }
@@ -136,8 +136,7 @@ impl Triangulator {
     pub fn triangulate_ring(&mut self, points: &[[f64; 3]], ring: &[u32]) -> Result<bool, Error> {
         self.clear();
         if let Some((triangles, count)) = small::triangulate_small(points, ring) {
-            self.triangles.try_reserve(count)?;
-            self.triangles.extend_from_slice(&triangles[..count]);
+            fallible::append(&mut self.triangles, &triangles[..count])?;
         }
         Ok(!self.triangles.is_empty())
     }
@@ -148,14 +147,15 @@ impl Triangulator {
         points: &[[f64; 3]],
         interior: Interior,
         holes: &[[f64; 3]],
+        control: &Control,
     ) -> Result<Result<(), Fault>, Error> {
         let mut first = None;
         for axis in self.axes(points) {
-            match self.attempt(points, axis, interior, holes)? {
+            match self.attempt(points, axis, interior, holes, control)? {
                 Ok(()) => return Ok(Ok(())),
                 Err(fault) => first = first.or((fault.kind != FaultKind::Degenerate).then_some(fault)),
             }
-            if first.is_some() && self.is_planar(points) {
+            if first.is_some() && self.is_planar(points, control)? {
                 break;
             }
         }
@@ -165,7 +165,7 @@ impl Triangulator {
                 vertices: [self.vertices.first().copied().unwrap_or(INVALID); 4],
             }));
         };
-        if self.is_warped(points) {
+        if self.is_warped(points, control)? {
             fault.kind = FaultKind::NonPlanar;
         }
         if fault.vertices[0] != INVALID {
@@ -195,10 +195,7 @@ impl Triangulator {
 
     /// The axes to project along, the most promising first.
     fn axes(&self, points: &[[f64; 3]]) -> [usize; 3] {
-        let normal = self.normal(points);
-        let mut axes = [2, 1, 0];
-        axes.sort_by(|&i, &j| normal[j].abs().total_cmp(&normal[i].abs()));
-        axes
+        by_size(&self.normal(points), [2, 1, 0])
     }
 
     /// Three vertices that are not collinear.
@@ -209,18 +206,24 @@ impl Triangulator {
     }
 
     /// Whether all vertices lie exactly in one plane.
-    fn is_planar(&self, points: &[[f64; 3]]) -> bool {
-        let Some([a, b, c]) = self.frame(points) else { return true };
+    fn is_planar(&self, points: &[[f64; 3]], control: &Control) -> Result<bool, Error> {
+        let Some([a, b, c]) = self.frame(points) else { return Ok(true) };
         let at = |v: u32| &points[v as usize];
-        self.vertices.iter().all(|&d| orient3d(at(a), at(b), at(c), at(d)) == Sign::Zero)
+        for &d in &self.vertices {
+            control.step()?;
+            if orient3d(at(a), at(b), at(c), at(d)) != Sign::Zero {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// Whether the vertices are farther from a plane than rounding explains. Only the kind of a fault depends on it.
-    fn is_warped(&self, points: &[[f64; 3]]) -> bool {
+    fn is_warped(&self, points: &[[f64; 3]], control: &Control) -> Result<bool, Error> {
         let normal = self.normal(points);
         let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
         if length == 0.0 {
-            return false;
+            return Ok(false);
         }
         let (mut low, mut high, mut size) = (f64::INFINITY, f64::NEG_INFINITY, 0f64);
         for &v in &self.vertices {
@@ -231,7 +234,7 @@ impl Triangulator {
             high = high.max(height);
             size = d.iter().fold(size, |s, x| s.max(x.abs()));
         }
-        high - low > 1e-6 * size && !self.is_planar(points)
+        Ok(high - low > 1e-6 * size && !self.is_planar(points, control)?)
     }
 
     /// One projection. Vertices of the fault are local.
@@ -241,37 +244,40 @@ impl Triangulator {
         axis: usize,
         interior: Interior,
         holes: &[[f64; 3]],
+        control: &Control,
     ) -> Result<Result<(), Fault>, Error> {
         self.mesh.points.clear();
-        self.mesh.points.try_reserve(self.vertices.len())?;
-        self.mesh.points.extend(self.vertices.iter().map(|&v| project(&points[v as usize], axis)));
-        if let Err(flaw) = self.mesh.build()? {
+        fallible::extend(
+            &mut self.mesh.points,
+            self.vertices.iter().map(|&v| project(&points[v as usize], axis)),
+        )?;
+        if let Err(flaw) = self.mesh.build(control)? {
             let kind = if flaw == Flaw::Collinear { FaultKind::Degenerate } else { FaultKind::NonPlanar };
             return Ok(Err(Fault { kind, vertices: [INVALID; 4] }));
         }
-        if let Err(fault) = self.insert_edges(points)? {
+        if let Err(fault) = self.insert_edges(points, control)? {
             return Ok(Err(fault));
         }
         self.seeds.clear();
-        self.seeds.try_reserve(holes.len())?;
-        self.seeds.extend(holes.iter().map(|p| project(p, axis)));
+        fallible::extend(&mut self.seeds, holes.iter().map(|p| project(p, axis)))?;
         let covers = &self.inserter.covers;
-        if let Err(fault) = self.regions.classify(&self.mesh, covers, &self.roles, interior, &self.seeds)? {
+        let found = self.regions.classify(&self.mesh, covers, &self.roles, interior, &self.seeds, control)?;
+        if let Err(fault) = found {
             return Ok(Err(fault));
         }
         let at = |v: u32| points[self.vertices[v as usize] as usize];
-        metric::improve(&mut self.mesh, &self.regions.inside, axis, at, &mut self.stack)?;
-        self.emit(interior)?;
+        metric::improve(&mut self.mesh, &self.regions.inside, axis, at, &mut self.stack, control)?;
+        self.emit(interior, control)?;
         if self.triangles.is_empty() {
             return Ok(Err(Fault { kind: FaultKind::Degenerate, vertices: [INVALID; 4] }));
         }
         Ok(Ok(()))
     }
 
-    fn insert_edges(&mut self, points: &[[f64; 3]]) -> Result<Result<(), Fault>, Error> {
+    fn insert_edges(&mut self, points: &[[f64; 3]], control: &Control) -> Result<Result<(), Fault>, Error> {
         self.inserter.clear();
         for &[u, v, polygon] in &self.input {
-            match self.inserter.insert(&mut self.mesh, u, v, polygon)? {
+            match self.inserter.insert(&mut self.mesh, u, v, polygon, control)? {
                 Ok(()) => {}
                 Err(Obstacle::Crossing([a, b])) => {
                     return Ok(Err(Fault { kind: FaultKind::Crossing, vertices: [u, v, a, b] }));
@@ -283,16 +289,18 @@ impl Triangulator {
         }
         // A vertex that lies on an edge only in projection would bend it.
         let global = |v: u32| self.vertices[v as usize];
-        let bent =
-            self.inserter.hits.iter().find(|&&[u, v, w]| !collinear(points, global(u), global(v), global(w)));
-        Ok(match bent {
-            Some(&[_, _, w]) => Err(Fault { kind: FaultKind::NonPlanar, vertices: [w; 4] }),
-            None => Ok(()),
-        })
+        for &[u, v, w] in &self.inserter.hits {
+            control.step()?;
+            if !collinear(points, global(u), global(v), global(w)) {
+                return Ok(Err(Fault { kind: FaultKind::NonPlanar, vertices: [w; 4] }));
+            }
+        }
+        Ok(Ok(()))
     }
 
     /// Stores the inner triangles and the constraining edges in the result.
-    fn emit(&mut self, interior: Interior) -> Result<(), Error> {
+    fn emit(&mut self, interior: Interior, control: &Control) -> Result<(), Error> {
+        control.look()?;
         self.triangles.clear();
         self.edges.clear();
         self.triangles.try_reserve(self.regions.inside.iter().filter(|&&inside| inside).count())?;
@@ -300,7 +308,10 @@ impl Triangulator {
         for t in 0..self.mesh.triangle_count() {
             if self.regions.inside[t as usize] {
                 let [a, b, c] = self.mesh.corners(t).map(global);
-                self.triangles.push(if self.regions.counter_clockwise { [a, b, c] } else { [a, c, b] });
+                fallible::push(
+                    &mut self.triangles,
+                    if self.regions.counter_clockwise { [a, b, c] } else { [a, c, b] },
+                )?;
             }
         }
         for h in 0..self.mesh.corner.len() as u32 {
@@ -308,11 +319,11 @@ impl Triangulator {
             if h > g || self.mesh.mark[h as usize] == INVALID || self.mesh.from(h) == GHOST {
                 continue;
             }
+            control.step()?;
             let inside = [h, g].map(|s| self.regions.inside[s as usize / 3]);
             let dangling = interior == Interior::Seeds && inside[0] == inside[1];
             if dangling || region::constrains(&self.mesh, &self.inserter.covers, &self.roles, h) {
-                self.edges.try_reserve(1)?;
-                self.edges.push([global(self.mesh.from(h)), global(self.mesh.to(h))]);
+                fallible::push(&mut self.edges, [global(self.mesh.from(h)), global(self.mesh.to(h))])?;
             }
         }
         Ok(())

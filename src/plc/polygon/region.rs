@@ -3,7 +3,9 @@
 //! A flood fill from outside computes, for the outer ring and the current hole, the winding number around each triangle. A ring bounds a
 //! region exactly if its winding numbers are 0 and one of +1, −1: it may touch itself, or run back and forth along a bridge, but not cross
 //! itself.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::plc::polygon::constraint::Cover;
 use crate::plc::polygon::delaunay::{Triangulation, GHOST};
 use crate::plc::polygon::{Fault, FaultKind, Role};
@@ -42,31 +44,27 @@ impl Regions {
         roles: &[Role],
         interior: Interior,
         seeds: &[[f64; 2]],
+        control: &Control,
     ) -> Result<Result<(), Fault>, Error> {
         let count = mesh.triangle_count() as usize;
         self.inside.clear();
         self.visited.clear();
-        self.inside.try_reserve(count)?;
-        self.visited.try_reserve(count)?;
         self.stack.clear();
-        self.stack.try_reserve(count)?;
-        self.visited.resize(count, false);
-        Ok(match interior {
+        fallible::resize(&mut self.visited, count, false)?;
+        match interior {
             Interior::FirstMinusOthers => {
-                self.inside.resize(count, false);
+                fallible::resize(&mut self.inside, count, false)?;
                 self.winding.clear();
-                self.winding.try_reserve(count)?;
-                self.winding.resize(count, OUTSIDE);
+                fallible::resize(&mut self.winding, count, OUTSIDE)?;
                 self.hole_sense.clear();
-                self.hole_sense.try_reserve(roles.len())?;
-                self.hole_sense.resize(roles.len(), 0);
-                self.wind(mesh, covers, roles)
+                fallible::resize(&mut self.hole_sense, roles.len(), 0)?;
+                self.wind(mesh, covers, roles, control)
             }
             Interior::Seeds => {
-                self.inside.resize(count, true);
-                self.flood_seeds(mesh, covers, seeds)
+                fallible::resize(&mut self.inside, count, true)?;
+                self.flood_seeds(mesh, covers, seeds, control)
             }
-        })
+        }
     }
 
     /// A triangle with the vertex at infinity, where every flood fill begins.
@@ -74,12 +72,19 @@ impl Regions {
         (0..mesh.triangle_count()).find(|&t| mesh.is_ghost(t)).unwrap_or(0)
     }
 
-    fn wind(&mut self, mesh: &Triangulation, covers: &[Cover], roles: &[Role]) -> Result<(), Fault> {
+    fn wind(
+        &mut self,
+        mesh: &Triangulation,
+        covers: &[Cover],
+        roles: &[Role],
+        control: &Control,
+    ) -> Result<Result<(), Fault>, Error> {
         let start = Self::start(mesh);
         self.visited[start as usize] = true;
-        self.stack.push(start);
+        fallible::push(&mut self.stack, start)?;
         let mut sense = 0;
         while let Some(t) = self.stack.pop() {
+            control.step()?;
             for h in 3 * t..3 * t + 3 {
                 let beyond = mesh.twin[h as usize] / 3;
                 if std::mem::replace(&mut self.visited[beyond as usize], true) {
@@ -87,23 +92,23 @@ impl Regions {
                 }
                 let mut w = self.winding[t as usize];
                 if mesh.mark[h as usize] != INVALID && !step(mesh, covers, roles, h, &mut w) {
-                    return Err(fault(mesh, beyond, FaultKind::Nesting));
+                    return Ok(Err(fault(mesh, beyond, FaultKind::Nesting)));
                 }
                 self.winding[beyond as usize] = w;
                 if !fits(&mut sense, w.outer)
                     || (w.hole != INVALID && !fits(&mut self.hole_sense[w.hole as usize], w.hole_winding))
                 {
-                    return Err(fault(mesh, beyond, FaultKind::Crossing));
+                    return Ok(Err(fault(mesh, beyond, FaultKind::Crossing)));
                 }
                 if w.hole != INVALID && w.outer == 0 {
-                    return Err(fault(mesh, beyond, FaultKind::Nesting));
+                    return Ok(Err(fault(mesh, beyond, FaultKind::Nesting)));
                 }
                 self.inside[beyond as usize] = w.outer != 0 && w.hole == INVALID;
-                self.stack.push(beyond);
+                fallible::push(&mut self.stack, beyond)?;
             }
         }
         self.counter_clockwise = sense > 0;
-        Ok(())
+        Ok(Ok(()))
     }
 
     fn flood_seeds(
@@ -111,8 +116,9 @@ impl Regions {
         mesh: &Triangulation,
         covers: &[Cover],
         seeds: &[[f64; 2]],
-    ) -> Result<(), Fault> {
-        self.erase(mesh, Self::start(mesh));
+        control: &Control,
+    ) -> Result<Result<(), Fault>, Error> {
+        self.erase(mesh, Self::start(mesh), control)?;
         // Before holes are removed, only the outer boundary borders the outside.
         self.counter_clockwise = (0..mesh.corner.len() as u32)
             .find(|&h| {
@@ -122,30 +128,35 @@ impl Regions {
             })
             .is_none_or(|h| covers[mesh.mark[h as usize] as usize].from == mesh.from(h));
         for &seed in seeds {
+            control.steps(mesh.triangle_count())?;
             match find(mesh, seed) {
-                Some((_, true)) => return Err(Fault { kind: FaultKind::Seed, vertices: [INVALID; 4] }),
-                Some((t, false)) => self.erase(mesh, t),
+                Some((_, true)) => {
+                    return Ok(Err(Fault { kind: FaultKind::Seed, vertices: [INVALID; 4] }));
+                }
+                Some((t, false)) => self.erase(mesh, t, control)?,
                 None => {}
             }
         }
-        Ok(())
+        Ok(Ok(()))
     }
 
     /// Marks as outside all triangles that can be reached without crossing a constrained edge.
-    fn erase(&mut self, mesh: &Triangulation, start: u32) {
+    fn erase(&mut self, mesh: &Triangulation, start: u32, control: &Control) -> Result<(), Error> {
         if std::mem::replace(&mut self.visited[start as usize], true) {
-            return;
+            return Ok(());
         }
-        self.stack.push(start);
+        fallible::push(&mut self.stack, start)?;
         while let Some(t) = self.stack.pop() {
+            control.step()?;
             self.inside[t as usize] = false;
             for h in 3 * t as usize..3 * t as usize + 3 {
                 let beyond = mesh.twin[h] / 3;
                 if mesh.mark[h] == INVALID && !std::mem::replace(&mut self.visited[beyond as usize], true) {
-                    self.stack.push(beyond);
+                    fallible::push(&mut self.stack, beyond)?;
                 }
             }
         }
+        Ok(())
     }
 }
 

@@ -99,7 +99,7 @@ fn nearest_is_rounded_correctly() {
         }
         let exact: BigInt = e.components().iter().map(|&x| integer(x)).sum();
         let nearest = e.nearest();
-        assert_eq!(nearest, e.clone().compressed().nearest());
+        assert_eq!(nearest, e.compressed().nearest());
         assert_eq!(sign(&exact), e.sign());
         let distance = |x: f64| (integer(x) - &exact).abs();
         let even = |x: f64| x.to_bits() & 1 == 0;
@@ -127,7 +127,7 @@ fn expansion_arithmetic() {
         assert_eq!(value(&e.sum(&f)), value(&e) + value(&f));
         assert_eq!(value(&e.difference(&f)), value(&e) - value(&f));
         assert_eq!(value(&e.product(&f)) * &unit, value(&e) * value(&f));
-        let compressed = e.clone().compressed();
+        let compressed = e.compressed();
         assert_eq!(value(&compressed), value(&e));
         assert!(compressed.components().windows(2).all(|w| w[0].abs() <= w[1].abs() * f64::EPSILON));
     }

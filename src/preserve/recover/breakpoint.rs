@@ -6,6 +6,8 @@
 //! piece that crosses one edge is divided beside that edge.
 //!
 //! Plain arithmetic: every position between the ends is valid.
+use crate::error::Error;
+use crate::fallible;
 use crate::predicates::Points;
 use crate::preserve::recover::corridor::Feature;
 use crate::vector::{cross, dot, sub};
@@ -14,26 +16,31 @@ use crate::vector::{cross, dot, sub};
 const BESIDE: f64 = 0.125;
 
 /// The parameter between `a` and `b` at which the piece is divided.
-pub fn breakpoint(points: &Points, [a, b]: [u32; 2], features: &[Feature], places: &mut Vec<f64>) -> f64 {
+pub fn breakpoint(
+    points: &Points,
+    [a, b]: [u32; 2],
+    features: &[Feature],
+    places: &mut Vec<f64>,
+) -> Result<f64, Error> {
     places.clear();
-    places.push(0.0);
+    fallible::push(places, 0.0)?;
     let mut last = 0.0f64;
     for feature in features {
         let t = crossing(points, [a, b], feature);
         if t > last && t < 1.0 {
             last = t;
-            places.push(t);
+            fallible::push(places, t)?;
         }
     }
-    places.push(1.0);
+    fallible::push(places, 1.0)?;
     let gap = |i: usize| places[i + 1] - places[i];
     let count = places.len() - 1;
     if count == 1 {
-        return 0.5;
+        return Ok(0.5);
     }
     if count == 2 {
         let t = places[1];
-        return if t > 0.5 { t - BESIDE * t } else { t + BESIDE * (1.0 - t) };
+        return Ok(if t > 0.5 { t - BESIDE * t } else { t + BESIDE * (1.0 - t) });
     }
     // The first and the last stretch lie in tetrahedra at the ends: a point there brings the piece no further.
     let from = (count / 4).max(1);
@@ -43,7 +50,7 @@ pub fn breakpoint(points: &Points, [a, b]: [u32; 2], features: &[Feature], place
             best = i;
         }
     }
-    0.5 * (places[best] + places[best + 1])
+    Ok(0.5 * (places[best] + places[best + 1]))
 }
 
 /// Where the way from `a` to `b` crosses a feature.

@@ -3,7 +3,9 @@
 //! A walk from one end to the other, from feature to feature: through the inside of a face, or across an edge (then the whole ring
 //! round that edge belongs to the corridor). Exact signs only, so coplanar points, as on the flat sides of parts, are no special
 //! case. A vertex on the segment ends the walk: a valid PLC has none there.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::around::{EdgeRing, StarSearch};
 use crate::kernel::cavity::Cavity;
 use crate::kernel::Mesh;
@@ -56,11 +58,14 @@ impl Corridor {
         points: &Points,
         [a, b]: [u32; 2],
         cavity: &mut Cavity,
+        control: &Control,
     ) -> Result<Outcome, Error> {
         cavity.clear();
         self.obstacles.clear();
         self.features.clear();
-        let mut step = match self.leave(mesh, points, [a, b])? {
+        let left = self.leave(mesh, points, [a, b])?;
+        control.worked(8 * self.search.tets.len());
+        let mut step = match left {
             Ok(step) => step,
             Err(outcome) => return Ok(outcome),
         };
@@ -69,11 +74,12 @@ impl Corridor {
             cavity.add(first)?;
         }
         for _ in 0..mesh.slot_count() {
-            self.features.try_reserve(1)?;
-            self.features.push(match step {
+            control.step()?;
+            let feature = match step {
                 Step::Face(code) => Feature::Face(mesh.face(code)),
                 Step::Edge(_, p, q) => Feature::Edge([p, q]),
-            });
+            };
+            fallible::push(&mut self.features, feature)?;
             let next = match step {
                 Step::Face(code) => self.through_face(mesh, points, [a, b], code, cavity)?,
                 Step::Edge(t, p, q) => self.across_edge(mesh, points, [a, b], t, [p, q], cavity)?,
@@ -116,10 +122,9 @@ impl Corridor {
             if sz == Sign::Negative {
                 continue;
             }
-            self.obstacles.try_reserve(3)?;
             return Ok(match [sx, sy, sz].map(|s| s == Sign::Zero) {
                 [false, false, false] => {
-                    self.obstacles.extend([[x, y], [y, z], [z, x]]);
+                    fallible::extend(&mut self.obstacles, [[x, y], [y, z], [z, x]])?;
                     Ok(Step::Face(mesh.across(4 * t + i)))
                 }
                 [true, false, false] => Ok(Step::Edge(t, y, z)),
@@ -152,12 +157,11 @@ impl Corridor {
         let face = mesh.face(code);
         let inner = points.orient3d(a, b, face[0], face[1]);
         let turns = face.map(|x| points.orient3d(a, b, w, x));
-        self.obstacles.try_reserve(3)?;
         for k in 0..3 {
             // Through the face of w and the k-th edge of the entered face.
             if turns[k] == inner && turns[(k + 1) % 3] == -inner {
                 let (x, y) = (face[k], face[(k + 1) % 3]);
-                self.obstacles.extend([[w, x], [w, y]]);
+                fallible::extend(&mut self.obstacles, [[w, x], [w, y]])?;
                 let opposite = face[(k + 2) % 3];
                 let Some(slot) = mesh.slot_of(t, opposite) else { break };
                 return Ok(Ok(Step::Face(mesh.across(4 * t + slot))));
@@ -181,15 +185,13 @@ impl Corridor {
         [p, q]: [u32; 2],
         cavity: &mut Cavity,
     ) -> Result<Result<Step, Outcome>, Error> {
-        self.obstacles.try_reserve(1)?;
-        self.obstacles.push([p, q]);
+        fallible::push(&mut self.obstacles, [p, q])?;
         self.ring.clear();
         for (t, _, _, k, l) in EdgeRing::new(mesh, t, p, q) {
             if mesh.is_ghost(t) {
                 return Ok(Err(Outcome::Blocked));
             }
-            self.ring.try_reserve(1)?;
-            self.ring.push((t, mesh.vertex(t, k), mesh.vertex(t, l)));
+            fallible::push(&mut self.ring, (t, mesh.vertex(t, k), mesh.vertex(t, l)))?;
         }
         for &(t, ..) in &self.ring {
             cavity.add(t)?;
@@ -219,10 +221,9 @@ impl Corridor {
             if across == Sign::Zero {
                 return Ok(Ok(Step::Edge(t, r, s)));
             }
-            self.obstacles.try_reserve(3)?;
             for (v, opposite) in [(p, q), (q, p)] {
                 if points.orient3d(a, b, v, r) == across && points.orient3d(a, b, s, v) == across {
-                    self.obstacles.extend([[r, s], [v, r], [v, s]]);
+                    fallible::extend(&mut self.obstacles, [[r, s], [v, r], [v, s]])?;
                     let Some(slot) = mesh.slot_of(t, opposite) else { break };
                     return Ok(Ok(Step::Face(mesh.across(4 * t + slot))));
                 }

@@ -7,8 +7,10 @@
 //! to the end gets points ([`breakpoint`](crate::preserve::recover::breakpoint)), each of which makes the corridors shorter, so that this ends.
 //!
 //! Invariants: `edges` holds the surface's edges that the mesh has, flags the faces; neither is ever lost.
+use crate::control::Control;
 use crate::error::Error;
 use crate::facets::cavity::RegionCavity;
+use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::kernel::cavity::{Cavity, Edges, Terms};
 use crate::kernel::edge_key;
@@ -20,6 +22,7 @@ use crate::ops::reconnect::{Polyhedron, Reconnect};
 use crate::predicates::{Expansion, Points, Sign};
 use crate::preserve::recover::breakpoint::breakpoint;
 use crate::preserve::recover::corridor::{Corridor, Feature, Outcome};
+use crate::progress::Phase;
 use crate::segments::recovery::Segments;
 use rustc_hash::FxHashMap;
 
@@ -58,6 +61,7 @@ const MOST_PIECES: u32 = 4096;
 /// The state of a recovery.
 pub struct Recovery<'a> {
     pub(super) mesh: &'a mut Mesh,
+    pub(super) control: &'a Control<'a>,
     /// The vertices.
     pub points: &'a mut Points,
     pub(super) rounds: &'static [Round],
@@ -70,7 +74,7 @@ pub struct Recovery<'a> {
     flips: Flips,
     pub(super) search: StarSearch,
     pub(super) crossed: RegionCavity,
-    pub(super) reconnect: Reconnect,
+    pub(super) reconnect: Reconnect<'a>,
     pub(super) tets: Vec<[u32; 4]>,
     /// Edges missing at the start.
     pub missing_edges: u64,
@@ -88,9 +92,15 @@ pub struct Recovery<'a> {
 
 impl<'a> Recovery<'a> {
     /// Prepares a recovery; `mesh.vertex_tet` must be up to date.
-    pub fn new(mesh: &'a mut Mesh, points: &'a mut Points, rounds: &'static [Round]) -> Self {
+    pub fn new(
+        mesh: &'a mut Mesh,
+        points: &'a mut Points,
+        rounds: &'static [Round],
+        control: &'a Control<'a>,
+    ) -> Self {
         Recovery {
             mesh,
+            control,
             points,
             rounds,
             edges: Edges::default(),
@@ -102,7 +112,7 @@ impl<'a> Recovery<'a> {
             flips: Flips::default(),
             search: StarSearch::default(),
             crossed: RegionCavity::default(),
-            reconnect: Reconnect::default(),
+            reconnect: Reconnect::new(control),
             tets: Vec::new(),
             missing_edges: 0,
             missing_faces: 0,
@@ -114,35 +124,31 @@ impl<'a> Recovery<'a> {
     }
 
     /// Recovers edges by reconnection alone; returns the numbers of those it could not.
-    pub fn edges(
-        &mut self,
-        edges: &[[u32; 2]],
-        tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-    ) -> Result<Vec<u32>, Error> {
+    pub fn edges(&mut self, edges: &[[u32; 2]]) -> Result<Vec<u32>, Error> {
         let mut missing: Vec<u32> = Vec::new();
         self.edges.try_reserve(edges.len())?;
         for (i, &[a, b]) in edges.iter().enumerate() {
+            self.control.step()?;
             if self.has_edge(a, b)? {
-                self.edges.insert(edge_key(a, b));
+                fallible::add(&mut self.edges, edge_key(a, b))?;
             } else {
-                missing.try_reserve(1)?;
-                missing.push(i as u32);
+                fallible::push(&mut missing, i as u32)?;
             }
         }
         self.missing_edges = missing.len() as u64;
         self.sort_by_length(edges, &mut missing);
         for round in &self.rounds[..self.rounds.len() - 1] {
             let before = missing.len();
-            let mut left = Vec::new();
-            left.try_reserve(missing.len())?;
+            let mut left = fallible::reserved(missing.len())?;
             for (i, &edge) in missing.iter().enumerate() {
                 if i % 64 == 0 {
-                    tick(1.0 - (before - i + left.len()) as f64 / edges.len().max(1) as f64)?;
+                    let open = (before - i + left.len()) as f64;
+                    self.control.progress(Phase::Segments, 1.0 - open / edges.len().max(1) as f64)?;
                 }
                 if self.recover_edge(edges[edge as usize], round)? {
                     self.recovered += 1;
                 } else {
-                    left.push(edge);
+                    fallible::push(&mut left, edge)?;
                 }
             }
             missing = left;
@@ -151,34 +157,29 @@ impl<'a> Recovery<'a> {
     }
 
     /// Makes every segment a union of edges by points on those that are missing. False if it was given up.
-    pub fn split_missing(
-        &mut self,
-        segments: &mut Segments,
-        tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-    ) -> Result<bool, Error> {
+    pub fn split_missing(&mut self, segments: &mut Segments) -> Result<bool, Error> {
         let mut missing: Vec<u32> = Vec::new();
         for (i, piece) in segments.pieces.iter().enumerate() {
+            self.control.step()?;
             if !self.edges.contains(&edge_key(piece.ends[0], piece.ends[1])) {
-                missing.try_reserve(1)?;
-                missing.push(i as u32);
+                fallible::push(&mut missing, i as u32)?;
             }
         }
         self.split += missing.len() as u64;
         let Some(last) = self.rounds.last() else { return Ok(missing.is_empty()) };
         let mut count: FxHashMap<u32, u32> = FxHashMap::default();
         while let Some(piece) = missing.pop() {
-            tick(1.0)?;
+            self.control.look()?;
             let sub = segments.pieces[piece as usize];
             if self.recover_edge(sub.ends, last)? {
                 continue;
             }
-            let pieces = count.entry(sub.segment).or_insert(1);
+            let pieces = fallible::entry(&mut count, sub.segment)?.or_insert(1);
             *pieces += 1;
             if *pieces > MOST_PIECES || !self.split(segments, piece)? {
                 return Ok(false);
             }
-            missing.try_reserve(2)?;
-            missing.extend([segments.pieces.len() as u32 - 1, piece]);
+            fallible::extend(&mut missing, [segments.pieces.len() as u32 - 1, piece])?;
         }
         Ok(true)
     }
@@ -186,18 +187,19 @@ impl<'a> Recovery<'a> {
     /// Puts a point on a missing piece.
     fn split(&mut self, segments: &mut Segments, piece: u32) -> Result<bool, Error> {
         let sub = segments.pieces[piece as usize];
-        if self.corridor.collect(self.mesh, self.points, sub.ends, &mut self.cavity)? != Outcome::Found {
+        let outcome =
+            self.corridor.collect(self.mesh, self.points, sub.ends, &mut self.cavity, self.control)?;
+        if outcome != Outcome::Found {
             return Ok(false);
         }
         let [a, b] = segments.ends[sub.segment as usize];
-        let part = breakpoint(self.points, sub.ends, &self.corridor.features, &mut self.places);
+        let part = breakpoint(self.points, sub.ends, &self.corridor.features, &mut self.places)?;
         let t = sub.t[0] + part * (sub.t[1] - sub.t[0]);
         if !(t > sub.t[0] && t < sub.t[1]) {
             return Ok(false);
         }
         let v = self.points.push_on_segment(a, b, &Expansion::from(t))?;
-        self.mesh.vertex_tet.try_reserve(1)?;
-        self.mesh.vertex_tet.push(NONE);
+        fallible::push(&mut self.mesh.vertex_tet, NONE)?;
         // The tetrahedra whose closure has the point: it sees their boundary.
         let (mesh, points) = (&self.mesh, &*self.points);
         let mut holds = std::mem::take(&mut self.cavity.tets);
@@ -210,8 +212,7 @@ impl<'a> Recovery<'a> {
         self.cavity.set(&holds)?;
         self.cavity.bound(self.mesh, &Terms::keep(&self.edges))?;
         self.tets.clear();
-        self.tets.try_reserve(self.cavity.faces.len())?;
-        self.tets.extend(self.cavity.faces.iter().map(|&[x, y, z]| [v, x, y, z]));
+        fallible::extend(&mut self.tets, self.cavity.faces.iter().map(|&[x, y, z]| [v, x, y, z]))?;
         let fits = self.tets.iter().all(|&[v, x, y, z]| self.points.orient3d(v, x, y, z) == Sign::Positive);
         if !fits || !self.cavity.edges.is_empty() || !self.cavity.inner.is_empty() {
             return Ok(false);
@@ -227,21 +228,23 @@ impl<'a> Recovery<'a> {
             let [p, q] = edges[edge as usize].map(|v| self.points.xyz(v));
             (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>()
         };
-        pieces.sort_by(|&x, &y| length(x).total_cmp(&length(y)).then(x.cmp(&y)));
+        pieces.sort_unstable_by(|&x, &y| length(x).total_cmp(&length(y)).then(x.cmp(&y)));
     }
 
     pub(super) fn has_edge(&mut self, a: u32, b: u32) -> Result<bool, Error> {
         let start = self.mesh.vertex_tet[a as usize];
-        Ok(start != NONE && self.search.find_edge(self.mesh, a, b, start)?.is_some())
+        let found = start != NONE && self.search.find_edge(self.mesh, a, b, start)?.is_some();
+        self.control.worked(self.search.tets.len());
+        Ok(found)
     }
 
     /// Makes `a b` an edge of the mesh, if possible: obstructing edges are flipped away as long as that shortens its corridor, then the
     /// corridor is filled. Returns whether the edge exists.
     pub(super) fn recover_edge(&mut self, edge: [u32; 2], round: &Round) -> Result<bool, Error> {
         loop {
-            match self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity)? {
+            match self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity, self.control)? {
                 Outcome::Present => {
-                    self.edges.insert(edge_key(edge[0], edge[1]));
+                    fallible::add(&mut self.edges, edge_key(edge[0], edge[1]))?;
                     return Ok(true);
                 }
                 Outcome::Blocked => return Ok(false),
@@ -261,19 +264,19 @@ impl<'a> Recovery<'a> {
 
     /// Fills the corridor of an edge with the edge in it.
     fn fill_corridor(&mut self, edge: [u32; 2], budget: u32) -> Result<bool, Error> {
-        if self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity)? != Outcome::Found {
+        let outcome = self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity, self.control)?;
+        if outcome != Outcome::Found {
             return Ok(false);
         }
         self.cavity.bound(self.mesh, &Terms::keep(&self.edges))?;
-        self.cavity.edges.try_reserve(1)?;
-        self.cavity.edges.push(edge);
+        fallible::push(&mut self.cavity.edges, edge)?;
         self.refill(budget)
     }
 
     /// What flips work on.
     pub(super) fn site(&mut self) -> (&mut Flips, Site<'_>) {
-        let Recovery { mesh, points, edges, replace, flips, .. } = self;
-        (flips, Site { mesh, points, edges, replace })
+        let Recovery { mesh, points, edges, replace, flips, control, .. } = self;
+        (flips, Site { mesh, points, edges, replace, control })
     }
 
     /// Fills the bounded cavity and puts the filling in its place.
@@ -299,7 +302,8 @@ impl<'a> Recovery<'a> {
             if !flips.remove(&mut site, obstacle, Some(edge), round.limits)? {
                 continue;
             }
-            let outcome = self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity)?;
+            let outcome =
+                self.corridor.collect(self.mesh, self.points, edge, &mut self.cavity, self.control)?;
             let after = if outcome == Outcome::Present { 0 } else { self.cavity.tets.len() };
             if outcome != Outcome::Blocked && after < before {
                 return Ok(true);
@@ -324,7 +328,7 @@ impl<'a> Recovery<'a> {
             let obstacle = edge_key(p, q);
             let at_end = edge.iter().any(|v| obstacle.contains(v));
             if !at_end && !edges.contains(&obstacle) && !obstacles.contains(&obstacle) {
-                obstacles.push(obstacle);
+                fallible::push(obstacles, obstacle)?;
             }
         }
         Ok(())
@@ -335,6 +339,7 @@ impl<'a> Recovery<'a> {
         let start = self.mesh.vertex_tet[corners[0] as usize];
         let mesh = &mut self.mesh;
         let found = self.search.find_face(mesh, corners, start)?;
+        self.control.worked(self.search.tets.len());
         if let Some(code) = found {
             mesh.set_subface(code);
         }

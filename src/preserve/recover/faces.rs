@@ -9,6 +9,7 @@
 use crate::error::Error;
 use crate::facets::cavity::Opening;
 use crate::facets::subface::Subfaces;
+use crate::fallible;
 use crate::kernel::cavity::Terms;
 use crate::kernel::edge_key;
 use crate::kernel::NONE;
@@ -16,36 +17,33 @@ use crate::ops::place::place;
 use crate::ops::reconnect::Polyhedron;
 use crate::predicates::Sign;
 use crate::preserve::recover::edges::{Recovery, BUDGETS, PIERCING};
+use crate::progress::Phase;
 
 /// Most edges that are tried for one region in turn.
 const MOST_PIERCING: usize = 100;
 
 impl Recovery<'_> {
     /// Makes every subface a face. False if it was given up.
-    pub fn faces(
-        &mut self,
-        subfaces: &mut Subfaces,
-        tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-    ) -> Result<bool, Error> {
+    pub fn faces(&mut self, subfaces: &mut Subfaces) -> Result<bool, Error> {
         self.conform(subfaces)?;
         self.inner_edges(subfaces)?;
         self.conform(subfaces)?;
         let count = subfaces.verts.len();
-        let mut present = Vec::new();
-        present.try_reserve(count)?;
+        let mut present = fallible::reserved(count)?;
         for &triangle in &subfaces.verts {
-            present.push(self.mark_if_present(triangle)?);
+            self.control.step()?;
+            fallible::push(&mut present, self.mark_if_present(triangle)?)?;
         }
         self.missing_faces = present.iter().filter(|&&p| !p).count() as u64;
-        let mut in_region = Vec::new();
-        in_region.try_reserve(count)?;
-        in_region.resize(count, false);
+        let mut in_region = fallible::filled(false, count)?;
         let mut region = Vec::new();
         for (round, &budget) in BUDGETS.iter().enumerate() {
             for s in 0..count {
                 if s % 1024 == 0 {
-                    tick((round as f64 + s as f64 / count as f64) / BUDGETS.len() as f64)?;
+                    let done = (round as f64 + s as f64 / count as f64) / BUDGETS.len() as f64;
+                    self.control.progress(Phase::Facets, done)?;
                 }
+                self.control.step()?;
                 if present[s] || self.mark_if_present(subfaces.verts[s])? {
                     present[s] = true;
                     continue;
@@ -61,7 +59,8 @@ impl Recovery<'_> {
                     }
                     self.collect_region(subfaces, s as u32, &present, &mut in_region, &mut region)?;
                 }
-                let corners: Vec<[u32; 3]> = region.iter().map(|&r| subfaces.verts[r as usize]).collect();
+                let corners: Vec<[u32; 3]> =
+                    fallible::collect(region.iter().map(|&r| subfaces.verts[r as usize]))?;
                 let done = self.recover_region(&corners, budget, round > 0, round + 1 == BUDGETS.len())?;
                 for &r in &region {
                     in_region[r as usize] = false;
@@ -77,19 +76,18 @@ impl Recovery<'_> {
     fn inner_edges(&mut self, subfaces: &Subfaces) -> Result<(), Error> {
         let mut missing: Vec<[u32; 2]> = Vec::new();
         for code in 0..3 * subfaces.verts.len() {
+            self.control.step()?;
             let (v, i) = (subfaces.verts[code / 3], code % 3);
             let (b, c) = (v[(i + 1) % 3], v[(i + 2) % 3]);
             if subfaces.adj[code / 3][i] != NONE && b < c && !self.has_edge(b, c)? {
-                missing.try_reserve(1)?;
-                missing.push([b, c]);
+                fallible::push(&mut missing, [b, c])?;
             }
         }
         for round in self.rounds {
-            let mut left = Vec::new();
-            left.try_reserve(missing.len())?;
+            let mut left = fallible::reserved(missing.len())?;
             for &edge in &missing {
                 if !self.recover_edge(edge, round)? {
-                    left.push(edge);
+                    fallible::push(&mut left, edge)?;
                 }
             }
             missing = left;
@@ -104,6 +102,7 @@ impl Recovery<'_> {
         while changed {
             changed = false;
             for code in 0..3 * subfaces.verts.len() as u32 {
+                self.control.step()?;
                 let (t, i) = ((code / 3) as usize, (code % 3) as usize);
                 if subfaces.adj[t][i] == NONE {
                     continue;
@@ -125,18 +124,19 @@ impl Recovery<'_> {
     /// Turns edges between the subfaces of a region until it has all edges of the mesh between its vertices; true if any was turned.
     /// (Sloan 1993; edges of the mesh do not cross each other.)
     fn conform_region(&mut self, subfaces: &mut Subfaces, region: &[u32]) -> Result<bool, Error> {
-        let mut vertices: Vec<u32> = Vec::new();
-        vertices.try_reserve(3 * region.len())?;
-        vertices.extend(region.iter().flat_map(|&r| subfaces.verts[r as usize]));
+        let mut vertices: Vec<u32> = fallible::reserved(3 * region.len())?;
+        fallible::extend(&mut vertices, region.iter().flat_map(|&r| subfaces.verts[r as usize]))?;
         vertices.sort_unstable();
         vertices.dedup();
         let mut any = false;
         for (i, &p) in vertices.iter().enumerate() {
             for &q in &vertices[i + 1..] {
+                self.control.step()?;
                 if !self.has_edge(p, q)? {
                     continue;
                 }
                 for _ in 0..region.len() * region.len() {
+                    self.control.step()?;
                     let crossing = region.iter().flat_map(|&r| 3 * r..3 * r + 3).find(|&code| {
                         subfaces.crosses(self.points, code, [p, q])
                             && subfaces.other_diagonal(self.points, code).is_some()
@@ -159,7 +159,8 @@ impl Recovery<'_> {
         in_region: &mut [bool],
         region: &mut Vec<u32>,
     ) -> Result<(), Error> {
-        subfaces.collect_region(s, present, in_region, region, |[a, b]| self.has_edge(a, b))
+        let control = self.control;
+        subfaces.collect_region(s, present, in_region, region, control, |[a, b]| self.has_edge(a, b))
     }
 
     /// Makes the triangles of a region, whose boundary edges are in the mesh, faces.
@@ -197,7 +198,7 @@ impl Recovery<'_> {
 
     /// Collects the tetrahedra that cross the region in the cavity, if they can be opened.
     fn collect_crossing(&mut self, region: &[[u32; 3]]) -> Result<Opening, Error> {
-        let outcome = self.crossed.collect(self.mesh, self.points, region)?;
+        let outcome = self.crossed.collect(self.mesh, self.points, region, self.control)?;
         self.cavity.set(&self.crossed.tets)?;
         Ok(outcome)
     }
@@ -230,16 +231,13 @@ impl Recovery<'_> {
             }
         }
         let p = self.points.push(from)?;
-        if !place(self.points, p, faces, from, &[])? {
+        if !place(self.points, p, faces, from, &[], self.control)? {
             self.points.truncate(p as usize);
             return Ok(false);
         }
-        self.mesh.vertex_tet.try_reserve(1)?;
-        self.mesh.vertex_tet.push(NONE);
-        self.inside.try_reserve(1)?;
-        self.inside.push(p);
-        self.tets.try_reserve(faces.len())?;
-        self.tets.extend(faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+        fallible::push(&mut self.mesh.vertex_tet, NONE)?;
+        fallible::push(&mut self.inside, p)?;
+        fallible::extend(&mut self.tets, faces.iter().map(|&[x, y, z]| [p, x, y, z]))?;
         Ok(true)
     }
 
@@ -258,17 +256,23 @@ impl Recovery<'_> {
             let (points, crossed) = (&*self.points, &mut self.crossed);
             let wanted = if above { Sign::Positive } else { Sign::Negative };
             let mut on_side = |v: &u32| crossed.side(points, *v) == wanted;
-            let mut faces: Vec<[u32; 3]> = Vec::new();
-            faces.try_reserve(self.cavity.faces.len() + region.len())?;
-            faces.extend(self.cavity.faces.iter().filter(|f| f.iter().any(&mut on_side)));
+            let mut faces: Vec<[u32; 3]> = fallible::reserved(self.cavity.faces.len() + region.len())?;
+            fallible::extend(
+                &mut faces,
+                self.cavity.faces.iter().copied().filter(|f| f.iter().any(&mut on_side)),
+            )?;
             // (p, x, y, z) is positive for p inside.
-            faces.extend(region.iter().map(|&[a, b, c]| if above { [a, c, b] } else { [a, b, c] }));
-            let mut edges: Vec<[u32; 2]> = Vec::new();
-            edges.try_reserve(self.cavity.edges.len())?;
-            edges.extend(self.cavity.edges.iter().filter(|e| e.iter().any(&mut on_side)));
-            let mut inner: Vec<u32> = Vec::new();
-            inner.try_reserve(self.cavity.inner.len())?;
-            inner.extend(self.cavity.inner.iter().filter(|v| on_side(v)));
+            fallible::extend(
+                &mut faces,
+                region.iter().map(|&[a, b, c]| if above { [a, c, b] } else { [a, b, c] }),
+            )?;
+            let mut edges: Vec<[u32; 2]> = fallible::reserved(self.cavity.edges.len())?;
+            fallible::extend(
+                &mut edges,
+                self.cavity.edges.iter().copied().filter(|e| e.iter().any(&mut on_side)),
+            )?;
+            let mut inner: Vec<u32> = fallible::reserved(self.cavity.inner.len())?;
+            fallible::extend(&mut inner, self.cavity.inner.iter().copied().filter(|v| on_side(v)))?;
             if !is_closed(&faces)? {
                 return self.forget_points(known);
             }
@@ -304,7 +308,7 @@ impl Recovery<'_> {
             for i in 0..4 {
                 for j in 0..i {
                     if sides[i] != Sign::Zero && sides[i] == -sides[j] {
-                        piercing.push(edge_key(v[i], v[j]));
+                        fallible::push(&mut piercing, edge_key(v[i], v[j]))?;
                     }
                 }
             }
@@ -313,6 +317,7 @@ impl Recovery<'_> {
         piercing.dedup();
         piercing.retain(|edge| !self.edges.contains(edge));
         for edge in piercing.into_iter().take(MOST_PIERCING) {
+            self.control.look()?;
             let (flips, mut site) = self.site();
             if !flips.remove(&mut site, edge, None, PIERCING)? {
                 continue;
@@ -331,10 +336,9 @@ impl Recovery<'_> {
 
 /// Whether the faces bound something: every edge has as many faces one way as the other.
 fn is_closed(faces: &[[u32; 3]]) -> Result<bool, Error> {
-    let mut edges: Vec<([u32; 2], bool)> = Vec::new();
-    edges.try_reserve(3 * faces.len())?;
+    let mut edges: Vec<([u32; 2], bool)> = fallible::reserved(3 * faces.len())?;
     for &[x, y, z] in faces {
-        edges.extend([(x, y), (y, z), (z, x)].map(|(a, b)| (edge_key(a, b), a < b)));
+        fallible::extend(&mut edges, [(x, y), (y, z), (z, x)].map(|(a, b)| (edge_key(a, b), a < b)))?;
     }
     edges.sort_unstable();
     let balanced = |group: &[([u32; 2], bool)]| 2 * group.iter().filter(|edge| edge.1).count() == group.len();

@@ -4,7 +4,9 @@
 //! diagonal to the point with the lowest id (its lift is lowered most), so numbering the points well makes it choose the
 //! surface's: for every such pair of triangles the lowest id of the four is to be an end of the common edge. Points are numbered greedily:
 //! the next one is the apex of no open pair or, if there is none, of the fewest.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::edge_key;
 use crate::plc::surface::Surface;
 use crate::predicates::Points;
@@ -20,45 +22,45 @@ struct Pair {
 }
 
 /// The points that should have the lowest ids, in order.
-pub fn first_points(surface: &Surface) -> Result<Vec<u32>, Error> {
-    let pairs = cocircular_pairs(surface)?;
+pub fn first_points(surface: &Surface, control: &Control) -> Result<Vec<u32>, Error> {
+    let pairs = cocircular_pairs(surface, control)?;
     let mut out = Vec::new();
     if pairs.is_empty() {
         return Ok(out);
     }
-    number(pairs, surface.points.len(), &mut out)?;
+    number(pairs, surface.points.len(), &mut out, control)?;
     Ok(out)
 }
 
-fn number(mut pairs: Vec<Pair>, point_count: usize, out: &mut Vec<u32>) -> Result<(), Error> {
+fn number(
+    mut pairs: Vec<Pair>,
+    point_count: usize,
+    out: &mut Vec<u32>,
+    control: &Control,
+) -> Result<(), Error> {
     // Pairs of each point; of them, how many it would spoil.
-    let mut pairs_of: Vec<(u32, u32)> = Vec::new();
-    pairs_of.try_reserve(4 * pairs.len())?;
-    let mut spoils: Vec<u32> = Vec::new();
-    spoils.try_reserve(point_count)?;
-    spoils.resize(point_count, 0);
+    let mut pairs_of: Vec<(u32, u32)> = fallible::reserved(4 * pairs.len())?;
+    let mut spoils: Vec<u32> = fallible::filled(0, point_count)?;
     for (i, pair) in pairs.iter().enumerate() {
-        pairs_of.extend(pair.corners.map(|v| (v, i as u32)));
+        fallible::extend(&mut pairs_of, pair.corners.map(|v| (v, i as u32)))?;
         for v in &pair.corners[2..] {
             spoils[*v as usize] += 1;
         }
     }
-    pairs_of.sort_unstable();
+    control.sort(&mut pairs_of)?;
     let mut queue = BinaryHeap::new();
     queue.try_reserve(2 * pairs_of.len())?;
     for group in pairs_of.chunk_by(|x, y| x.0 == y.0) {
-        queue.push(Reverse((spoils[group[0].0 as usize], group[0].0)));
+        fallible::push_heap(&mut queue, Reverse((spoils[group[0].0 as usize], group[0].0)))?;
     }
-    let mut done: Vec<bool> = Vec::new();
-    done.try_reserve(point_count)?;
-    done.resize(point_count, false);
+    let mut done: Vec<bool> = fallible::filled(false, point_count)?;
     while let Some(Reverse((count, v))) = queue.pop() {
+        control.step()?;
         if done[v as usize] || count != spoils[v as usize] {
             continue;
         }
         done[v as usize] = true;
-        out.try_reserve(1)?;
-        out.push(v);
+        fallible::push(out, v)?;
         let range = pairs_of.partition_point(|x| x.0 < v)..pairs_of.partition_point(|x| x.0 <= v);
         for &(_, i) in &pairs_of[range] {
             let pair = &mut pairs[i as usize];
@@ -67,8 +69,7 @@ fn number(mut pairs: Vec<Pair>, point_count: usize, out: &mut Vec<u32>) -> Resul
             }
             for w in &pair.corners[2..] {
                 spoils[*w as usize] -= 1;
-                queue.try_reserve(1)?;
-                queue.push(Reverse((spoils[*w as usize], *w)));
+                fallible::push_heap(&mut queue, Reverse((spoils[*w as usize], *w)))?;
             }
         }
     }
@@ -76,24 +77,23 @@ fn number(mut pairs: Vec<Pair>, point_count: usize, out: &mut Vec<u32>) -> Resul
 }
 
 /// Pairs of triangles at edges that are no segments, whose corners lie on a circle.
-fn cocircular_pairs(surface: &Surface) -> Result<Vec<Pair>, Error> {
+fn cocircular_pairs(surface: &Surface, control: &Control) -> Result<Vec<Pair>, Error> {
     let mut pairs = Vec::new();
     if surface.patch_count as usize == surface.triangles.len() {
         return Ok(pairs);
     }
-    let points = Points::new(surface.points.clone());
+    let points = Points::new(fallible::copied(&surface.points)?);
     let mut apex_of: FxHashMap<[u32; 2], u32> = FxHashMap::default();
     for &[a, b, c] in &surface.triangles {
+        control.step()?;
         for (x, y, z) in [(a, b, c), (b, c, a), (c, a, b)] {
             let key = edge_key(x, y);
             if surface.segments.binary_search(&key).is_ok() {
                 continue;
             }
-            apex_of.try_reserve(1)?;
-            let Some(other) = apex_of.insert(key, z) else { continue };
+            let Some(other) = fallible::insert(&mut apex_of, key, z)? else { continue };
             if points.cocircular(x, y, z, other) {
-                pairs.try_reserve(1)?;
-                pairs.push(Pair { corners: [x, y, z, other], open: true });
+                fallible::push(&mut pairs, Pair { corners: [x, y, z, other], open: true })?;
             }
         }
     }
@@ -130,9 +130,9 @@ mod tests {
     fn all_diagonals_of_grids_are_chosen() {
         for alternating in [false, true] {
             let surface = grid(6, alternating);
-            let order = first_points(&surface).unwrap();
+            let order = first_points(&surface, &Control::free()).unwrap();
             let rank = |v: u32| order.iter().position(|&w| w == v).unwrap();
-            let pairs = cocircular_pairs(&surface).unwrap();
+            let pairs = cocircular_pairs(&surface, &Control::free()).unwrap();
             assert!(pairs.len() >= 36);
             for pair in pairs {
                 let lowest = pair.corners.into_iter().min_by_key(|&v| rank(v)).unwrap();

@@ -3,7 +3,8 @@
 //! Polygons keep their edges, but may get other diagonals. So the faces of a polygon cover what its triangles covered, and are bounded by
 //! the same edges: a face at such an edge, on the same side of it, belongs to the polygon, and so do all faces connected to it through
 //! other edges.
-use crate::error::{Error, Status};
+use crate::error::Error;
+use crate::fallible;
 use crate::predicates::{Points, Sign};
 use crate::preserve::release::segments::axis_of;
 use rustc_hash::FxHashMap;
@@ -38,7 +39,7 @@ pub fn name_facets(
         let old = &gone[from..gone.partition_point(|x| x.patch <= patch)];
         let Some(&Gone { facet, .. }) = old.first() else { continue };
         if old.iter().all(|x| x.facet == facet) {
-            out.extend(run.iter().map(|x| (x.1, facet)));
+            fallible::extend(out, run.iter().map(|x| (x.1, facet)))?;
         } else {
             name_in_patch(points, old, run, out)?;
         }
@@ -60,36 +61,32 @@ fn name_in_patch(
     faces: &[(u32, [u32; 3])],
     out: &mut Vec<([u32; 3], u32)>,
 ) -> Result<(), Error> {
-    let out_of_memory = |_| Error::new(Status::OutOfMemory, "out of memory");
     let Some(axis) = axis_of(points, &old[0].corners) else {
         return Err(Error::internal("a triangle of the surface is degenerate"));
     };
     // Facets by the directed edges of their triangles; those that two triangles of one facet have bound nothing.
     let mut facet_of: FxHashMap<[u32; 2], u32> = FxHashMap::default();
-    facet_of.try_reserve(3 * old.len()).map_err(out_of_memory)?;
+    facet_of.try_reserve(3 * old.len())?;
     for x in old {
-        facet_of.extend(directed(points, axis, x.corners).map(|edge| (edge, x.facet)));
+        fallible::insert_all(&mut facet_of, directed(points, axis, x.corners).map(|edge| (edge, x.facet)))?;
     }
     let bounding = |edge: [u32; 2]| {
         let facet = facet_of.get(&edge).copied()?;
         (facet_of.get(&[edge[1], edge[0]]) != Some(&facet)).then_some(facet)
     };
     let mut face_at: FxHashMap<[u32; 2], u32> = FxHashMap::default();
-    face_at.try_reserve(3 * faces.len()).map_err(out_of_memory)?;
+    face_at.try_reserve(3 * faces.len())?;
     for (i, face) in (0..).zip(faces) {
-        face_at.extend(directed(points, axis, face.1).map(|edge| (edge, i)));
+        fallible::insert_all(&mut face_at, directed(points, axis, face.1).map(|edge| (edge, i)))?;
     }
-    let mut named: Vec<Option<u32>> = Vec::new();
-    named.try_reserve_exact(faces.len())?;
-    named.resize(faces.len(), None);
-    let mut stack: Vec<u32> = Vec::new();
-    stack.try_reserve_exact(faces.len())?;
+    let mut named: Vec<Option<u32>> = fallible::filled(None, faces.len())?;
+    let mut stack: Vec<u32> = fallible::reserved(faces.len())?;
     for i in 0..faces.len() {
         let edges = directed(points, axis, faces[i].1);
         let Some(facet) = edges.into_iter().find_map(bounding) else { continue };
         if named[i].is_none() {
             named[i] = Some(facet);
-            stack.push(i as u32);
+            fallible::push(&mut stack, i as u32)?;
         }
         while let Some(j) = stack.pop() {
             for edge in directed(points, axis, faces[j as usize].1) {
@@ -99,11 +96,14 @@ fn name_in_patch(
                 let Some(&beyond) = face_at.get(&[edge[1], edge[0]]) else { continue };
                 if named[beyond as usize].is_none() {
                     named[beyond as usize] = Some(facet);
-                    stack.push(beyond);
+                    fallible::push(&mut stack, beyond)?;
                 }
             }
         }
     }
-    out.extend(faces.iter().zip(named).map(|(face, facet)| (face.1, facet.unwrap_or(old[0].facet))));
+    fallible::extend(
+        out,
+        faces.iter().zip(named).map(|(face, facet)| (face.1, facet.unwrap_or(old[0].facet))),
+    )?;
     Ok(())
 }

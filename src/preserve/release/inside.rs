@@ -1,4 +1,5 @@
 //! Removal of points inside that the surface does not need: one by one, then in pairs, until none goes.
+use crate::control::Control;
 use crate::error::Error;
 use crate::kernel::Mesh;
 use crate::ops::contract::Contract;
@@ -10,13 +11,18 @@ use crate::preserve::memory::Memory;
 use rustc_hash::FxHashSet;
 
 /// Deletes points inside.
-#[derive(Default)]
-pub struct Thin {
-    remove: RemoveVertex,
-    contract: Contract,
+pub struct Thin<'a> {
+    control: &'a Control<'a>,
+    remove: RemoveVertex<'a>,
+    contract: Contract<'a>,
 }
 
-impl Thin {
+impl<'a> Thin<'a> {
+    /// Nothing is done yet.
+    pub fn new(control: &'a Control<'a>) -> Self {
+        Thin { control, remove: RemoveVertex::new(control), contract: Contract::new(control) }
+    }
+
     /// Tries to remove each point with the given budget until none can be removed; returns the number removed.
     pub fn run(
         &mut self,
@@ -25,14 +31,13 @@ impl Thin {
         inside: &mut Inside,
         isolated: &FxHashSet<[u32; 2]>,
         growth: Growth,
-        tick: &mut dyn FnMut() -> Result<(), Error>,
     ) -> Result<u64, Error> {
         let (mut lasting, mut unmerged) = (Memory::default(), Memory::default());
         let mut gone = 0;
         loop {
             let before = gone;
             for i in (0..inside.list.len()).rev() {
-                tick()?;
+                self.control.step()?;
                 let p = inside.list[i];
                 if lasting.knows(mesh, p) {
                     continue;
@@ -45,7 +50,7 @@ impl Thin {
             }
             inside.sweep(mesh);
             for i in (0..inside.list.len()).rev() {
-                tick()?;
+                self.control.step()?;
                 let p = inside.list[i];
                 if unmerged.knows(mesh, p) {
                     continue;

@@ -4,6 +4,7 @@
 //! convex, until none is left (Sloan 1993). In space a flip of edge `ab` to `cd` empties, on each side of the plane, the
 //! tetrahedra round `ab`, and fills them again under the two new triangles: by reconnection, or from a point inside near the
 //! crossing of `ab` and `cd`, which all the faces see. Diagonals of polygons are not inserted: any others are valid too.
+use crate::control::Part;
 use crate::elementary::quotient;
 use crate::error::Error;
 use crate::fallible;
@@ -15,7 +16,7 @@ use crate::kernel::{GHOST, NONE};
 use crate::ops::hollow::{Growth, Hollow, Start};
 use crate::ops::place::place;
 use crate::ops::reconnect::{Polyhedron, Reconnect};
-use crate::ops::widen::{Rays, Widen};
+use crate::ops::widen::{Kept, Rays, Widen};
 use crate::options::Preserve;
 use crate::predicates::{Points, Sign};
 use crate::preserve::inside::Inside;
@@ -49,7 +50,7 @@ struct Wanted {
 }
 
 /// What flips took.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Debug, Default, PartialEq, Eq)]
 pub struct Flips {
     /// Flips in the plane.
     pub flips: u64,
@@ -79,8 +80,9 @@ pub struct Retarget<'a> {
     widen: Widen,
     /// Points inside that cavities of the current flip swallow.
     swallowed: Vec<u32>,
-    reconnect: Reconnect,
+    reconnect: Reconnect<'a>,
     replace: Replace,
+    part: Part<'a>,
     /// A corner code of each subface.
     code_of: FxHashMap<[u32; 3], u32>,
     /// Apexes of the triangles at each edge of the patch at hand: at most two.
@@ -107,6 +109,7 @@ impl<'a> Retarget<'a> {
         isolated: &'a FxHashSet<[u32; 2]>,
         loose: &'a FxHashSet<u32>,
         growth: Growth,
+        part: Part<'a>,
     ) -> Self {
         Retarget {
             mesh,
@@ -118,8 +121,9 @@ impl<'a> Retarget<'a> {
             hollow: Hollow::default(),
             widen: Widen::default(),
             swallowed: Vec::new(),
-            reconnect: Reconnect::default(),
+            reconnect: Reconnect::new(part.control()),
             replace: Replace::default(),
+            part,
             code_of: FxHashMap::default(),
             apexes: FxHashMap::default(),
             neighbor: FxHashMap::default(),
@@ -129,40 +133,35 @@ impl<'a> Retarget<'a> {
     }
 
     /// Makes every triangle of the target a face, as far as its patch is in the mesh.
-    pub fn run(
-        &mut self,
-        target: &Target,
-        first_steiner: u32,
-        tick: &mut dyn FnMut(f64) -> Result<(), Error>,
-    ) -> Result<Flips, Error> {
+    pub fn run(&mut self, target: &Target, first_steiner: u32) -> Result<Flips, Error> {
         // (patch, triangle) of the target where one is missing, and (patch, key) of what is there instead.
         let mut wrong: Vec<u32> = Vec::new();
         let mut there = fallible::collect(self.mesh.subfaces().map(|code| face_key(self.mesh.face(code))))?;
-        there.sort_unstable();
+        self.part.sort(&mut there)?;
         for (&triangle, &patch) in target.triangles.iter().zip(target.patch) {
+            self.part.step()?;
             if there.binary_search(&face_key(triangle)).is_err() {
-                wrong.try_reserve(1)?;
-                wrong.push(patch);
+                fallible::push(&mut wrong, patch)?;
             }
         }
         drop(there);
-        wrong.sort_unstable();
+        self.part.sort(&mut wrong)?;
         wrong.dedup();
         let mut present: Vec<(u32, [u32; 3])> = Vec::new();
         for t in self.mesh.all() {
+            self.part.step()?;
             self.note_codes(t, &wrong, &mut present)?;
         }
-        present.sort_unstable();
+        self.part.sort(&mut present)?;
         present.dedup();
-        let mut wanted: Vec<Wanted> = Vec::new();
-        wanted.try_reserve(target.triangles.len())?;
+        let mut wanted: Vec<Wanted> = fallible::reserved(target.triangles.len())?;
         let all = target.patch.iter().zip(target.triangles).zip(target.facet);
         let all = all.map(|((&patch, &corners), &facet)| Wanted { patch, corners, facet });
-        wanted.extend(all.filter(|x| wrong.binary_search(&x.patch).is_ok()));
-        wanted.sort_unstable();
+        fallible::extend(&mut wanted, all.filter(|x| wrong.binary_search(&x.patch).is_ok()))?;
+        self.part.sort(&mut wanted)?;
         let count = wrong.len() as f64;
         for (i, patch) in wrong.into_iter().enumerate() {
-            tick(i as f64 / count)?;
+            self.part.progress(i as f64 / count)?;
             let from = present.partition_point(|x| x.0 < patch);
             let now = &present[from..present.partition_point(|x| x.0 <= patch)];
             let from = wanted.partition_point(|x| x.patch < patch);
@@ -184,9 +183,8 @@ impl<'a> Retarget<'a> {
         for code in (4 * t..4 * t + 4).filter(|&code| self.mesh.is_subface(code)) {
             let (key, patch) = (face_key(self.mesh.face(code)), self.mesh.subface(code));
             if wrong.binary_search(&patch).is_ok() {
-                self.code_of.insert(key, code);
-                present.try_reserve(1)?;
-                present.push((patch, key));
+                fallible::insert(&mut self.code_of, key, code)?;
+                fallible::push(present, (patch, key))?;
             }
         }
         Ok(())
@@ -208,15 +206,17 @@ impl<'a> Retarget<'a> {
         self.axis = axis;
         for &(_, [a, b, c]) in now {
             for (x, y, z) in [(a, b, c), (b, c, a), (c, a, b)] {
-                self.apexes.entry(edge_key(x, y)).or_default().push(z);
-                self.neighbor.insert(x, y);
+                fallible::push(fallible::entry(&mut self.apexes, edge_key(x, y))?.or_default(), z)?;
+                fallible::insert(&mut self.neighbor, x, y)?;
             }
         }
         // (edge, facet)
-        let mut edges: Vec<([u32; 2], u32)> = Vec::new();
-        edges.try_reserve(3 * then.len())?;
+        let mut edges: Vec<([u32; 2], u32)> = fallible::reserved(3 * then.len())?;
         for &Wanted { corners: [a, b, c], facet, .. } in then {
-            edges.extend([edge_key(a, b), edge_key(b, c), edge_key(c, a)].map(|edge| (edge, facet)));
+            fallible::extend(
+                &mut edges,
+                [edge_key(a, b), edge_key(b, c), edge_key(c, a)].map(|edge| (edge, facet)),
+            )?;
         }
         edges.sort_unstable();
         for run in edges.chunk_by(|x, y| x.0 == y.0) {
@@ -231,7 +231,7 @@ impl<'a> Retarget<'a> {
         }
         let missing = then.iter().filter(|x| x.facet < first_polygon).map(|x| x.corners);
         let missing = missing.filter(|t| !self.code_of.contains_key(&face_key(*t)));
-        self.count.missing.extend(missing);
+        fallible::extend(&mut self.count.missing, missing)?;
         Ok(())
     }
 
@@ -246,14 +246,15 @@ impl<'a> Retarget<'a> {
                 return Ok(());
             }
             tries -= 1;
+            self.part.step()?;
             let Some(&[c, d]) = self.apexes.get(&[x, y]).map(|v| &v[..]) else { continue };
             if !self.is_convex([x, y], [c, d]) || !self.flip(patch, [x, y], [c, d])? {
-                crossing.push_back([x, y]);
+                fallible::push_back(&mut crossing, [x, y])?;
                 continue;
             }
             let ends = [a, b];
             if !ends.contains(&c) && !ends.contains(&d) && self.side(a, b, c) == -self.side(a, b, d) {
-                crossing.push_back(edge_key(c, d));
+                fallible::push_back(&mut crossing, edge_key(c, d))?;
             }
         }
         Ok(())
@@ -265,20 +266,19 @@ impl<'a> Retarget<'a> {
 
     /// The edge opposite `a` in the triangle that `ab` enters at `a`.
     fn opposite(&self, a: u32, b: u32) -> Result<Option<[u32; 2]>, Error> {
-        let mut around: Vec<u32> = Vec::new();
-        around.extend(self.neighbor.get(&a));
+        let mut around: Vec<u32> = fallible::collect(self.neighbor.get(&a).copied())?;
         let mut next = 0;
         while next < around.len() {
             let w = around[next];
             next += 1;
+            self.part.step()?;
             for &x in self.apexes.get(&edge_key(a, w)).into_iter().flatten() {
                 let (s, t) = (self.side(a, b, w), self.side(a, b, x));
                 if s != Sign::Zero && s == -t && self.side(w, x, b) == -self.side(w, x, a) {
                     return Ok(Some(edge_key(w, x)));
                 }
                 if !around.contains(&x) {
-                    around.try_reserve(1)?;
-                    around.push(x);
+                    fallible::push(&mut around, x)?;
                 }
             }
         }
@@ -291,8 +291,8 @@ impl<'a> Retarget<'a> {
         let Some(first) = self.opposite(a, b)? else { return Ok(out) };
         let (mut edge, mut behind) = (first, a);
         for _ in 0..self.apexes.len() {
-            out.try_reserve(1)?;
-            out.push_back(edge);
+            self.part.step()?;
+            fallible::push_back(&mut out, edge)?;
             let Some(apexes) = self.apexes.get(&edge) else { break };
             let Some(&ahead) = apexes.iter().find(|&&v| v != behind) else { break };
             if ahead == b {
@@ -326,7 +326,7 @@ impl<'a> Retarget<'a> {
             let t = code >> 2;
             let ghost = self.mesh.is_ghost(t);
             let new = if ghost {
-                side.faces.iter().map(|&f| ghost_at(f)).collect()
+                fallible::collect(side.faces.iter().map(|&f| ghost_at(f)))?
             } else {
                 match self.fill_side(patch, &mut side, &sectors, [[a, b], [c, d]])? {
                     Some(new) => new,
@@ -336,7 +336,7 @@ impl<'a> Retarget<'a> {
                     }
                 }
             };
-            sectors.push(Sector { old: side.tets, new, region: self.mesh.region(t) });
+            fallible::push(&mut sectors, Sector { old: side.tets, new, region: self.mesh.region(t) })?;
         }
         for key in [first, second] {
             self.code_of.remove(&key);
@@ -348,14 +348,14 @@ impl<'a> Retarget<'a> {
         for &t in &self.replace.fresh {
             for code in 4 * t..4 * t + 4 {
                 if self.mesh.is_subface(code) {
-                    self.code_of.insert(face_key(self.mesh.face(code)), code);
+                    fallible::insert(&mut self.code_of, face_key(self.mesh.face(code)), code)?;
                 }
             }
         }
         self.apexes.remove(&edge_key(a, b));
-        self.apexes.insert(edge_key(c, d), vec![a, b]);
+        fallible::insert(&mut self.apexes, edge_key(c, d), fallible::copied(&[a, b])?)?;
         for (v, w) in [(a, c), (b, c), (c, d), (d, c)] {
-            self.neighbor.insert(v, w);
+            fallible::insert(&mut self.neighbor, v, w)?;
         }
         for (edge, old, new) in [([a, c], b, d), ([b, c], a, d), ([a, d], b, c), ([b, d], a, c)] {
             if let Some(list) = self.apexes.get_mut(&edge_key(edge[0], edge[1])) {
@@ -377,18 +377,14 @@ impl<'a> Retarget<'a> {
         let ghost = mesh.is_ghost(code >> 2);
         let (mut t, mut left) = (code >> 2, c);
         loop {
-            side.tets.try_reserve(1)?;
-            side.faces.try_reserve(2)?;
-            side.tets.push(t);
-            let Some(slots) =
-                [a, b, left].map(|v| mesh.slot_of(t, v)).into_iter().collect::<Option<Vec<u32>>>()
-            else {
+            fallible::push(&mut side.tets, t)?;
+            let [Some(of_a), Some(of_b), Some(of_left)] = [a, b, left].map(|v| mesh.slot_of(t, v)) else {
                 return Err(Error::internal("the tetrahedra around a flat edge form no ring"));
             };
             if !ghost {
-                side.faces.extend([mesh.face(4 * t + slots[0]), mesh.face(4 * t + slots[1])]);
+                fallible::extend(&mut side.faces, [mesh.face(4 * t + of_a), mesh.face(4 * t + of_b)])?;
             }
-            let exit = 4 * t + slots[2];
+            let exit = 4 * t + of_left;
             let apex = mesh.verts(t).into_iter().find(|&v| v != a && v != b && v != left);
             left = apex.unwrap_or(GHOST);
             if self.mesh.is_wall(exit) {
@@ -404,8 +400,8 @@ impl<'a> Retarget<'a> {
         }
         // The quadrilateral a d b c, turned as the first face is.
         let forward = (0..3).any(|k| face[k] == a && face[(k + 1) % 3] == b);
-        side.faces.try_reserve(2)?;
-        side.faces.extend(if forward { [[d, b, c], [c, a, d]] } else { [[d, c, b], [c, d, a]] });
+        let halves = if forward { [[d, b, c], [c, a, d]] } else { [[d, c, b], [c, d, a]] };
+        fallible::extend(&mut side.faces, halves)?;
         Ok(side)
     }
 
@@ -421,7 +417,7 @@ impl<'a> Retarget<'a> {
         if self.reconnect.fill(self.points, &polyhedron, self.growth.budget, &mut new)? {
             return Ok(Some(new));
         }
-        let tets = side.tets.clone();
+        let tets = fallible::copied(&side.tets)?;
         let walls = [side.faces[side.faces.len() - 2], side.faces[side.faces.len() - 1]];
         let gone = [face_key([a, b, c]), face_key([a, b, d])];
         let start = Start {
@@ -446,9 +442,8 @@ impl<'a> Retarget<'a> {
         let [pa, pb, pc, pd] = [a, b, c, d].map(|v| *self.points.xyz(v));
         let (from, normal) = crossing_point(pa, pb, pc, pd);
         let p = self.inside.add(self.mesh, self.points, from)?;
-        if place(self.points, p, &side.faces, from, &[normal, normal.map(|x| -x)])? {
-            new.try_reserve(side.faces.len())?;
-            new.extend(side.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+        if place(self.points, p, &side.faces, from, &[normal, normal.map(|x| -x)], &self.part)? {
+            fallible::extend(&mut new, side.faces.iter().map(|&[x, y, z]| [p, x, y, z]))?;
             return Ok(Some(new));
         }
         // Straight up, and tilted towards the quadrilateral's centre, since other facets may rise next to its edges.
@@ -464,11 +459,11 @@ impl<'a> Retarget<'a> {
             lean(-1.0, 8.0),
         ];
         let rays = Rays { point: p, from, toward: &toward };
-        let Retarget { mesh, points, isolated, inside, widen, .. } = self;
-        if let Some(new) = widen.place(mesh, points, &start, isolated, &inside.list, &rays)? {
+        let Retarget { mesh, points, isolated, inside, widen, part, .. } = self;
+        let kept = Kept { isolated, inside: &inside.list };
+        if let Some(new) = widen.place(mesh, points, &start, kept, &rays, part)? {
             side.tets = std::mem::take(&mut widen.cavity.tets);
-            self.swallowed.try_reserve(self.widen.swallowed.len())?;
-            self.swallowed.extend_from_slice(&self.widen.swallowed);
+            fallible::append(&mut self.swallowed, &self.widen.swallowed)?;
             return Ok(Some(new));
         }
         let last = self.inside.list.len() - 1;

@@ -5,11 +5,12 @@
 //! it gets two to four points around the segment.
 use crate::elementary::power_of_two;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::replace::Sector;
 use crate::ops::hollow::Start;
 use crate::ops::place::place;
 use crate::ops::reconnect::Polyhedron;
-use crate::ops::widen::Rays;
+use crate::ops::widen::{Kept, Rays};
 use crate::preserve::release::segments::{unit, Effort, Unsplit};
 use crate::vector::{cross, dot, sub};
 
@@ -24,19 +25,17 @@ impl Unsplit<'_> {
         effort: Effort,
     ) -> Result<Option<Sector>, Error> {
         let region = self.star.sectors[s].region;
-        let old = self.star.sectors[s].tets.clone();
+        let old = fallible::copied(&self.star.sectors[s].tets)?;
         let from = *self.points.xyz(v);
-        let normals = self.wall_normals(s, from, ends);
+        let normals = self.wall_normals(s, from, ends)?;
         if self.convex(s) {
             let toward = match normals[..] {
-                [m, n] => vec![unit([0, 1, 2].map(|k| m[k] + n[k])), m, n],
-                _ => normals.clone(),
+                [m, n] => fallible::copied(&[unit([0, 1, 2].map(|k| m[k] + n[k])), m, n])?,
+                _ => fallible::copied(&normals)?,
             };
             let p = self.new_point(from)?;
-            if place(self.points, p, &self.faces, from, &toward)? {
-                let mut new = Vec::new();
-                new.try_reserve(self.faces.len())?;
-                new.extend(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]));
+            if place(self.points, p, &self.faces, from, &toward, self.control)? {
+                let new = fallible::collect(self.faces.iter().map(|&[x, y, z]| [p, x, y, z]))?;
                 return Ok(Some(Sector { old, new, region }));
             }
             if let Some(new) = self.widen(v, s, taken, &Rays { point: p, from, toward: &toward })? {
@@ -57,7 +56,7 @@ impl Unsplit<'_> {
         taken: &[Sector],
         rays: &Rays,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
-        let (gone, walls) = self.walls_of(s);
+        let [gone, walls] = self.walls_of(s)?;
         let start = Start {
             tets: &self.star.sectors[s].tets,
             gone: &gone,
@@ -67,13 +66,11 @@ impl Unsplit<'_> {
             avoid: [v; 2],
             taken,
         };
-        let known = &self.inside.list;
-        let new = self.widen.place(self.mesh, self.points, &start, self.isolated, known, rays)?;
-        self.read.try_reserve(self.widen.read.len())?;
-        self.read.extend_from_slice(&self.widen.read);
+        let kept = Kept { isolated: self.isolated, inside: &self.inside.list };
+        let new = self.widen.place(self.mesh, self.points, &start, kept, rays, self.control)?;
+        fallible::append(&mut self.read, &self.widen.read)?;
         if new.is_some() {
-            self.swallowed.try_reserve(self.widen.swallowed.len())?;
-            self.swallowed.extend_from_slice(&self.widen.swallowed);
+            fallible::append(&mut self.swallowed, &self.widen.swallowed)?;
         }
         Ok(new)
     }
@@ -85,7 +82,7 @@ impl Unsplit<'_> {
     }
 
     /// The unit normals of the walls at a sector, turned inward, in plain arithmetic.
-    fn wall_normals(&self, s: usize, from: [f64; 3], ends: [u32; 2]) -> Vec<[f64; 3]> {
+    fn wall_normals(&self, s: usize, from: [f64; 3], ends: [u32; 2]) -> Result<Vec<[f64; 3]>, Error> {
         let mut normals = Vec::new();
         let [a, b] = ends.map(|e| sub(self.points.xyz(e), &from));
         let along = if dot(&a, &a) > dot(&b, &b) { a.map(|x| -x) } else { b };
@@ -102,11 +99,11 @@ impl Unsplit<'_> {
                 if let Some(n) = normal {
                     // The polygon runs from the first end round to the second: it turns about −(along × u).
                     // A face turned inward has its normal pointing away from the inside.
-                    normals.push(if forward { n } else { n.map(|x| -x) });
+                    fallible::push(&mut normals, if forward { n } else { n.map(|x| -x) })?;
                 }
             }
         }
-        normals
+        Ok(normals)
     }
 
     pub(super) fn new_point(&mut self, at: [f64; 3]) -> Result<u32, Error> {
@@ -164,7 +161,7 @@ impl Unsplit<'_> {
                     let w = way(angle);
                     self.new_point([0, 1, 2].map(|k| from[k] + distance * w[k]))?;
                 }
-                let inner: Vec<u32> = self.inside.list[before..].to_vec();
+                let inner: Vec<u32> = fallible::copied(&self.inside.list[before..])?;
                 let polyhedron = Polyhedron { faces: &self.faces, inner: &inner, edges };
                 let mut new = Vec::new();
                 if self.reconnect.fill(self.points, &polyhedron, effort.budget, &mut new)? {

@@ -4,6 +4,7 @@
 //! ([`Target::attempt`](crate::preserve::release::patches::Target)) have another one.
 //!
 //! Points that may stay (inside internal facets, where only the outer boundary is kept) go if nothing has to come in their place.
+use crate::control::{Control, Part};
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::edge_key;
@@ -27,7 +28,7 @@ const EFFORTS: [Effort; 4] = [
 ];
 
 /// The outcome for the points on segments.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Removal {
     /// Points that went without a replacement.
     pub deleted: u64,
@@ -48,11 +49,9 @@ struct Along {
 }
 
 impl Along {
-    fn new(segments: &Segments) -> Result<Along, Error> {
-        let list = segments.steiner_by_segment()?;
-        let mut ends = Vec::new();
-        ends.try_reserve(list.len())?;
-        ends.resize(list.len(), [NONE; 2]);
+    fn new(segments: &Segments, control: &Control) -> Result<Along, Error> {
+        let list = segments.steiner_by_segment(control)?;
+        let mut ends = fallible::filled([NONE; 2], list.len())?;
         for (i, &(s, _, v)) in list.iter().enumerate() {
             let [a, b] = segments.ends[s as usize];
             let before = if i > 0 && list[i - 1].0 == s { list[i - 1].2 } else { a };
@@ -82,19 +81,17 @@ pub(in crate::preserve) fn remove_all(
     points: &mut Points,
     Terms { segments, target, internal }: Terms,
     inside: &mut Inside,
-    tick: &mut dyn FnMut(f64) -> Result<(), Error>,
+    part: Part,
 ) -> Result<Removal, Error> {
-    let mut along = Along::new(segments)?;
+    let mut along = Along::new(segments, &part)?;
     // Looked up only where a point goes.
     let count = if along.ends.is_empty() { 0 } else { target.triangles.len() };
-    let wanted = edges_of(target.triangles[..count].iter())?;
-    let mut removal = Removal { isolated: isolated_pieces(mesh, segments)?, ..Removal::default() };
-    let mut left: Vec<u32> = Vec::new();
-    left.try_reserve(along.ends.len())?;
-    left.extend((0..along.ends.len() as u32).rev().map(|i| along.first + i));
+    let wanted = edges_of(target.triangles[..count].iter(), &part)?;
+    let mut removal = Removal { isolated: isolated_pieces(mesh, segments, &part)?, ..Removal::default() };
+    let mut left: Vec<u32> = fallible::collect((0..along.ends.len() as u32).rev().map(|i| along.first + i))?;
     let total = left.len().max(1) as f64;
     let mut counts = [0, 0];
-    let mut unsplit = Unsplit::new(mesh, points, &wanted, &mut removal.isolated, inside);
+    let mut unsplit = Unsplit::new(mesh, points, &wanted, &mut removal.isolated, inside, &part);
     if target.attempt > 0 {
         left.sort_unstable_by_key(|&v| (shuffled(v - along.first, target.attempt), v));
     }
@@ -102,18 +99,18 @@ pub(in crate::preserve) fn remove_all(
         let mut lasting = Memory::default();
         loop {
             let before = left.len();
-            let mut kept = Vec::new();
-            kept.try_reserve(before)?;
+            let mut kept = fallible::reserved(before)?;
             for (i, &v) in left.iter().enumerate() {
                 if i % 16 == 0 {
-                    tick(1.0 - (before - i + kept.len()) as f64 / total)?;
+                    part.progress(1.0 - (before - i + kept.len()) as f64 / total)?;
                 }
+                part.step()?;
                 let stays = effort.relocate && internal.may_stay(v);
                 if stays || lasting.knows(unsplit.mesh, v) {
-                    kept.push(v);
+                    fallible::push(&mut kept, v)?;
                 } else if !take(&mut unsplit, &mut along, v, effort, &mut counts)? {
                     lasting.note(unsplit.mesh, v, &unsplit.read)?;
-                    kept.push(v);
+                    fallible::push(&mut kept, v)?;
                 }
             }
             left = kept;
@@ -122,8 +119,9 @@ pub(in crate::preserve) fn remove_all(
             }
         }
     }
-    (removal.staying, removal.left) = left.into_iter().partition(|&v| internal.may_stay(v));
-    removal.staying.reverse();
+    removal.staying = fallible::collect(left.iter().copied().rev().filter(|&v| internal.may_stay(v)))?;
+    left.retain(|&v| !internal.may_stay(v));
+    removal.left = left;
     [removal.deleted, removal.relocated] = counts;
     Ok(removal)
 }
@@ -152,19 +150,35 @@ fn take(
 }
 
 /// The edges of triangles, in order.
-fn edges_of<'a>(triangles: impl ExactSizeIterator<Item = &'a [u32; 3]>) -> Result<Vec<[u32; 2]>, Error> {
-    let mut edges = Vec::new();
-    edges.try_reserve_exact(3 * triangles.len())?;
-    edges.extend(triangles.flat_map(|&[a, b, c]| [edge_key(a, b), edge_key(b, c), edge_key(c, a)]));
-    edges.sort_unstable();
+fn edges_of<'a>(
+    triangles: impl ExactSizeIterator<Item = &'a [u32; 3]>,
+    control: &Control,
+) -> Result<Vec<[u32; 2]>, Error> {
+    let mut edges = fallible::reserved(3 * triangles.len())?;
+    fallible::extend(
+        &mut edges,
+        triangles.flat_map(|&[a, b, c]| [edge_key(a, b), edge_key(b, c), edge_key(c, a)]),
+    )?;
+    control.sort(&mut edges)?;
     edges.dedup();
     Ok(edges)
 }
 
 /// The pieces of segments that no subface has.
-fn isolated_pieces(mesh: &Mesh, segments: &Segments) -> Result<FxHashSet<[u32; 2]>, Error> {
+fn isolated_pieces(
+    mesh: &Mesh,
+    segments: &Segments,
+    control: &Control,
+) -> Result<FxHashSet<[u32; 2]>, Error> {
     let faces: Vec<[u32; 3]> = fallible::collect(mesh.subfaces().map(|code| mesh.face(code)))?;
-    let edges = edges_of(faces.iter())?;
-    let keys = segments.pieces.iter().map(|piece| edge_key(piece.ends[0], piece.ends[1]));
-    Ok(keys.filter(|key| edges.binary_search(key).is_err()).collect())
+    let edges = edges_of(faces.iter(), control)?;
+    let mut isolated = FxHashSet::default();
+    for piece in &segments.pieces {
+        control.step()?;
+        let key = edge_key(piece.ends[0], piece.ends[1]);
+        if edges.binary_search(&key).is_err() {
+            fallible::add(&mut isolated, key)?;
+        }
+    }
+    Ok(isolated)
 }

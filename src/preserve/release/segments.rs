@@ -4,7 +4,9 @@
 //! the point is *deleted*. A sector for which it does not gets a point inside instead, which sees all of the sector's faces; the point is
 //! then *relocated*. Such a position exists by the half-ball argument (section 8.1): the faces opposite the point are seen from all
 //! positions near it, and the walls from those between their planes.
+use crate::control::Control;
 use crate::error::Error;
+use crate::fallible;
 use crate::kernel::edge_key;
 use crate::kernel::ghosts::ghost_at;
 use crate::kernel::replace::{Replace, Sector};
@@ -17,7 +19,7 @@ use crate::ops::widen::Widen;
 use crate::predicates::{Points, Sign};
 use crate::preserve::inside::Inside;
 use crate::preserve::star::{Star, Wall};
-use crate::vector::{cross, dot, sub};
+use crate::vector::{by_size, cross, dot, sub};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The tetrahedra of a filled sector, or none where the search has failed.
@@ -63,7 +65,8 @@ pub struct Unsplit<'a> {
     pub isolated: &'a mut FxHashSet<[u32; 2]>,
     /// Points inside made so far.
     pub inside: &'a mut Inside,
-    pub(super) reconnect: Reconnect,
+    pub(super) reconnect: Reconnect<'a>,
+    pub(super) control: &'a Control<'a>,
     replace: Replace,
     hollow: Hollow,
     pub(super) widen: Widen,
@@ -88,6 +91,7 @@ impl<'a> Unsplit<'a> {
         wanted: &'a [[u32; 2]],
         isolated: &'a mut FxHashSet<[u32; 2]>,
         inside: &'a mut Inside,
+        control: &'a Control<'a>,
     ) -> Self {
         Unsplit {
             mesh,
@@ -95,7 +99,8 @@ impl<'a> Unsplit<'a> {
             wanted,
             isolated,
             inside,
-            reconnect: Reconnect::default(),
+            reconnect: Reconnect::new(control),
+            control,
             replace: Replace::default(),
             hollow: Hollow::default(),
             widen: Widen::default(),
@@ -118,8 +123,7 @@ impl<'a> Unsplit<'a> {
         self.star.read(self.mesh, v, ends)?;
         self.read.clear();
         for sector in &self.star.sectors {
-            self.read.try_reserve(sector.tets.len())?;
-            self.read.extend_from_slice(&sector.tets);
+            fallible::append(&mut self.read, &sector.tets)?;
         }
         if !self.triangulate_walls(effort.walls)? {
             return Ok(Outcome::Kept);
@@ -132,22 +136,20 @@ impl<'a> Unsplit<'a> {
         }
         let before = self.inside.list.len();
         self.swallowed.clear();
-        let mut sectors = Vec::new();
-        sectors.try_reserve(self.star.sectors.len())?;
+        let mut sectors = fallible::reserved(self.star.sectors.len())?;
         for s in 0..self.star.sectors.len() {
             let Some(sector) = self.fill_or_place(v, s, &choice, ends, effort, &sectors)? else {
                 self.discard(before);
                 return Ok(Outcome::Kept);
             };
-            sectors.push(sector);
+            fallible::push(&mut sectors, sector)?;
         }
         let mut subfaces: Vec<([u32; 3], u32)> = Vec::new();
         for (wall, (options, &c)) in self.star.walls.iter().zip(self.options.iter().zip(&choice)) {
             if wall.patch == NONE {
                 continue;
             }
-            subfaces.try_reserve(options[c].len())?;
-            subfaces.extend(options[c].iter().map(|&triangle| (triangle, wall.patch)));
+            fallible::extend(&mut subfaces, options[c].iter().map(|&triangle| (triangle, wall.patch)))?;
         }
         self.replace.sectors(self.mesh, &sectors, &subfaces)?;
         self.mesh.vertex_tet[v as usize] = NONE;
@@ -156,7 +158,7 @@ impl<'a> Unsplit<'a> {
         }
         if self.isolated.remove(&edge_key(ends[0], v)) {
             self.isolated.remove(&edge_key(v, ends[1]));
-            self.isolated.insert(edge_key(ends[0], ends[1]));
+            fallible::add(self.isolated, edge_key(ends[0], ends[1]))?;
         }
         Ok(if self.inside.list.len() == before { Outcome::Deleted } else { Outcome::Relocated })
     }
@@ -175,7 +177,7 @@ impl<'a> Unsplit<'a> {
             if list.is_empty() {
                 return Ok(false);
             }
-            self.options.push(list);
+            fallible::push(&mut self.options, list)?;
         }
         Ok(true)
     }
@@ -187,10 +189,11 @@ impl<'a> Unsplit<'a> {
         let mut best: Option<(Vec<usize>, usize)> = None;
         let mut seen = 0;
         let most: usize = self.options.iter().map(|o| o.len() - 1).sum();
-        let mut choice = vec![0usize; walls];
+        let mut choice = fallible::filled(0usize, walls)?;
         for total in 0..=most {
             first_of(total, &self.options, &mut choice);
             loop {
+                self.control.step()?;
                 let mut failed = 0;
                 for s in 0..self.star.sectors.len() {
                     let limit = best.as_ref().map_or(usize::MAX, |b| b.1);
@@ -200,7 +203,7 @@ impl<'a> Unsplit<'a> {
                     failed += usize::from(!self.try_fill(s, &choice, ends, effort.budget)?);
                 }
                 if best.as_ref().is_none_or(|b| failed < b.1) {
-                    best = Some((choice.clone(), failed));
+                    best = Some((fallible::copied(&choice)?, failed));
                 }
                 seen += 1;
                 if failed == 0 || seen >= MOST_CHOICES || self.fills >= MOST_FILLS {
@@ -233,10 +236,9 @@ impl<'a> Unsplit<'a> {
     fn collect_faces(&mut self, s: usize, choice: &[usize]) -> Result<(), Error> {
         let mut faces = std::mem::take(&mut self.faces);
         faces.clear();
-        faces.try_reserve(self.star.sectors[s].link.len())?;
-        faces.extend_from_slice(&self.star.sectors[s].link);
+        fallible::append(&mut faces, &self.star.sectors[s].link)?;
         let options = &self.options;
-        self.star.wall_faces(s, &|w| Some(options[w][choice[w]].clone()), &mut faces)?;
+        self.star.wall_faces(s, &|w| Some(&options[w][choice[w]]), &mut faces)?;
         self.faces = faces;
         Ok(())
     }
@@ -250,8 +252,7 @@ impl<'a> Unsplit<'a> {
         self.collect_faces(s, choice)?;
         let mut new = Vec::new();
         let found = if self.star.sectors[s].void {
-            new.try_reserve(self.faces.len())?;
-            new.extend(self.faces.iter().map(|&f| ghost_at(f)));
+            fallible::extend(&mut new, self.faces.iter().map(|&f| ghost_at(f)))?;
             true
         } else {
             self.fills += 1;
@@ -260,7 +261,7 @@ impl<'a> Unsplit<'a> {
             let polyhedron = Polyhedron { faces: &self.faces, edges, ..Polyhedron::default() };
             self.reconnect.fill(self.points, &polyhedron, budget, &mut new)?
         };
-        self.filled.insert(key, found.then_some(new));
+        fallible::insert(&mut self.filled, key, found.then_some(new))?;
         Ok(found)
     }
 
@@ -275,7 +276,7 @@ impl<'a> Unsplit<'a> {
         taken: &[Sector],
     ) -> Result<Option<Sector>, Error> {
         let region = self.star.sectors[s].region;
-        let old = self.star.sectors[s].tets.clone();
+        let old = fallible::copied(&self.star.sectors[s].tets)?;
         if self.try_fill(s, choice, ends, effort.budget)? {
             let new = self.filled.remove(&self.key_of(s, choice)).flatten();
             return Ok(new.map(|new| Sector { old, new, region }));
@@ -301,7 +302,7 @@ impl<'a> Unsplit<'a> {
         taken: &[Sector],
         growth: Growth,
     ) -> Result<Option<Vec<[u32; 4]>>, Error> {
-        let (gone, walls) = self.walls_of(s);
+        let [gone, walls] = self.walls_of(s)?;
         let start = Start {
             tets: &self.star.sectors[s].tets,
             gone: &gone,
@@ -313,16 +314,15 @@ impl<'a> Unsplit<'a> {
         };
         let grown =
             self.hollow.grow(self.mesh, self.points, &mut self.reconnect, &start, self.isolated, growth)?;
-        self.read.try_reserve(self.hollow.read.len())?;
-        self.read.extend_from_slice(&self.hollow.read);
+        fallible::append(&mut self.read, &self.hollow.read)?;
         Ok(grown)
     }
 
     /// The faces of the walls at a sector now, and those with the chosen triangulations, turned inward.
-    pub(super) fn walls_of(&self, s: usize) -> (Vec<[u32; 3]>, Vec<[u32; 3]>) {
+    pub(super) fn walls_of(&self, s: usize) -> Result<[Vec<[u32; 3]>; 2], Error> {
         let touches = |wall: &&Wall| wall.sides.iter().any(|side| side.0 == s);
-        let gone = self.star.walls.iter().filter(touches).flat_map(|w| w.faces.iter().copied()).collect();
-        (gone, self.faces[self.star.sectors[s].link.len()..].to_vec())
+        let gone = self.star.walls.iter().filter(touches).flat_map(|w| w.faces.iter().copied());
+        Ok([fallible::collect(gone)?, fallible::copied(&self.faces[self.star.sectors[s].link.len()..])?])
     }
 }
 
@@ -357,9 +357,7 @@ fn next_of(total: usize, options: &[Vec<Vec<[u32; 3]>>], choice: &mut [usize]) -
 pub fn axis_of(points: &Points, polygon: &[u32]) -> Option<usize> {
     let (a, u, b) = (polygon[0], polygon[1], polygon[polygon.len() - 1]);
     let n = cross(&sub(points.xyz(u), points.xyz(a)), &sub(points.xyz(b), points.xyz(a)));
-    let mut axes = [0usize, 1, 2];
-    axes.sort_by(|&i, &j| n[j].abs().total_cmp(&n[i].abs()));
-    axes.into_iter().find(|&k| points.orient_in_plane(k, a, u, b) != Sign::Zero)
+    by_size(&n, [0, 1, 2]).into_iter().find(|&k| points.orient_in_plane(k, a, u, b) != Sign::Zero)
 }
 
 /// Of length one, or zero.
