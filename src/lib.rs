@@ -20,7 +20,7 @@
 //!           segments                         D0 → D1: every segment a union of edges
 //!           delaunay                         D0: the Delaunay tetrahedralization of the points
 //!           plc                              the input: validation, polygons, merging → Surface
-//! ops                                        local operations on a few tetrahedra: reconnection, sheets, positions
+//! ops                                        local operations on a few tetrahedra: reconnection, sheets, insertion, positions
 //! kernel                                     tetrahedra and their adjacency: topology alone, no coordinates
 //! predicates                                 signs
 //! leaves    control  elementary  error  fallible  options  output  panics  progress  threads  vector  warning

@@ -86,6 +86,23 @@ impl StarSearch {
     }
 }
 
+impl Mesh {
+    /// The wall after the wall `code` on a turn round its edge `a b` through the tetrahedra on this side, seen from this side.
+    pub fn next_wall(&self, code: u32, [a, b]: [u32; 2]) -> Option<u32> {
+        let mut entered = code;
+        for _ in self.all() {
+            let t = entered >> 2;
+            let others = |&k: &u32| k != entered & 3 && ![a, b].contains(&self.vertex(t, k));
+            let left = 4 * t + (0..4).find(others)?;
+            if self.is_wall(left) {
+                return Some(left);
+            }
+            entered = self.across(left);
+        }
+        None
+    }
+}
+
 /// Walks once around an edge.
 ///
 /// Yields `(t, i, j, k, l)`: the tetrahedron, the slots of the edge's ends and of the two other vertices, such that

@@ -5,6 +5,7 @@
 use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
+use crate::kernel::tables::EDGE;
 use crate::kernel::{flag, Mesh, NONE};
 
 impl Mesh {
@@ -103,16 +104,18 @@ impl Mesh {
         (self.flags[t as usize] & flag::EDGES) / flag::EDGE
     }
 
+    /// Whether the edge `a b` of a tetrahedron is a subsegment.
+    pub fn is_subsegment(&self, t: u32, [a, b]: [u32; 2]) -> bool {
+        self.subsegments(t).any(|edge| edge == [a, b] || edge == [b, a])
+    }
+
     /// The edges of a tetrahedron that are subsegments, by their ends.
-    #[cfg(test)]
     pub fn subsegments(&self, t: u32) -> impl Iterator<Item = [u32; 2]> + '_ {
         let bits = self.subsegment_bits(t);
-        crate::kernel::tables::EDGE.iter().enumerate().filter(move |(e, _)| bits >> e & 1 != 0).map(
-            move |(_, &[i, j])| {
-                let v = &self.verts[t as usize];
-                [v[i as usize], v[j as usize]]
-            },
-        )
+        EDGE.iter().enumerate().filter(move |(e, _)| bits >> e & 1 != 0).map(move |(_, &[i, j])| {
+            let v = &self.verts[t as usize];
+            [v[i as usize], v[j as usize]]
+        })
     }
 
     /// Lets `each` choose which edges of every live tetrahedron become subsegments: it gets the vertices and returns one bit an edge.

@@ -65,7 +65,7 @@ pub fn check_attachments(mesh: &Mesh) -> Result<(), String> {
         }
         for [a, b] in mesh.subsegments(t) {
             let ring = EdgeRing::new(mesh, t, a, b);
-            if ring.map(|x| x.0).any(|n| !mesh.subsegments(n).any(|e| e == [a, b] || e == [b, a])) {
+            if ring.map(|x| x.0).any(|n| !mesh.is_subsegment(n, [a, b])) {
                 return Err(format!("tetrahedron {t}: edge {:?} is not a subsegment all around", [a, b]));
             }
         }

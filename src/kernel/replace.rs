@@ -3,12 +3,14 @@
 //! Faces are matched by their vertices, each twice: from two new tetrahedra, or from a new tetrahedron and the one that stays beyond the
 //! boundary. Most replacements are small, and searching a list of their faces is faster than hashing.
 //!
-//! Subfaces of old tetrahedra stay subfaces, with their names, where new tetrahedra have the same face. Regions come from the sector.
+//! Subfaces of old tetrahedra stay subfaces, with their names, where new tetrahedra have the same face, and subsegments stay subsegments
+//! where they have the same edge. Regions come from the sector.
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::journal::Journal;
-use crate::kernel::{face_key, flag, Mesh, GHOST, NONE};
-use rustc_hash::FxHashMap;
+use crate::kernel::tables::EDGE;
+use crate::kernel::{edge_key, face_key, flag, Mesh, GHOST, NONE};
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::TryReserveError;
 
 /// The most tetrahedra of a small replacement.
@@ -81,6 +83,8 @@ pub struct Replace {
     open: OpenFaces,
     /// Subfaces inside and on the boundary, with their names.
     subfaces: FxHashMap<[u32; 3], u32>,
+    /// Subsegments inside and on the boundary.
+    subsegments: FxHashSet<[u32; 2]>,
     /// The slots of the new tetrahedra, in the order given.
     pub fresh: Vec<u32>,
 }
@@ -97,7 +101,7 @@ impl Replace {
         new: &[[u32; 4]],
         subfaces: &[[u32; 3]],
     ) -> Result<(), Error> {
-        self.begin(subfaces.iter().map(|&face| (face, NONE)))?;
+        self.begin(subfaces.iter().map(|&face| (face, NONE)), &[])?;
         let region = old.first().map_or(NONE, |&t| mesh.region(t));
         self.run(mesh, &[Part { old, new, region }])
     }
@@ -115,7 +119,8 @@ impl Replace {
         journal.end(&self.fresh)
     }
 
-    /// Replaces the tetrahedra of several sectors at once. `subfaces` come between them, with their names.
+    /// Replaces the tetrahedra of several sectors at once. `subfaces` come between them, with their names, and `subsegments` among their
+    /// edges.
     ///
     /// # Errors
     /// As for [`Replace::cavity`].
@@ -124,16 +129,24 @@ impl Replace {
         mesh: &mut Mesh,
         sectors: &[Sector],
         subfaces: &[([u32; 3], u32)],
+        subsegments: &[[u32; 2]],
     ) -> Result<(), Error> {
-        self.begin(subfaces.iter().copied())?;
+        self.begin(subfaces.iter().copied(), subsegments)?;
         let parts = sectors.iter().map(|s| Part { old: &s.old, new: &s.new, region: s.region });
         self.run(mesh, &fallible::collect(parts)?)
     }
 
-    fn begin(&mut self, subfaces: impl ExactSizeIterator<Item = ([u32; 3], u32)>) -> Result<(), Error> {
+    fn begin(
+        &mut self,
+        subfaces: impl ExactSizeIterator<Item = ([u32; 3], u32)>,
+        subsegments: &[[u32; 2]],
+    ) -> Result<(), Error> {
         self.subfaces.clear();
         let keyed = subfaces.map(|(face, name)| (face_key(face), name));
-        Ok(fallible::insert_all(&mut self.subfaces, keyed)?)
+        fallible::insert_all(&mut self.subfaces, keyed)?;
+        self.subsegments.clear();
+        let keyed = subsegments.iter().map(|&[a, b]| edge_key(a, b));
+        Ok(fallible::add_all(&mut self.subsegments, keyed)?)
     }
 
     fn run(&mut self, mesh: &mut Mesh, parts: &[Part]) -> Result<(), Error> {
@@ -160,12 +173,18 @@ impl Replace {
         }
     }
 
-    /// Collects the boundary and the subfaces of what goes.
+    /// Collects the boundary, the subfaces and the subsegments of what goes.
     fn read(&mut self, mesh: &mut Mesh, parts: &[Part]) -> Result<(), Error> {
-        let Replace { open, subfaces, .. } = self;
+        let mut any = 0;
         for &t in parts.iter().flat_map(|p| p.old) {
-            mesh.flags[t as usize] |= flag::MARK;
+            let flags = &mut mesh.flags[t as usize];
+            any |= *flags;
+            *flags |= flag::MARK;
         }
+        if any & flag::EDGES != 0 {
+            self.read_subsegments(mesh, parts)?;
+        }
+        let Replace { open, subfaces, .. } = self;
         for (sector, part) in (0..).zip(parts) {
             for code in part.old.iter().flat_map(|&t| 4 * t..4 * t + 4) {
                 let face = mesh.face(code);
@@ -176,6 +195,16 @@ impl Replace {
                 if mesh.flags[(n >> 2) as usize] & flag::MARK == 0 {
                     open.insert(key(face, sector), n)?;
                 }
+            }
+        }
+        Ok(())
+    }
+
+    #[inline(never)]
+    fn read_subsegments(&mut self, mesh: &Mesh, parts: &[Part]) -> Result<(), Error> {
+        for &t in parts.iter().flat_map(|p| p.old) {
+            for [a, b] in mesh.subsegments(t) {
+                fallible::add(&mut self.subsegments, edge_key(a, b))?;
             }
         }
         Ok(())
@@ -194,6 +223,9 @@ impl Replace {
                 mesh.vertex_tet[v as usize] = t;
             }
         }
+        if !self.subsegments.is_empty() {
+            self.flag_subsegments(mesh, t);
+        }
         for code in 4 * t..4 * t + 4 {
             let face = mesh.face(code);
             let key = key(face, sector);
@@ -211,6 +243,16 @@ impl Replace {
             }
         }
         Ok(())
+    }
+
+    #[inline(never)]
+    fn flag_subsegments(&self, mesh: &mut Mesh, t: u32) {
+        let v = mesh.verts(t);
+        for (e, [i, j]) in (0..).zip(EDGE) {
+            if self.subsegments.contains(&edge_key(v[i as usize], v[j as usize])) {
+                mesh.set_subsegment(t, e);
+            }
+        }
     }
 }
 

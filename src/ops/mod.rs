@@ -12,6 +12,7 @@ pub mod flip;
 #[cfg(test)]
 mod flip_tests;
 pub mod hollow;
+pub mod insert;
 pub mod place;
 pub mod polygon;
 pub mod quality;

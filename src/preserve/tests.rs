@@ -437,7 +437,7 @@ fn cavities_grow_round_a_position() {
             moves += usize::from(widen.cavity.tets.len() > search.tets.len());
             swallowed += widen.swallowed.len();
             let sector = Sector { old: std::mem::take(&mut widen.cavity.tets), new, region };
-            Replace::default().sectors(&mut mesh, &[sector], &[]).unwrap();
+            Replace::default().sectors(&mut mesh, &[sector], &[], &[]).unwrap();
             for &w in widen.swallowed.iter().chain([&v]) {
                 assert!(inside.list.contains(&w));
                 mesh.vertex_tet[w as usize] = NONE;

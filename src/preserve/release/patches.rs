@@ -341,7 +341,7 @@ impl<'a> Retarget<'a> {
         for key in [first, second] {
             self.code_of.remove(&key);
         }
-        self.replace.sectors(self.mesh, &sectors, &[([a, c, d], patch), ([b, c, d], patch)])?;
+        self.replace.sectors(self.mesh, &sectors, &[([a, c, d], patch), ([b, c, d], patch)], &[])?;
         for &p in &self.swallowed {
             self.mesh.vertex_tet[p as usize] = NONE;
         }

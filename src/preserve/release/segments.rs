@@ -151,7 +151,7 @@ impl<'a> Unsplit<'a> {
             }
             fallible::extend(&mut subfaces, options[c].iter().map(|&triangle| (triangle, wall.patch)))?;
         }
-        self.replace.sectors(self.mesh, &sectors, &subfaces)?;
+        self.replace.sectors(self.mesh, &sectors, &subfaces, &[])?;
         self.mesh.vertex_tet[v as usize] = NONE;
         for &p in &self.swallowed {
             self.mesh.vertex_tet[p as usize] = NONE;
