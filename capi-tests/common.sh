@@ -32,7 +32,11 @@ step() {
   if [ "$status" -eq 0 ] && [ "$((good + bad))" -eq 0 ]; then good=1; fi
   passed=$((passed + good))
   failed=$((failed + bad))
-  if [ "$bad" -ne 0 ]; then failures+=("$name: $bad failed"); fi
+  if [ "$bad" -ne 0 ]; then
+    failures+=("$name: $bad failed")
+    # Said again at the end, where one looks first.
+    { printf '\n--- %s, what failed:\n' "$name"; grep -n -E '^failed|FAILED|panicked|^error|Error|Failed' "$log" | head -n 20; tail -n 25 "$log"; } >> "$work/failed"
+  fi
   printf -- '--- %s: %d passed, %d failed, %d s\n' "$name" "$good" "$bad" "$((SECONDS - begin))"
 }
 
@@ -71,6 +75,7 @@ delaunay() {
 closing() {
   local line
   [ "${DELOTET_TESTS:-}" = list ] && return 0
+  [ ! -e "$work/failed" ] || cat "$work/failed"
   printf '\n'
   for line in "${failures[@]}"; do printf '%s\n' "$line"; done
   printf '%d passed, %d failed (%d min %d s)\n' "$passed" "$failed" "$((SECONDS / 60))" "$((SECONDS % 60))"

@@ -8,6 +8,10 @@ pub mod center;
 #[cfg(test)]
 pub mod check;
 pub mod contract;
+#[cfg_attr(not(test), allow(dead_code, reason = "no stage asks for it yet"))]
+pub mod faces;
+#[cfg(test)]
+mod faces_tests;
 pub mod flip;
 #[cfg(test)]
 mod flip_tests;
@@ -19,7 +23,13 @@ pub mod quality;
 pub mod reconnect;
 pub mod remove_vertex;
 pub mod reshape;
+#[cfg(test)]
+pub mod scene_tests;
 pub mod shape;
 pub mod sheet;
+#[cfg(test)]
+mod sheet_tests;
 pub mod smooth;
+#[cfg(test)]
+mod vertex_tests;
 pub mod widen;

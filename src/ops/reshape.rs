@@ -55,7 +55,7 @@ pub struct Aim {
 impl Aim {
     /// The goal for the replacement of tetrahedra. Half of their value in the other measure may be lost; otherwise most slivers would stay
     /// because of a hundredth of it.
-    fn goal(&self, mesh: &Mesh, points: &Points, old: &[u32]) -> Goal {
+    pub(super) fn goal(&self, mesh: &Mesh, points: &Points, old: &[u32]) -> Goal {
         let worst = old.iter().map(|&t| shape(mesh, points, t)).fold(Shape::BEST, Shape::worse);
         let other = if self.measure == Measure::Angle { Measure::Ratio } else { Measure::Angle };
         let least = (0.5 * worst.by(other)).min(self.enough.by(other)).max(self.least.by(other));

@@ -4,6 +4,7 @@ use crate::delaunay::Construction;
 use crate::kernel::around::StarSearch;
 use crate::ops::quality::quality;
 use crate::ops::reconnect::{Polyhedron, Reconnect};
+use crate::ops::scene_tests::triangulations;
 use crate::ops::shape::{Goal, Measure, Shape};
 use crate::ops::sheet::Sheets;
 use crate::predicates::{Points, Sign};
@@ -239,22 +240,6 @@ fn sheets_fill_rings_as_far_as_they_are_convex() {
     let mut tets = Vec::new();
     assert!(!Sheets::default().fill(&points, [0, 1], &[2, 3, 4], false, &mut tets).unwrap());
     assert!(tets.is_empty());
-}
-
-/// All triangulations of the part of a polygon from `i` to `j`.
-fn triangulations(i: usize, j: usize) -> Vec<Vec<[usize; 3]>> {
-    if j - i < 2 {
-        return vec![Vec::new()];
-    }
-    let mut all = Vec::new();
-    for k in i + 1..j {
-        for left in triangulations(i, k) {
-            for right in triangulations(k, j) {
-                all.push([&[[i, k, j]][..], &left, &right].concat());
-            }
-        }
-    }
-    all
 }
 
 #[test]
