@@ -8,17 +8,43 @@ use crate::fallible;
 use crate::kernel::tables::EDGE;
 use crate::kernel::{flag, Mesh, NONE};
 
+/// See [`Mesh::subfaces`].
+pub struct SubfaceCodes<'a> {
+    mesh: &'a Mesh,
+    /// The tetrahedron whose subfaces `faces` are left.
+    t: u32,
+    next: u32,
+    faces: u16,
+}
+
+impl Iterator for SubfaceCodes<'_> {
+    type Item = u32;
+
+    #[inline]
+    fn next(&mut self) -> Option<u32> {
+        loop {
+            while self.faces == 0 {
+                if self.next as usize == self.mesh.slot_count() {
+                    return None;
+                }
+                self.t = self.next;
+                self.next += 1;
+                self.faces = self.mesh.subface_bits(self.t);
+            }
+            let code = 4 * self.t + self.faces.trailing_zeros();
+            self.faces &= self.faces - 1;
+            if code < self.mesh.across(code) {
+                return Some(code);
+            }
+        }
+    }
+}
+
 impl Mesh {
     /// Whether the face of a corner is a subface.
     #[inline(always)]
     pub fn is_subface(&self, code: u32) -> bool {
         self.flags[(code >> 2) as usize] & (flag::FACE << (code & 3)) != 0
-    }
-
-    /// Whether a tetrahedron has a subface.
-    #[inline(always)]
-    pub fn has_subface(&self, t: u32) -> bool {
-        self.flags[t as usize] & flag::FACES != 0
     }
 
     /// Whether the face of a corner is a wall: a subface, or between the domain and what is not.
@@ -45,11 +71,17 @@ impl Mesh {
     }
 
     /// Corner codes of all subfaces, one of the two sides each, ascending.
-    pub fn subfaces(&self) -> impl Iterator<Item = u32> + '_ {
-        self.all()
-            .filter(|&t| self.is_live(t) && self.has_subface(t))
-            .flat_map(|t| 4 * t..4 * t + 4)
-            .filter(|&code| self.is_subface(code) && code < self.across(code))
+    pub fn subfaces(&self) -> SubfaceCodes<'_> {
+        SubfaceCodes { mesh: self, t: 0, next: 0, faces: 0 }
+    }
+
+    /// The faces of a tetrahedron that are subfaces, as bits.
+    #[inline(always)]
+    fn subface_bits(&self, t: u32) -> u16 {
+        match self.flags[t as usize] {
+            flags if flags & flag::DEAD == 0 => flags & flag::FACES,
+            _ => 0,
+        }
     }
 
     /// Names subfaces: `name` gives the name of the subface of each corner, `None` if it is a subface no longer. Only one side of each is
@@ -66,16 +98,16 @@ impl Mesh {
         let mut names = fallible::filled([NONE; 4], self.slot_count())?;
         for t in self.all() {
             control.step()?;
-            if !self.is_live(t) {
-                continue;
-            }
-            for code in 4 * t..4 * t + 4 {
+            let mut faces = self.subface_bits(t);
+            while faces != 0 {
+                let code = 4 * t + faces.trailing_zeros();
+                faces &= faces - 1;
                 let other = self.across(code);
-                let flagged = self.is_subface(code) || self.is_subface(other);
-                if !flagged || other < code {
+                // Already named from there.
+                if other < code && self.is_subface(other) {
                     continue;
                 }
-                let named = name(self, code);
+                let named = name(self, code.min(other));
                 for side in [code, other] {
                     let flags = &mut self.flags[(side >> 2) as usize];
                     match named {

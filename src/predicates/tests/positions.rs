@@ -479,8 +479,6 @@ const LOWEST: i32 = range::LOWEST_EXPONENT;
 
 #[test]
 fn positions_in_the_store() {
-    // There may be many of them.
-    assert!(std::mem::size_of::<located::Implicit>() <= 64);
     let mut points = Points::new(vec![[0.1, 0.2, 0.3], [0.7, 0.45, 0.11], [0.0, 1.0, 0.6], [0.4, 0.7, 0.7]]);
     let frame = [0, 1, 2];
     assert_eq!(points.push_on_segment(0, 1, &0.3.into()).ok(), Some(4));
