@@ -91,7 +91,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     // What looks at results; it never touches the engine.
     ("check", &["output", "plc", "predicates", "error", "options"]),
-    ("query", &["output", "plc", "predicates", "error"]),
+    ("query", &["output", "plc", "predicates", "vector", "error"]),
     ("io", &["query", "plc", "vector", "output", "error", "options", "control", "warning"]),
     (
         "ffi",

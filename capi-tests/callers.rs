@@ -141,6 +141,14 @@ fn layouts() -> Vec<Layout> {
         view::DelotetEdge { ends, tet, subsegment, marker }
         view::DelotetEdgesView { first, count, stride }
         view::DelotetSecondOrderView { nodes, node_count, tets, tet_count }
+        quality::DelotetTetQuality { dihedrals, radius_edge, eta, volume }
+        quality::DelotetTetQualitiesView { first, count, stride }
+        quality::DelotetForcedTet { tet, facets, ends, angle }
+        quality::DelotetForcedTetsView { first, count, stride }
+        quality::DelotetQualitySummary {
+            struct_size, tet_count, forced_count, worst, worst_tets, histograms, unforced_worst, unforced_worst_tets,
+            unforced_histograms
+        }
         mesh::DelotetStats {
             struct_size, steiner, steiner_exact, steiner_moved, duplicate_points, missing_segments, missing_regions, peak_bytes,
             seconds, preserve_missing_edges, preserve_missing_faces, preserve_by_reconnection, preserve_by_interior_points,
@@ -196,7 +204,7 @@ fn c_and_cpp_see_the_layouts_of_rust() {
             ask(format!("sizeof((({name} *)0)->{field})"), *size);
         }
     }
-    use ffi::{options, plc_view, query, status};
+    use ffi::{options, plc_view, quality, query, status};
     ask("sizeof(DelotetStatus)".into(), size_of::<status::DelotetStatus>());
     ask("sizeof(DelotetPhase)".into(), size_of::<status::DelotetPhase>());
     ask("sizeof(DelotetElement)".into(), size_of::<status::DelotetElement>());
@@ -205,6 +213,7 @@ fn c_and_cpp_see_the_layouts_of_rust() {
     ask("sizeof(DelotetMode)".into(), size_of::<options::DelotetMode>());
     ask("sizeof(DelotetPreserve)".into(), size_of::<options::DelotetPreserve>());
     ask("sizeof(DelotetNodeOrder)".into(), size_of::<query::DelotetNodeOrder>());
+    ask("sizeof(DelotetQualityMeasure)".into(), size_of::<quality::DelotetQualityMeasure>());
     ask("sizeof(DelotetFacetRule)".into(), size_of::<plc_view::DelotetFacetRule>());
     ask("sizeof(DelotetProgressFn)".into(), size_of::<options::DelotetProgressFn>());
     ask("DELOTET_INVALID_INDEX".into(), delotet::INVALID as usize);

@@ -202,6 +202,7 @@ fn what_has_no_effect_is_said() {
         (&["cube.off", "-o", "m.msh", "--compress"][..], "--compress: only .vtu"),
         (&["cube.off", "-o", "m.msh", "--subfaces"], "--subfaces: the file always contains the subfaces"),
         (&["cube.off", "-o", "m.vtk", "--subfaces"], "--subfaces: only .vtu"),
+        (&["cube.off", "-o", "m.msh", "--quality-data"], "--quality-data: only .vtu"),
         (&["cube.off", "-o", "m.vtu", "--msh-version", "2.2"], "--msh-version: "),
         (&["cube.off", "-o", "m.vtu", "--region-name", "1=a"], "--region-name: "),
         (
@@ -239,7 +240,8 @@ fn what_has_no_effect_is_said() {
             "{arguments:?}"
         );
     }
-    let fine = delotet(&["mesh", "rooms.poly", "-o", "m.vtu", "--subfaces", "--compress"], &dir);
+    let fine =
+        delotet(&["mesh", "rooms.poly", "-o", "m.vtu", "--subfaces", "--compress", "--quality-data"], &dir);
     assert!(fine.status.success() && fine.stderr.is_empty(), "{:?}", error_lines(&fine));
     let mesh = delotet(&["mesh", "cube.off", "-o", "m.mesh", "--second-order"], &dir);
     assert_eq!(mesh.status.code(), Some(2));

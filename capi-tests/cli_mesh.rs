@@ -46,6 +46,50 @@ fn a_cube_in_every_mesh_format() {
     assert!(dir.join("c_subfaces.vtu").exists());
 }
 
+/// A prism with an edge of 10 degrees between its facets 1 and 3: the summary, the statistics and the report say so.
+#[test]
+fn quality_is_told_in_lines_and_in_json() {
+    let dir = folder("quality");
+    let (sine, cosine) = 10f64.to_radians().sin_cos();
+    let prism = format!(
+        "OFF\n6 5 0\n0 0 0\n1 0 0\n{cosine} {sine} 0\n0 0 1\n1 0 1\n{cosine} {sine} 1\n\
+         3 0 2 1\n4 0 1 4 3\n3 3 4 5\n4 2 0 3 5\n4 1 2 5 4\n"
+    );
+    std::fs::write(dir.join("prism.off"), prism).unwrap();
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    let run = |name: &str| {
+        let output = delotet(&["mesh", name, "-o", "m.vtu", "--stats", "s.json", "--report", "r.json"], &dir);
+        assert!(output.status.success(), "{}", error_line(&output));
+        let json = |file: &str| serde_json::from_str::<serde_json::Value>(&text(dir.join(file))).unwrap();
+        (String::from_utf8_lossy(&output.stdout).into_owned(), json("s.json"), json("r.json"))
+    };
+    let (said, stats, report) = run("prism.off");
+    assert!(said.contains("\ninput-forced   "), "{said}");
+    assert!(
+        said.contains("in wedges below 30° between facets; the narrowest, 10.000°, between 1 and 3\n"),
+        "{said}"
+    );
+    let quality = &stats["quality"];
+    let tets = quality["tets"].as_u64().unwrap();
+    for measure in ["min_dihedral", "max_dihedral", "radius_edge", "eta"] {
+        let of = |which: &str| &quality[measure][which];
+        let sum = |which: &str| -> u64 {
+            of(which)["histogram"].as_array().unwrap().iter().map(|count| count.as_u64().unwrap()).sum()
+        };
+        assert_eq!((sum("all"), sum("unforced")), (tets, tets - quality["forced"].as_u64().unwrap()));
+        assert_eq!(of("all")["worst"].as_array().unwrap().len() as u64, tets.min(10));
+        assert_eq!(of("bins").as_array().unwrap().len(), 10);
+    }
+    let forced = report["forced_by"].as_array().unwrap();
+    assert_eq!((forced.len(), &forced[0]["between"]), (1, &serde_json::json!([1, 3])));
+    assert_eq!(forced[0]["tets"], quality["forced"]);
+    assert!((forced[0]["angle"].as_f64().unwrap() - 10.0).abs() < 1e-9);
+
+    let (said, stats, report) = run("cube.off");
+    assert!(!said.contains("input-forced") && said.contains("\nradius-edge    up to 0.866\n"), "{said}");
+    assert_eq!((&stats["quality"]["forced"], &report["forced_by"]), (&0.into(), &serde_json::json!([])));
+}
+
 #[test]
 fn check_accepts_the_mesh_and_refuses_a_damaged_one() {
     let dir = folder("check");

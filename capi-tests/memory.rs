@@ -22,8 +22,8 @@ use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, Ordering::SeqCst};
 
 use delotet::ffi::{
-    error::*, file::*, mesh::*, options::*, plc::*, plc_view::*, query::*, run::*, status::*, view::*,
-    write::*,
+    error::*, file::*, mesh::*, options::*, plc::*, plc_view::*, quality::*, query::*, run::*, status::*,
+    view::*, write::*,
 };
 
 /// At most about this many requests of a job are refused, one run each, unless all are requested, since meshing takes long.
@@ -454,6 +454,20 @@ fn ask(mesh: *const DelotetMesh, hash: &mut Hash) -> Result<(), DelotetStatus> {
         let mut attributes: DelotetDoublesView = std::mem::zeroed();
         let status = delotet_mesh_tet_attributes(mesh, &mut attributes, &mut error);
         ok(status, &mut error)?;
+        let mut qualities: DelotetTetQualitiesView = std::mem::zeroed();
+        let status = delotet_mesh_quality(mesh, &mut qualities, &mut error);
+        ok(status, &mut error)?;
+        hash.view(qualities.first, qualities.count, 1);
+        let mut summary: DelotetQualitySummary = std::mem::zeroed();
+        summary.struct_size = std::mem::size_of::<DelotetQualitySummary>();
+        let status = delotet_mesh_quality_summary(mesh, &mut summary, &mut error);
+        ok(status, &mut error)?;
+        hash.view(&summary, 1, 1);
+        let mut worst = [0u32; 3];
+        let status =
+            delotet_mesh_worst_tets(mesh, DELOTET_QUALITY_ETA, true, worst.as_mut_ptr(), 3, &mut error);
+        ok(status, &mut error)?;
+        hash.view(worst.as_ptr(), 3, 1);
         let (mut tet, mut weights) = ([0u32], [0.0f64; 4]);
         let status = delotet_mesh_locate(
             mesh,

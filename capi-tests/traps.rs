@@ -130,8 +130,11 @@ mod glibc {
                     let _ = check_mesh(plc, &mesh, false, 10);
                     for extension in ["vtu", "vtk", "msh", "mesh", "ele"] {
                         let path = folder.join("mesh").with_extension(extension);
-                        write(&path, &mesh, plc, &WriteOptions::default()).unwrap();
+                        let options = WriteOptions { quality_data: true, ..WriteOptions::default() };
+                        write(&path, &mesh, plc, &options).unwrap();
                     }
+                    let forced = delotet::query::quality::forced_tets(&mesh).unwrap();
+                    delotet::query::QualitySummary::new(&mesh, &forced);
                     let locator = delotet::query::Locator::new(&mesh).unwrap();
                     let (mut tets, mut weights) = ([0; 2], [[0.0; 4]; 2]);
                     locator.locate(&mesh, &[mesh.points[0], [0.1, 0.2, 0.3]], &mut tets, Some(&mut weights));

@@ -31,7 +31,6 @@ pub fn quotient(x: f64, y: f64) -> Option<f64> {
 }
 
 /// The arc tangent of a number from 0 to 1, to about 10⁻¹⁶: the angle is halved three times, then Euler's series is truncated.
-#[cfg(any(test, feature = "io"))] // The quality of tetrahedra, which only files hold.
 fn arc_tangent_of_fraction(x: f64) -> f64 {
     let half = |x: f64| x / (1.0 + (1.0 + x * x).sqrt());
     let x = half(half(half(x)));
@@ -55,6 +54,34 @@ pub fn arc_cosine_degrees(cosine: f64) -> f64 {
     }
 }
 
+/// The angle in degrees, from 0 to 180, between the vector `(run, rise)` and the first axis; 0 for the zero vector. `rise` is not negative.
+/// The relative error is below 10⁻¹⁵, also of angles near 0, which their cosines do not tell apart.
+pub fn angle_in_degrees(run: f64, rise: f64) -> f64 {
+    let across = run.abs();
+    let steep = rise > across;
+    let fraction = if steep { quotient(across, rise) } else { quotient(rise, across) };
+    let degrees = arc_tangent_of_fraction(fraction.unwrap_or(0.0)) * (180.0 / std::f64::consts::PI);
+    match (steep, run < 0.0) {
+        (false, false) => degrees,
+        (false, true) => 180.0 - degrees,
+        (true, false) => 90.0 - degrees,
+        (true, true) => 90.0 + degrees,
+    }
+}
+
+/// The cube root of a number that is not negative, with a relative error below 4·10⁻¹⁶: Newton's iteration.
+pub fn cube_root(x: f64) -> f64 {
+    if x < f64::MIN_POSITIVE {
+        return 0.0;
+    }
+    let third = exponent(x).div_euclid(3);
+    // In two steps, since the power alone may be out of range.
+    let m = x * power_of_two(-third) * power_of_two(-2 * third);
+    // 1 <= m < 8. Within 9 %, then 0.8 %, 7·10⁻⁵, 5·10⁻⁹, and as doubles allow.
+    let root = (0..4).fold(0.9 + m / 7.0, |root, _| (2.0 * root + m / (root * root)) / 3.0);
+    root * power_of_two(third)
+}
+
 /// The cosine of an angle from 0 to 90 degrees, by Taylor's series.
 pub fn cosine_of_degrees(degrees: f64) -> f64 {
     let sine_or_cosine = |x: f64, first: i32| {
@@ -76,6 +103,8 @@ pub fn cosine_of_degrees(degrees: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_bigint::BigInt;
+    use num_traits::ToPrimitive;
 
     #[test]
     fn powers_and_exponents() {
@@ -120,5 +149,74 @@ mod tests {
         let exact = [arc_cosine_degrees(1.0), arc_cosine_degrees(-1.0), arc_cosine_degrees(0.0)];
         assert_eq!(exact, [0.0, 180.0, 90.0]);
         assert_eq!((cosine_of_degrees(0.0), cosine_of_degrees(90.0)), (1.0, 0.0));
+    }
+
+    /// The arc tangent of a fraction in units of 2⁻²⁰⁰, by Euler's series, whose terms at least halve.
+    fn precise_arc_tangent(run: &BigInt, rise: &BigInt) -> BigInt {
+        let square = run * run + rise * rise;
+        let mut term: BigInt = (BigInt::from(1) << 200) * run * rise / &square;
+        let mut sum = term.clone();
+        for k in 1..400 {
+            term = term * (2 * k) * rise * rise / (&square * (2 * k + 1));
+            sum += &term;
+        }
+        sum
+    }
+
+    /// A double in units of 2⁻¹⁰⁷⁴.
+    fn exactly(x: f64) -> BigInt {
+        let (bits, k) = (x.to_bits() & 0xf_ffff_ffff_ffff, (x.to_bits() >> 52) as i32 & 0x7ff);
+        if k == 0 {
+            BigInt::from(bits)
+        } else {
+            BigInt::from(bits | 1 << 52) << (k - 1)
+        }
+    }
+
+    #[test]
+    fn angles_agree_with_a_series_of_200_bits() {
+        let half_turn = precise_arc_tangent(&1.into(), &1.into()) * 4;
+        let mut worst: f64 = 0.0;
+        let steps =
+            (-40..=40).map(|i| 1.7f64.powi(i)).chain((0..2000).map(|i| 0.001 * f64::from(i) + 0.0003));
+        for rise in steps {
+            for run in [1.0, -1.0, 0.7, -3.1] {
+                let (a, b): (f64, f64) = (rise, run);
+                // The series is good for slopes up to one.
+                let angle = match a <= b.abs() {
+                    true => precise_arc_tangent(&exactly(b.abs()), &exactly(a)),
+                    false => &half_turn / 2 - precise_arc_tangent(&exactly(a), &exactly(b.abs())),
+                };
+                let angle = if b < 0.0 { &half_turn - angle } else { angle };
+                // Degrees in units of 2⁻¹⁰⁷⁴, rounded to more than a double's bits.
+                let degrees: BigInt = ((angle * 180) << 1074) / &half_turn;
+                let error = exactly(angle_in_degrees(b, a)) - &degrees;
+                let relative: BigInt = (error << 100) / &degrees;
+                let relative = relative.to_f64().unwrap() * 2f64.powi(-100);
+                worst = worst.max(relative.abs());
+            }
+        }
+        assert!(worst < 1e-15, "{worst:e}");
+        let exact = [(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (5e-324, 0.0), (1e-300, 1e300)];
+        assert_eq!(exact.map(|(run, rise)| angle_in_degrees(run, rise)), [0.0, 0.0, 180.0, 90.0, 0.0, 90.0]);
+        assert_eq!(angle_in_degrees(1.0, 1.0), 45.0);
+    }
+
+    #[test]
+    fn cube_roots_are_exact_to_the_last_digits() {
+        let numbers =
+            (-330..=330).map(|i| 8.7f64.powi(i)).chain((0..1000).map(|i| 1.0 + 0.007 * f64::from(i)));
+        for x in numbers.filter(|&x| (f64::MIN_POSITIVE..f64::INFINITY).contains(&x)) {
+            let root = cube_root(x);
+            // The exact root lies between neighbours two steps away.
+            let cube = |y: f64| exactly(y).pow(3);
+            let (mut low, mut high) = (root, root);
+            for _ in 0..3 {
+                (low, high) = (low.next_down(), high.next_up());
+            }
+            let exact = exactly(x) << (2 * 1074);
+            assert!(cube(low) < exact && exact < cube(high), "{x}: {root}");
+        }
+        assert_eq!([0.0, 1.0, 8.0, 27.0, 1e-320].map(cube_root), [0.0, 1.0, 2.0, 3.0, 0.0]);
     }
 }

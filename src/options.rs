@@ -148,6 +148,9 @@ pub struct WriteOptions {
     /// `.vtu`: also write the subfaces, to `STEM_subfaces.vtu`. Other formats always contain them, except `.vtk`, which never does.
     /// Default: false.
     pub subfaces: bool,
+    /// `.vtu`: also write the quality of each tetrahedron: arrays `max_dihedral`, `radius_edge`, `eta` and `volume` beside `min_dihedral`
+    /// ([`TetQuality`](crate::query::TetQuality)). Other formats have no room for it. Default: false.
+    pub quality_data: bool,
     /// Write tetrahedra of ten nodes: the corners, then the midpoints of the edges in the order of the format. All formats but `.mesh`.
     /// Default: false.
     pub second_order: bool,
@@ -164,6 +167,7 @@ impl Default for WriteOptions {
         WriteOptions {
             compress: false,
             subfaces: false,
+            quality_data: false,
             second_order: false,
             msh_version: MshVersion::V41,
             region_names: Vec::new(),

@@ -106,6 +106,22 @@ static inline DelotetPlc *twisted_prism(void)
     return plc;
 }
 
+/* A prism over a triangle with an angle of 10 degrees at points 0 and 3: facets 2 and 3 meet facets 6 and 7 there. */
+static inline DelotetPlc *narrow_wedge(void)
+{
+    static const uint32_t corners[24] = {0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5};
+    const double angle = 10 * acos(-1.0) / 180;
+    double xyz[18] = {0};
+    DelotetPlc *plc = NULL;
+    xyz[3] = xyz[12] = 1;
+    xyz[6] = xyz[15] = cos(angle);
+    xyz[7] = xyz[16] = sin(angle);
+    xyz[11] = xyz[14] = xyz[17] = 1;
+    OK(delotet_plc_new(xyz, 6, &plc, &error));
+    OK(delotet_plc_add_triangles(plc, corners, NULL, 8, &error));
+    return plc;
+}
+
 /* A tetrahedron and a triangle that pierces it. */
 static inline DelotetPlc *pierced(void)
 {

@@ -101,8 +101,8 @@ static void files()
     std::remove("cxx_wrapper.vtk");
 
     delotet::WriteOptions options;
-    options.compress(true).subfaces(true).second_order(true).msh_version(delotet::MshVersion::v2_2).region_name(1, "steel");
-    CHECK(options.compress() && options.subfaces() && options.second_order());
+    options.compress(true).subfaces(true).quality_data(true).second_order(true).msh_version(delotet::MshVersion::v2_2).region_name(1, "steel");
+    CHECK(options.compress() && options.subfaces() && options.quality_data() && options.second_order());
     CHECK(options.msh_version() == delotet::MshVersion::v2_2 && std::strcmp(options.region_name(1), "steel") == 0);
     std::string told;
     options.on_log([&](const char *line) { told += line; });
@@ -178,6 +178,26 @@ static void records()
     CHECK(reinterpret_cast<const char *>(c.first) + 2 * c.stride == reinterpret_cast<const char *>(&list[2]));
 }
 
+/// A wedge of 10 degrees: the tetrahedra in it are forced by the two facets.
+static void quality()
+{
+    const double angle = 10 * std::acos(-1.0) / 180, x = std::cos(angle), y = std::sin(angle);
+    const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {x, y, 0}, {0, 0, 1}, {1, 0, 1}, {x, y, 1}};
+    const std::vector<Index> corners = {0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5};
+    const delotet::Mesh mesh = delotet::tetrahedralize(delotet::Plc(points).add_triangles(corners));
+    const delotet::QualitySummary summary = mesh.quality_summary();
+    CHECK(summary.tet_count == mesh.tets().size() && mesh.quality().size() == mesh.tets().size());
+    CHECK(mesh.forced_tets().size() == summary.forced_count && summary.forced_count > 0);
+    for (const delotet::ForcedTet &forced : mesh.forced_tets())
+        CHECK(std::abs(forced.angle - 10) < 1e-12 && forced.facets[0] / 2 == 1 && forced.facets[1] / 2 == 3);
+    Index worst[2] = {};
+    mesh.worst_tets(delotet::QualityMeasure::min_dihedral, false, worst);
+    CHECK(worst[0] == summary.worst_tets[DELOTET_QUALITY_MIN_DIHEDRAL]);
+    mesh.worst_tets(delotet::QualityMeasure::eta, true, worst);
+    CHECK(worst[0] == summary.unforced_worst_tets[DELOTET_QUALITY_ETA]);
+    CHECK(delotet::quality_bin_edges(delotet::QualityMeasure::min_dihedral).size() == DELOTET_QUALITY_BINS + 1);
+}
+
 static void preserve()
 {
     delotet::Options options;
@@ -236,5 +256,6 @@ int main()
     options();
     records();
     preserve();
+    quality();
     return 0;
 }

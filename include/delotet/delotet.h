@@ -69,6 +69,21 @@
     (1 ? (const Type *)(const void *)((const char *)(view).first + (size_t)(i) * (view).stride) : (view).first)
 
 /**
+ * The number of measures.
+ */
+#define DELOTET_QUALITY_MEASURES 4
+
+/**
+ * The number of bins of each histogram.
+ */
+#define DELOTET_QUALITY_BINS 10
+
+/**
+ * Tetrahedra in wedges of fewer degrees are input-forced (delotet_mesh_forced_tets()).
+ */
+#define DELOTET_QUALITY_FORCED_BELOW 30.0
+
+/**
  * Outcome of a call. Groups: 0 success; 1-9 the caller; 10-29 the input's geometry; 30-39 cancelled, or impossible within the caller's
  * limits; 40-49 resources; 50-59 files; 60-69 checks; 90 a bug in the library.
  */
@@ -1147,6 +1162,134 @@ typedef struct DelotetSecondOrderView {
 } DelotetSecondOrderView;
 
 /**
+ * The measures of a tetrahedron. One that is not positive (in meshes of delotet_options_set_exact_form() only) counts as flat.
+ */
+typedef struct DelotetTetQuality {
+    /**
+     * The dihedral angles in degrees at the edges 01 02 03 12 13 23; 0 0 0 180 180 180 if it is not positive.
+     */
+    double dihedrals[6];
+    /**
+     * The circumradius over the length of the shortest edge; infinite if it is not positive.
+     */
+    double radius_edge;
+    /**
+     * The mean ratio 12 (3 V)^(2/3) / (sum of the squared edge lengths): 1 for the regular tetrahedron, 0 if it is not positive.
+     */
+    double eta;
+    /**
+     * The volume, negative if it is inverted. Beyond the range of doubles it is the largest of them, or zero.
+     */
+    double volume;
+} DelotetTetQuality;
+
+/**
+ * Borrowed measures, one per tetrahedron; NULL and 0 if there are none.
+ */
+typedef struct DelotetTetQualitiesView {
+    /**
+     * The first of `count` records; DELOTET_AT(DelotetTetQuality, view, i) is the i-th.
+     */
+    const struct DelotetTetQuality *first;
+    /**
+     * Number of elements.
+     */
+    size_t count;
+    /**
+     * Bytes from one element to the next.
+     */
+    size_t stride;
+} DelotetTetQualitiesView;
+
+/**
+ * The quality of a mesh at a glance. Arrays are indexed by measure (a DELOTET_QUALITY_ constant). Later versions append fields;
+ * `struct_size` tells both sides which ones exist.
+ */
+typedef struct DelotetQualitySummary {
+    /**
+     * The caller sets it to sizeof(DelotetQualitySummary); the library sets it to the number of bytes written.
+     */
+    size_t struct_size;
+    /**
+     * The number of tetrahedra.
+     */
+    uint64_t tet_count;
+    /**
+     * How many of them are input-forced (delotet_mesh_forced_tets()).
+     */
+    uint64_t forced_count;
+    /**
+     * The worst value of each measure; 0 if there are no tetrahedra.
+     */
+    double worst[DELOTET_QUALITY_MEASURES];
+    /**
+     * The first tetrahedron with that value, or DELOTET_INVALID_INDEX if there are none.
+     */
+    uint32_t worst_tets[DELOTET_QUALITY_MEASURES];
+    /**
+     * The number of tetrahedra in each bin of each measure (delotet_quality_bin_edges()).
+     */
+    uint64_t histograms[DELOTET_QUALITY_MEASURES][DELOTET_QUALITY_BINS];
+    /**
+     * `worst` among the tetrahedra that are not input-forced.
+     */
+    double unforced_worst[DELOTET_QUALITY_MEASURES];
+    /**
+     * `worst_tets` among the tetrahedra that are not input-forced.
+     */
+    uint32_t unforced_worst_tets[DELOTET_QUALITY_MEASURES];
+    /**
+     * `histograms` of the tetrahedra that are not input-forced.
+     */
+    uint64_t unforced_histograms[DELOTET_QUALITY_MEASURES][DELOTET_QUALITY_BINS];
+} DelotetQualitySummary;
+
+/**
+ * A measure of quality: one of the DELOTET_QUALITY_ constants.
+ */
+typedef uint32_t DelotetQualityMeasure;
+
+/**
+ * A tetrahedron in a narrow wedge between two facets; of several wedges the narrowest.
+ */
+typedef struct DelotetForcedTet {
+    /**
+     * The tetrahedron.
+     */
+    uint32_t tet;
+    /**
+     * The input facets on both sides of the wedge, the smaller index first.
+     */
+    uint32_t facets[2];
+    /**
+     * The ends of the edge where they meet, the smaller index first.
+     */
+    uint32_t ends[2];
+    /**
+     * The angle of the wedge in degrees.
+     */
+    double angle;
+} DelotetForcedTet;
+
+/**
+ * Borrowed input-forced tetrahedra; NULL and 0 if there are none.
+ */
+typedef struct DelotetForcedTetsView {
+    /**
+     * The first of `count` records; DELOTET_AT(DelotetForcedTet, view, i) is the i-th.
+     */
+    const struct DelotetForcedTet *first;
+    /**
+     * Number of elements.
+     */
+    size_t count;
+    /**
+     * Bytes from one element to the next.
+     */
+    size_t stride;
+} DelotetForcedTetsView;
+
+/**
  * A version of Gmsh's format: one of the DELOTET_MSH_ constants.
  */
 typedef uint32_t DelotetMshVersion;
@@ -1203,6 +1346,26 @@ typedef uint32_t DelotetMshVersion;
  * TetGen (-o2): nodes on the edges 23 03 01 12 13 02.
  */
 #define DELOTET_NODE_ORDER_TETGEN 2
+
+/**
+ * The smallest of the six dihedral angles, in degrees; up to 70.53. Smaller is worse.
+ */
+#define DELOTET_QUALITY_MIN_DIHEDRAL 0
+
+/**
+ * The largest of the six dihedral angles, in degrees; at least 70.53. Larger is worse.
+ */
+#define DELOTET_QUALITY_MAX_DIHEDRAL 1
+
+/**
+ * The circumradius over the shortest edge; at least 0.6124. Larger is worse.
+ */
+#define DELOTET_QUALITY_RADIUS_EDGE 2
+
+/**
+ * The mean ratio 12 (3 V)^(2/3) / (sum of the squared edge lengths), from 0 to 1. Smaller is worse.
+ */
+#define DELOTET_QUALITY_ETA 3
 
 /**
  * Version 4.1, that of Gmsh 4. The default.
@@ -2251,6 +2414,79 @@ enum DelotetStatus delotet_mesh_locate(const struct DelotetMesh *mesh,
                                        struct DelotetError **out_error);
 
 /**
+ * The measures of every tetrahedron, in the order of delotet_mesh_tets(): dihedral angles (6 doubles), radius-edge ratio, mean ratio,
+ * volume. Computed on first use, in 72 bytes per tetrahedron; borrowed from `mesh`, valid until it is freed. The relative error of
+ * a measure is below 1e-8 (usually 1e-14), also for the flattest tetrahedra; the bits are the same on all platforms and do not depend on
+ * the order of points or corners. Nothing traps, whatever the size of the coordinates.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_quality(const struct DelotetMesh *mesh,
+                                        struct DelotetTetQualitiesView *out_view,
+                                        struct DelotetError **out_error);
+
+/**
+ * Worst values and histograms, of all tetrahedra and of those that are not input-forced. Set `summary->struct_size = sizeof *summary`
+ * before the call. Computed on first use, without memory per tetrahedron.
+ * Errors: INVALID_ARGUMENT (NULL, or a `struct_size` smaller than that field itself), OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_quality_summary(const struct DelotetMesh *mesh,
+                                                struct DelotetQualitySummary *summary,
+                                                struct DelotetError **out_error);
+
+/**
+ * The worst tetrahedra by a measure, the worst first; of equally bad ones the smaller index.
+ * `measure`: a DELOTET_QUALITY_ constant. `unforced`: leave out those that are input-forced. `out_tets`: room for `count` indices; receives
+ * DELOTET_INVALID_INDEX where there are no more tetrahedra.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY; then nothing was written.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_worst_tets(const struct DelotetMesh *mesh,
+                                           DelotetQualityMeasure measure,
+                                           bool unforced,
+                                           uint32_t *out_tets,
+                                           size_t count,
+                                           struct DelotetError **out_error);
+
+/**
+ * The input-forced tetrahedra, in ascending order, with the facets at fault. A tetrahedron is input-forced if it lies in a wedge
+ * of less than DELOTET_QUALITY_FORCED_BELOW degrees: between two subfaces that meet at an edge of the mesh, among the tetrahedra that one
+ * passes from one to the other around that edge without crossing a third. Their dihedral angles there add up to the angle of the
+ * wedge, so every mesh of this input has an angle of at most that all along the edge. Computed on first use; borrowed from `mesh`, valid
+ * until it is freed. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_forced_tets(const struct DelotetMesh *mesh,
+                                            struct DelotetForcedTetsView *out_view,
+                                            struct DelotetError **out_error);
+
+/**
+ * The bounds of the bins of a measure's histogram, ascending: DELOTET_QUALITY_BINS + 1 doubles. Bin i has the values from bound i
+ * (inclusive) to bound i + 1 (exclusive), the last one all from bound DELOTET_QUALITY_BINS - 1 on. Static. Empty for other measures.
+ */
+DELOTET_API
+struct DelotetDoublesView delotet_quality_bin_edges(DelotetQualityMeasure measure);
+
+/**
+ * The name of a bin of a measure's histogram in words, such as "10 to 15", "below 1" or "from 60"; "unknown" for other measures and bins.
+ * Static: never NULL, never freed.
+ */
+DELOTET_API
+const char *delotet_quality_bin_name(DelotetQualityMeasure measure,
+                                     size_t bin);
+
+/**
+ * Name of a measure, such as "DELOTET_QUALITY_ETA"; "unknown" for other numbers. Static: never NULL, never freed.
+ */
+DELOTET_API
+const char *delotet_quality_measure_name(DelotetQualityMeasure measure);
+
+/**
  * Reads a PLC from a file; the extension determines the format (src/doc/formats.md lists them).
  * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `out_plc`: the PLC, owned by the caller; free it with delotet_plc_free().
  * NULL on failure.
@@ -2328,6 +2564,16 @@ enum DelotetStatus delotet_write_options_set_subfaces(struct DelotetWriteOptions
                                                       struct DelotetError **out_error);
 
 /**
+ * .vtu: also write the quality of each tetrahedron, as delotet_mesh_quality() has it: arrays max_dihedral, radius_edge, eta and volume of
+ * doubles beside min_dihedral, which is always written. Other formats ignore it. Default: false. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_write_options_set_quality_data(struct DelotetWriteOptions *options,
+                                                          bool quality_data,
+                                                          struct DelotetError **out_error);
+
+/**
  * Write tetrahedra of ten nodes: the corners, then the midpoints of the edges in the order of the format. Writing .mesh then fails.
  * Default: false. Errors: INVALID_ARGUMENT (NULL).
  */
@@ -2400,6 +2646,11 @@ bool delotet_write_options_compress(const struct DelotetWriteOptions *options);
  * Whether subfaces are also written, as set by delotet_write_options_set_subfaces().
  */
 DELOTET_API bool delotet_write_options_subfaces(const struct DelotetWriteOptions *options);
+
+/**
+ * Whether the quality of tetrahedra is also written, as set by delotet_write_options_set_quality_data().
+ */
+DELOTET_API bool delotet_write_options_quality_data(const struct DelotetWriteOptions *options);
 
 /**
  * Whether tetrahedra have ten nodes, as set by delotet_write_options_set_second_order().

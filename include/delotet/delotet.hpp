@@ -61,6 +61,9 @@ using FacetFlip = DelotetFacetFlip;
 using Face = DelotetFace;
 using Edge = DelotetEdge;
 using Stats = DelotetStats;
+using TetQuality = DelotetTetQuality;
+using ForcedTet = DelotetForcedTet;
+using QualitySummary = DelotetQualitySummary;
 
 using Index = std::uint32_t;
 using Marker = std::int32_t;
@@ -89,6 +92,13 @@ enum class NodeOrder : std::uint32_t {
     vtk = DELOTET_NODE_ORDER_VTK,
     gmsh = DELOTET_NODE_ORDER_GMSH,
     tetgen = DELOTET_NODE_ORDER_TETGEN
+};
+
+enum class QualityMeasure : std::uint32_t {
+    min_dihedral = DELOTET_QUALITY_MIN_DIHEDRAL,
+    max_dihedral = DELOTET_QUALITY_MAX_DIHEDRAL,
+    radius_edge = DELOTET_QUALITY_RADIUS_EDGE,
+    eta = DELOTET_QUALITY_ETA
 };
 
 /// Whether the loaded library has the ABI of this header: the same minor version before 1.0, the same major version after.
@@ -395,6 +405,13 @@ class Exception : public std::exception {
 inline double overall(Phase phase, double fraction) noexcept
 {
     return delotet_phase_overall(static_cast<std::uint32_t>(phase), fraction);
+}
+
+/// The bounds of the bins of a measure's histogram: DELOTET_QUALITY_BINS + 1 numbers, static.
+inline Span<const double> quality_bin_edges(QualityMeasure measure) noexcept
+{
+    const DelotetDoublesView view = delotet_quality_bin_edges(static_cast<DelotetQualityMeasure>(measure));
+    return {view.data, view.count};
 }
 
 /// Receives progress: `fraction` of `phase` is done; `overall` combines both into one number. Return false to cancel.
@@ -776,6 +793,11 @@ class WriteOptions {
         return change(error, [&](DelotetError **e) { return delotet_write_options_set_subfaces(get(), on, e); });
     }
     bool subfaces() const noexcept { return delotet_write_options_subfaces(get()); }
+    Status quality_data(bool on, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_write_options_set_quality_data(get(), on, e); });
+    }
+    bool quality_data() const noexcept { return delotet_write_options_quality_data(get()); }
     Status second_order(bool on, Error &error) noexcept
     {
         return change(error, [&](DelotetError **e) { return delotet_write_options_set_second_order(get(), on, e); });
@@ -826,6 +848,11 @@ class WriteOptions {
         return chain([&](Error &e) { return subfaces(on, e); });
     }
     WriteOptions &&subfaces(bool on) && { return std::move(subfaces(on)); }
+    WriteOptions &quality_data(bool on) &
+    {
+        return chain([&](Error &e) { return quality_data(on, e); });
+    }
+    WriteOptions &&quality_data(bool on) && { return std::move(quality_data(on)); }
     WriteOptions &second_order(bool on) &
     {
         return chain([&](Error &e) { return second_order(on, e); });
@@ -1410,6 +1437,37 @@ class Mesh {
             return delotet_mesh_locate(get(), xyz, points.size(), tets.data(), weights, e);
         });
     }
+    /// The measures of every tetrahedron.
+    Status quality(Records<TetQuality> &out, Error &error) const & noexcept
+    {
+        return derive_records(delotet_mesh_quality, out, error);
+    }
+    void quality(Records<TetQuality> &, Error &) const && = delete;
+    /// Worst values and histograms.
+    Status quality_summary(QualitySummary &out, Error &error) const noexcept
+    {
+        QualitySummary summary = {};
+        summary.struct_size = sizeof summary;
+        const Status status = detail::run(
+            error, [&](DelotetError **e) { return delotet_mesh_quality_summary(get(), &summary, e); });
+        if (status == DELOTET_STATUS_OK)
+            out = summary;
+        return status;
+    }
+    /// Fills `tets` with the worst tetrahedra, the worst first; with `unforced`, without those that are input-forced.
+    Status worst_tets(QualityMeasure measure, bool unforced, Span<Index> tets, Error &error) const noexcept
+    {
+        return detail::run(error, [&](DelotetError **e) {
+            return delotet_mesh_worst_tets(get(), static_cast<DelotetQualityMeasure>(measure), unforced, tets.data(),
+                                           tets.size(), e);
+        });
+    }
+    /// Tetrahedra in narrow wedges between two facets.
+    Status forced_tets(Records<ForcedTet> &out, Error &error) const & noexcept
+    {
+        return derive_records(delotet_mesh_forced_tets, out, error);
+    }
+    void forced_tets(Records<ForcedTet> &, Error &) const && = delete;
     Status check(const Plc &plc, bool constrained_delaunay, std::size_t max_defects, Error &error) const noexcept
     {
         return detail::run(error, [&](DelotetError **e) {
@@ -1485,6 +1543,24 @@ class Mesh {
     {
         detail::require([&](Error &e) { return locate(points, tets, barycentric, e); });
     }
+    Records<TetQuality> quality() const &
+    {
+        return made<Records<TetQuality>>([&](auto &out, Error &e) { return quality(out, e); });
+    }
+    void quality() const && = delete;
+    QualitySummary quality_summary() const
+    {
+        return made<QualitySummary>([&](auto &out, Error &e) { return quality_summary(out, e); });
+    }
+    void worst_tets(QualityMeasure measure, bool unforced, Span<Index> tets) const
+    {
+        detail::require([&](Error &e) { return worst_tets(measure, unforced, tets, e); });
+    }
+    Records<ForcedTet> forced_tets() const &
+    {
+        return made<Records<ForcedTet>>([&](auto &out, Error &e) { return forced_tets(out, e); });
+    }
+    void forced_tets() const && = delete;
     void check(const Plc &plc, bool constrained_delaunay = true, std::size_t max_defects = 1000) const
     {
         detail::require([&](Error &e) { return check(plc, constrained_delaunay, max_defects, e); });

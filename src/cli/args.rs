@@ -99,6 +99,9 @@ pub struct MeshArgs {
     /// With .vtu: also write the pieces of the facets, to STEM_subfaces.vtu
     #[arg(long)]
     pub subfaces: bool,
+    /// With .vtu: also write largest dihedral angles, radius-edge ratios, mean ratios and volumes
+    #[arg(long)]
+    pub quality_data: bool,
     /// Write tetrahedra of ten nodes: corners and edge midpoints (not in .mesh)
     #[arg(long)]
     pub second_order: bool,
@@ -111,10 +114,10 @@ pub struct MeshArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub quiet: bool,
-    /// Write counts and times as JSON
+    /// Write counts, quality and times as JSON
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
-    /// Write the outcome with every defect (or every flip of --merge-facets) as JSON, even on failure
+    /// Write the outcome with every defect (or flips of --merge-facets and facets in narrow wedges) as JSON, even on failure
     #[arg(long, value_name = "FILE.json")]
     pub report: Option<PathBuf>,
 }

@@ -14,7 +14,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     paths::check_report(args.report.as_deref(), &inputs)?;
     let outcome = check(args);
     report::write_if_asked(args.report.as_deref(), outcome, |()| {
-        report::of_success(None, &Warnings::default())
+        report::of_success(None, &[], &Warnings::default())
     })
 }
 

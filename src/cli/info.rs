@@ -9,7 +9,7 @@ use delotet::{Options, Warnings};
 pub fn run(args: &InfoArgs) -> Result<(), Failure> {
     paths::check_report(args.report.as_deref(), &delotet::io::sources(&args.input)?)?;
     let outcome = info(args);
-    report::write_if_asked(args.report.as_deref(), outcome, |w| report::of_success(None, w)).map(|_| ())
+    report::write_if_asked(args.report.as_deref(), outcome, |w| report::of_success(None, &[], w)).map(|_| ())
 }
 
 fn info(args: &InfoArgs) -> Result<Warnings, Failure> {

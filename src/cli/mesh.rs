@@ -2,6 +2,7 @@
 use super::args::{MeshArgs, ModeArg, MshVersionArg, PreserveArg};
 use super::observer::Console;
 use super::page::{self, Page};
+use super::quality::Quality;
 use super::{paths, report, summary, Failure};
 use delotet::io::{Format, MshVersion, UnusedOption, WriteOptions};
 use delotet::{controlled, Control, Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
@@ -18,10 +19,18 @@ pub fn run(args: &MeshArgs) -> Result<(), Failure> {
     let outcome = mesh(args, &mut console);
     console.finish();
     let report = args.report.as_deref();
-    report::write_if_asked(report, outcome, |mesh| report::of_success(Some(mesh), &mesh.warnings)).map(|_| ())
+    let of_mesh =
+        |made: &Made| report::of_success(Some(&made.mesh), &made.quality.forced, &made.mesh.warnings);
+    report::write_if_asked(report, outcome, of_mesh).map(|_| ())
 }
 
-fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
+/// A mesh and what is reported of its quality.
+struct Made {
+    mesh: TetMesh,
+    quality: Quality,
+}
+
+fn mesh(args: &MeshArgs, console: &mut Console) -> Result<Made, Failure> {
     let start = Instant::now();
     let write_options = write_options(args);
     check_files(args, &write_options)?;
@@ -32,17 +41,22 @@ fn mesh(args: &MeshArgs, console: &mut Console) -> Result<TetMesh, Failure> {
     let make = |control: &Control| read_mesh_and_write(args, &options, &write_options, control);
     let mesh = controlled(options.limits(), console, make)?;
     let total = start.elapsed().as_secs_f64();
+    // It takes a moment on large meshes, so only where somebody sees it.
+    let seen = !args.quiet || args.stats.is_some() || args.report.is_some();
+    let quality = if seen { Quality::of(&mesh)? } else { Quality::default() };
     if let Some(path) = &args.stats {
-        report::write(path, &statistics(&mesh, total)).map_err(Failure::usage)?;
+        let mut statistics = statistics(&mesh, total);
+        statistics["quality"] = quality.as_json(&mesh)?;
+        report::write(path, &statistics).map_err(Failure::usage)?;
     }
     console.finish();
     if !args.quiet {
         report::print_warnings(&mesh.warnings);
         let mut page = Page::default();
-        summary::describe_mesh(&mut page, &args.output, &mesh, total);
+        summary::describe_mesh(&mut page, &args.output, &mesh, &quality, total);
         page.print()?;
     }
-    Ok(mesh)
+    Ok(Made { mesh, quality })
 }
 
 /// What the limits count for.
@@ -109,6 +123,7 @@ fn write_options(args: &MeshArgs) -> WriteOptions {
     WriteOptions {
         compress: args.compress,
         subfaces: args.subfaces,
+        quality_data: args.quality_data,
         second_order: args.second_order,
         msh_version: match args.msh_version {
             MshVersionArg::V41 => MshVersion::V41,
@@ -143,6 +158,7 @@ fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
             (UnusedOption::Compress, _) => "--compress: only .vtu can be compressed",
             (UnusedOption::Subfaces, Format::Vtk) => "--subfaces: only .vtu writes them to a second file",
             (UnusedOption::Subfaces, _) => "--subfaces: the file always contains the subfaces",
+            (UnusedOption::QualityData, _) => "--quality-data: only .vtu holds it",
             (UnusedOption::SecondOrder, _) => "--second-order: the file holds no tetrahedra",
             (UnusedOption::MshVersion, _) => "--msh-version: the file is not .msh",
             (UnusedOption::RegionNames, _) => "--region-name: only .msh and .inp store names of regions",

@@ -17,6 +17,7 @@ mod mesh;
 mod observer;
 mod page;
 mod paths;
+mod quality;
 mod report;
 mod summary;
 

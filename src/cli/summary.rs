@@ -1,11 +1,12 @@
 //! What the program prints on success.
 use super::page::Page;
+use super::quality::Quality;
 use delotet::{Phase, Plc, TetMesh};
 use std::collections::HashMap;
 use std::path::Path;
 
 /// Prints the counts and properties of a mesh.
-pub fn describe_mesh(page: &mut Page, output: &Path, mesh: &TetMesh, total: f64) {
+pub fn describe_mesh(page: &mut Page, output: &Path, mesh: &TetMesh, quality: &Quality, total: f64) {
     let s = &mesh.statistics;
     let duplicates = match s.duplicate_points {
         0 => String::new(),
@@ -40,9 +41,7 @@ pub fn describe_mesh(page: &mut Page, output: &Path, mesh: &TetMesh, total: f64)
     if volumes.len() > LISTED {
         page.line("", format_args!("… and {} more", volumes.len() - LISTED));
     }
-    if let Some((least, most)) = delotet::io::dihedral_range(mesh) {
-        page.line("dihedrals", format_args!("{least:.3}° to {most:.3}°"));
-    }
+    quality.describe(page);
     page.line("time", times(&s.seconds, total));
     if let Some(peak) = delotet::ffi::memory::peak_resident() {
         page.line("memory", format_args!("{} MB at peak", grouped(peak.div_ceil(1_000_000))));
@@ -97,7 +96,7 @@ fn times(seconds: &[f64; Phase::COUNT], total: f64) -> String {
 }
 
 /// A number with a separator between groups of three digits.
-fn grouped(number: u64) -> String {
+pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {

@@ -10,7 +10,7 @@ use crate::ffi::warning::DelotetWarning;
 use crate::output::TetMesh;
 use crate::plc::Plc;
 use crate::progress::Phase;
-use crate::query::{Edges, Faces, Locator, PointData};
+use crate::query::{Edges, Faces, ForcedTet, Locator, PointData, QualitySummary, TetQuality};
 use std::sync::OnceLock;
 
 /// A tetrahedral mesh: immutable, so any number of threads may read it.
@@ -33,6 +33,9 @@ pub(super) struct Derived {
     pub(super) nodes: OnceLock<Vec<[f64; 3]>>,
     pub(super) tets10: [OnceLock<Vec<[u32; 10]>>; 3],
     pub(super) locator: OnceLock<Locator>,
+    pub(super) tet_qualities: OnceLock<Vec<TetQuality>>,
+    pub(super) forced_tets: OnceLock<Vec<ForcedTet>>,
+    pub(super) quality_summary: OnceLock<QualitySummary>,
 }
 
 /// Handles may be passed between threads, and const ones shared.

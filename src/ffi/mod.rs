@@ -24,6 +24,7 @@ pub mod options;
 pub mod plc;
 mod plc_edit;
 pub mod plc_view;
+pub mod quality;
 pub mod query;
 pub mod run;
 mod slice;

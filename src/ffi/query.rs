@@ -20,7 +20,7 @@ pub const DELOTET_NODE_ORDER_GMSH: DelotetNodeOrder = 1;
 pub const DELOTET_NODE_ORDER_TETGEN: DelotetNodeOrder = 2;
 
 /// The value of a slot, computed by `make` if it is still empty. Fails if `make` does.
-fn kept<T>(slot: &OnceLock<T>, make: impl FnOnce() -> Result<T, Error>) -> Result<&T, Error> {
+pub(super) fn kept<T>(slot: &OnceLock<T>, make: impl FnOnce() -> Result<T, Error>) -> Result<&T, Error> {
     if let Some(value) = slot.get() {
         return Ok(value);
     }

@@ -386,7 +386,8 @@ static PHASE_NAMES: &[(u32, &str)] = &[
     (9, "DELOTET_PHASE_PRESERVE\0"),
 ];
 
-fn name_in(table: &'static [(u32, &'static str)], number: u32) -> *const c_char {
+/// The name of a number, zero-terminated.
+pub(super) fn name_in(table: &'static [(u32, &'static str)], number: u32) -> *const c_char {
     let found = table.iter().find(|entry| entry.0 == number);
     found.map_or("unknown\0", |entry| entry.1).as_ptr().cast()
 }

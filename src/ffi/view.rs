@@ -423,6 +423,7 @@ macro_rules! same_layout {
         $(const _: () = assert!(offset_of!($c, $c_field) == offset_of!($rust, $field));)*
     };
 }
+pub(super) use same_layout;
 same_layout!(DelotetSegment, Segment, ends = ends, marker = marker);
 same_layout!(DelotetSubface, Subface, corners = corners, facet = facet, marker = marker, tets = tets);
 same_layout!(DelotetSubsegment, Subsegment, ends = ends, segment = segment, marker = marker);

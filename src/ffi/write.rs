@@ -97,6 +97,24 @@ pub unsafe extern "C" fn delotet_write_options_set_subfaces(
     }
 }
 
+/// .vtu: also write the quality of each tetrahedron, as delotet_mesh_quality() has it: arrays max_dihedral, radius_edge, eta and volume of
+/// doubles beside min_dihedral, which is always written. Other formats ignore it. Default: false. Errors: INVALID_ARGUMENT (NULL).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_write_options_set_quality_data(
+    options: *mut DelotetWriteOptions,
+    quality_data: bool,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |o| {
+            o.options.quality_data = quality_data;
+            Ok(())
+        })
+    }
+}
+
 /// Write tetrahedra of ten nodes: the corners, then the midpoints of the edges in the order of the format. Writing .mesh then fails.
 /// Default: false. Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
@@ -279,6 +297,13 @@ pub unsafe extern "C" fn delotet_write_options_compress(options: *const DelotetW
 pub unsafe extern "C" fn delotet_write_options_subfaces(options: *const DelotetWriteOptions) -> bool {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |o| o.subfaces) }
+}
+
+/// Whether the quality of tetrahedra is also written, as set by delotet_write_options_set_quality_data().
+#[no_mangle]
+pub unsafe extern "C" fn delotet_write_options_quality_data(options: *const DelotetWriteOptions) -> bool {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |o| o.quality_data) }
 }
 
 /// Whether tetrahedra have ten nodes, as set by delotet_write_options_set_second_order().

@@ -44,7 +44,6 @@ mod write_surface;
 mod write_tetgen;
 
 pub use crate::options::{MshVersion, RegionName, WriteOptions};
-pub use quality::dihedral_range;
 pub use write_mesh::{subfaces_path, write, write_with, UnusedOption};
 
 /// A file format, known by its extension.

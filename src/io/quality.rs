@@ -1,4 +1,5 @@
-//! Quality of tetrahedra, for information: dihedral angles in plain floating point.
+//! The dihedral angles that files always hold, as written since the first version. [`query::quality`](crate::query::quality) has
+//! all measures, and keeps digits of angles near 0 and 180 degrees that these, made from cosines, do not.
 use crate::elementary::{arc_cosine_degrees, exponent, power_of_two};
 use crate::output::TetMesh;
 use crate::vector::{cross, dot, sub};
@@ -39,17 +40,6 @@ pub(super) fn dihedrals(corners: [[f64; 3]; 4]) -> [f64; 2] {
 fn power_of_two_above(numbers: &[f64]) -> Option<f64> {
     let largest = numbers.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
     (largest > 0.0).then(|| power_of_two((-exponent(largest)).min(1023)))
-}
-
-/// The smallest and largest dihedral angle of a mesh in degrees.
-pub fn dihedral_range(mesh: &TetMesh) -> Option<(f64, f64)> {
-    let mut range = None;
-    for tet in &mesh.tets {
-        let [low, high] = dihedrals(corners(mesh, tet));
-        let (least, most) = range.unwrap_or((low, high));
-        range = Some((low.min(least), high.max(most)));
-    }
-    range
 }
 
 /// The corners of a tetrahedron.

@@ -1,7 +1,7 @@
 //! VTK XML unstructured grids: a header, then the arrays in raw binary behind it, little endian, plain or zlib-compressed. Source:
 //! VTK User's Guide, "VTK File Formats", XML formats.
 //!
-//! Cells carry `region` (the attribute) and `min_dihedral` (degrees), points the input's attributes and markers and whether
+//! Cells carry `region` (the attribute) and `min_dihedral` (degrees), and on request further measures of quality; points the input's attributes and markers and whether
 //! they are Steiner points. The second file's cells are the subfaces with `facet` and `marker`. Arrays of one component do not state that
 //! number, since some readers turn arrays that do into columns.
 use crate::control::Control;
@@ -11,7 +11,7 @@ use crate::io::model::{Model, Nodes};
 use crate::io::output_files::{ended, Out};
 use crate::io::quality::{corners, dihedrals};
 use crate::io::tags::attribute_of;
-use crate::query::NodeOrder;
+use crate::query::{NodeOrder, TetQuality};
 use crate::INVALID;
 use std::fmt;
 use std::io;
@@ -30,10 +30,20 @@ enum Content {
     Steiner,
     Region,
     MinDihedral,
+    /// A measure of tetrahedra and its name.
+    Quality(&'static str, fn(&TetQuality) -> f64),
     MeshPoint,
     Facet,
     FacetMarker,
 }
+
+/// What [`WriteOptions::quality_data`](crate::WriteOptions::quality_data) adds to the smallest dihedral angle.
+const QUALITY_DATA: [Content; 4] = [
+    Content::Quality("max_dihedral", TetQuality::max_dihedral),
+    Content::Quality("radius_edge", |quality| quality.radius_edge),
+    Content::Quality("eta", |quality| quality.eta),
+    Content::Quality("volume", |quality| quality.volume),
+];
 
 /// One array: what the header says of it.
 #[derive(Clone, Copy)]
@@ -73,6 +83,7 @@ impl fmt::Display for Content {
             Content::Steiner => "steiner",
             Content::Region => "region",
             Content::MinDihedral => "min_dihedral",
+            Content::Quality(name, _) => name,
             Content::MeshPoint => "point",
             Content::Facet => "facet",
         })
@@ -134,6 +145,11 @@ impl<'a> Grid<'a> {
             fallible::push(&mut point_data, array(Content::Steiner, "UInt8", self.nodes))?;
             fallible::push(&mut cell_data, array(Content::Region, "Float64", self.cells))?;
             fallible::push(&mut cell_data, array(Content::MinDihedral, "Float32", self.cells))?;
+            if self.model.options.quality_data {
+                for content in QUALITY_DATA {
+                    fallible::push(&mut cell_data, array(content, "Float64", self.cells))?;
+                }
+            }
         }
         let points = Array { components: 3, size: 24, ..array(Content::Points, "Float64", self.nodes) };
         let kind = if self.is_wide() { "Int64" } else { "Int32" };
@@ -201,6 +217,9 @@ impl<'a> Grid<'a> {
                 Content::Region => sink(&attribute_of(mesh, i).to_le_bytes()),
                 Content::MinDihedral => {
                     sink(&(dihedrals(corners(mesh, &mesh.tets[i]))[0] as f32).to_le_bytes())
+                }
+                Content::Quality(_, measure) => {
+                    sink(&measure(&TetQuality::of_tet(mesh, &mesh.tets[i])).to_le_bytes())
                 }
                 Content::MeshPoint => sink(&(self.mesh_node(i) as u32).to_le_bytes()),
                 Content::Facet => sink(&mesh.subfaces[i].facet.to_le_bytes()),

@@ -21,6 +21,8 @@ pub enum UnusedOption {
     Compress,
     /// [`WriteOptions::subfaces`].
     Subfaces,
+    /// [`WriteOptions::quality_data`].
+    QualityData,
     /// [`WriteOptions::second_order`].
     SecondOrder,
     /// [`WriteOptions::msh_version`].
@@ -35,6 +37,7 @@ impl UnusedOption {
         match self {
             UnusedOption::Compress => "compress",
             UnusedOption::Subfaces => "subfaces",
+            UnusedOption::QualityData => "quality_data",
             UnusedOption::SecondOrder => "second_order",
             UnusedOption::MshVersion => "msh_version",
             UnusedOption::RegionNames => "region_name",
@@ -65,6 +68,7 @@ impl WriteOptions {
         let set = [
             (self.compress && format != Format::Vtu, UnusedOption::Compress),
             (self.subfaces && format != Format::Vtu, UnusedOption::Subfaces),
+            (self.quality_data && format != Format::Vtu, UnusedOption::QualityData),
             (self.second_order && format.is_surface(), UnusedOption::SecondOrder),
             (self.msh_version != MshVersion::V41 && format != Format::Msh, UnusedOption::MshVersion),
             (!self.region_names.is_empty() && !named, UnusedOption::RegionNames),

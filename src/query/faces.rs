@@ -77,7 +77,7 @@ impl Faces {
 }
 
 /// The face of `tet` with these corners, if any.
-fn side_with(mesh: &TetMesh, tet: u32, corners: &[u32; 3]) -> Option<usize> {
+pub(super) fn side_with(mesh: &TetMesh, tet: u32, corners: &[u32; 3]) -> Option<usize> {
     let tet = mesh.tets.get(tet as usize)?;
     let side = tet.iter().position(|corner| !corners.contains(corner))?;
     FACE_CORNERS[side].iter().all(|&corner| corners.contains(&tet[corner])).then_some(side)

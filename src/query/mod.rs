@@ -1,16 +1,18 @@
-//! What solvers need from a finished mesh: its faces and edges, second-order nodes, the data of its points, and the tetrahedron that
-//! contains a point. Everything here is derived from [`TetMesh`](crate::TetMesh) and leaves it unchanged.
+//! What solvers need from a finished mesh: its faces and edges, second-order nodes, the data of its points, the quality of its tetrahedra,
+//! and the one that contains a point. Everything here is derived from [`TetMesh`](crate::TetMesh) and leaves it unchanged.
 
 pub mod edges;
 pub mod faces;
 pub mod locate;
 pub mod point_data;
+pub mod quality;
 pub mod second_order;
 
 pub use edges::{Edge, Edges};
 pub use faces::{Face, Faces};
 pub use locate::Locator;
 pub use point_data::PointData;
+pub use quality::{ForcedTet, Measure, QualitySummary, TetQuality};
 pub use second_order::NodeOrder;
 
 use crate::error::Error;

@@ -2,6 +2,7 @@
 use crate::io::tests::Folder;
 use crate::io::*;
 use crate::output::{Region, Statistics, SteinerPoint, Subsegment};
+use crate::query::TetQuality;
 
 /// Two tetrahedra of two regions on a common face, one Steiner point.
 pub(super) fn small_mesh() -> (TetMesh, Plc) {
@@ -233,6 +234,35 @@ fn vtu_raw_and_compressed_hold_the_same_arrays() {
     assert_eq!(arrays["steiner"], [0, 0, 0, 0, 1]);
     assert_eq!(faces["marker"], [-4i32, 6].iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>());
     assert_eq!(faces["connectivity"].len(), 24);
+}
+
+/// On request; without it, the file has no such arrays.
+#[test]
+fn vtu_holds_the_quality_of_tetrahedra() {
+    let folder = Folder::new("vtu-quality");
+    let (mesh, plc) = small_mesh();
+    let arrays = |quality_data: bool| {
+        let options = WriteOptions { quality_data, ..WriteOptions::default() };
+        write(&folder.file("m.vtu"), &mesh, &plc, &options).unwrap();
+        vtu_arrays(&std::fs::read(folder.file("m.vtu")).unwrap())
+    };
+    let (mut without, mut with) = (arrays(false), arrays(true));
+    let qualities = crate::query::quality::tet_qualities(&mesh).unwrap();
+    let bytes =
+        |of: fn(&TetQuality) -> f64| qualities.iter().flat_map(|q| of(q).to_le_bytes()).collect::<Vec<_>>();
+    for (name, of) in [
+        ("max_dihedral", TetQuality::max_dihedral as fn(&TetQuality) -> f64),
+        ("radius_edge", |q| q.radius_edge),
+        ("eta", |q| q.eta),
+        ("volume", |q| q.volume),
+    ] {
+        assert_eq!(with.remove(name), Some(bytes(of)), "{name}");
+    }
+    let least = without.remove("min_dihedral").unwrap();
+    let least = least.chunks(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()));
+    assert!(least.zip(&qualities).all(|(angle, q)| (f64::from(angle) - q.min_dihedral()).abs() < 1e-5));
+    with.remove("min_dihedral");
+    assert_eq!(with, without);
 }
 
 /// Several blocks per array, a whole one at the end among them; what is compressed does not depend on the run.

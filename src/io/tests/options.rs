@@ -220,20 +220,21 @@ fn options_without_effect_and_impossible_ones_are_known_before_meshing() {
     let all = WriteOptions {
         compress: true,
         subfaces: true,
+        quality_data: true,
         msh_version: MshVersion::V22,
         region_names: vec![name],
         ..WriteOptions::default()
     };
-    use UnusedOption::{Compress, RegionNames, Subfaces};
+    use UnusedOption::{Compress, QualityData, RegionNames, Subfaces};
     const MSH: UnusedOption = UnusedOption::MshVersion;
     let unused = |options: &WriteOptions, format| options.unused(format).collect::<Vec<_>>();
     assert_eq!(unused(&all, Format::Vtu), [MSH, RegionNames]);
-    assert_eq!(unused(&all, Format::Msh), [Compress, Subfaces]);
-    assert_eq!(unused(&all, Format::Inp), [Compress, Subfaces, MSH]);
+    assert_eq!(unused(&all, Format::Msh), [Compress, Subfaces, QualityData]);
+    assert_eq!(unused(&all, Format::Inp), [Compress, Subfaces, QualityData, MSH]);
     assert_eq!(unused(&WriteOptions::default(), Format::Vtk), []);
     assert_eq!(unused(&second_order(), Format::Vtk), []);
     let surface = WriteOptions { second_order: true, ..all.clone() };
-    let none = [Compress, Subfaces, UnusedOption::SecondOrder, MSH, RegionNames];
+    let none = [Compress, Subfaces, QualityData, UnusedOption::SecondOrder, MSH, RegionNames];
     assert_eq!(unused(&surface, Format::Poly), none);
     let check = |options: &WriteOptions, name: &str| options.check(Path::new(name)).map_err(|e| e.status);
     assert_eq!(check(&second_order(), "m.mesh"), Err(Status::Unsupported));
