@@ -29,11 +29,14 @@ use ranges::{range_count, Division};
 #[cfg(test)]
 pub(crate) use workers::STARTED as HELPERS_STARTED;
 
-/// Walks of more steps are long: tetrahedra then extend far, and it matters at which tetrahedron of the last vertex a walk starts.
+/// Walks of more steps are long: tetrahedra then extend far, and it matters at which tetrahedron of the last vertex a walk starts. From 12
+/// to 48 the time for 8,000 points, all but one in a plane, stays within 3 % (the least of three runs): nothing measurable depends on it
+/// there.
 const LONG_WALK: u32 = 24;
-/// After a long walk this many starts are chosen with care.
+/// After a long walk this many starts are chosen with care. From 32 to 128 that time stays within 6 %, which is its scatter.
 const CAREFUL: u32 = 64;
-/// Limit on passes over the vertices that the first pass of a round deferred.
+/// Limit on passes over the vertices that the first pass of a round deferred: a pass over all tetrahedra for fewer vertices that one thread
+/// inserts.
 const MOST_PASSES: usize = 2;
 
 /// A Delaunay tetrahedralization under construction.

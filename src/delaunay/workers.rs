@@ -7,6 +7,9 @@ use crate::{panics, threads};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+/// The time between two calls of `wait`.
+const PAUSE: Duration = Duration::from_millis(20);
+
 #[cfg(test)]
 thread_local! {
     /// The number of helpers that this thread has started so far.
@@ -43,9 +46,6 @@ impl Office {
         *waited.unwrap_or_else(PoisonError::into_inner).0 == helpers
     }
 }
-
-/// The time between two calls of `wait`.
-const PAUSE: Duration = Duration::from_millis(20);
 
 /// Runs `own` on this thread, and at the same time `help` on up to `threads − 1` others; then waits until these have ended, calling `wait`
 /// from time to time. `stop` is called at the first failure of any of them, to ask the others to end soon.

@@ -15,14 +15,19 @@ use crate::predicates::Points;
 use crate::vector::{cross, dot, sub};
 use rustc_hash::FxHashSet;
 
-/// Most tetrahedra round a bad one whose vertices may become apexes.
+/// Most tetrahedra round a bad one whose vertices may become apexes: time for more to choose from. On nine models with 22 points inside 100
+/// changes two meshes, 400 two meshes, but never their number.
 const NEAR: usize = 200;
 
-/// Most tetrahedra of a cavity.
+/// Most tetrahedra of a cavity: larger ones take more time. On nine models with 22 points inside 30 changes one mesh, 120 none, but never
+/// their number.
 const MOST: usize = 60;
 
-/// How many of the apexes with the best tetrahedra are considered, and how many of these, those with the smallest cavities, are tried.
+/// How many of the apexes with the best tetrahedra are considered: time for better shapes. On nine models with 22 points inside 10 changes
+/// six meshes, 40 two meshes, but never their number.
 const CANDIDATES: usize = 20;
+/// How many of these are tried, those with the smallest cavities: time for better shapes. On nine models with 22 points inside 4 changes
+/// none, 16 three meshes, but never their number.
 const TRIES: usize = 8;
 
 /// Finds apexes and cavities; keeps its scratch space.

@@ -238,7 +238,7 @@ impl Faces {
     }
 }
 
-/// Whether a tetrahedron may go together with another. Replacements carry no subsegments.
+/// Whether a tetrahedron may go together with another. Those at subsegments stay: an edge inside a set might be one.
 fn may_go(mesh: &Mesh, with: u32, t: u32) -> bool {
     !mesh.is_ghost(t) && mesh.region(t) == mesh.region(with) && mesh.subsegment_bits(t) == 0
 }

@@ -21,7 +21,8 @@ use crate::kernel::NONE;
 use crate::ops::sheet::{Sheets, MOST_IN_RING};
 use crate::predicates::{Points, Sign};
 
-/// The most tetrahedra around an edge that is removed to make way for another.
+/// The most tetrahedra around an edge that is removed to make way for another: the number of obstacles to try grows with it. On eleven
+/// models with 22 points inside 8 takes three more (seven meshes changed), 32 as many (none changed).
 const USUAL_RING: usize = 16;
 
 /// How far to go.

@@ -8,10 +8,12 @@ use crate::fallible;
 use crate::predicates::{Points, Sign};
 use crate::vector::dot;
 
-/// The largest polygon for the dynamic program, which is cubic; larger ones are triangulated by clipping ears.
+/// The largest polygon for the dynamic program, which is cubic; larger ones are triangulated by clipping ears, so that they have one
+/// triangulation to choose from. 24 and 96 change nothing on four models.
 const MOST_CORNERS: usize = 48;
 
-/// What a wanted edge saves, in costs of triangles.
+/// What a wanted edge saves, in costs of triangles: as much of the shape of triangles is given up for it. 0 and 1 change nothing on one
+/// model.
 const BONUS: f64 = 1e6;
 
 /// Triangulates polygons; keeps its scratch space.

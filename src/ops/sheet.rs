@@ -14,7 +14,8 @@ use crate::ops::shape::{Goal, Shape};
 use crate::predicates::{Points, Sign};
 use crate::vector::{cross, dot, sub};
 
-/// The most tetrahedra around an edge: the number of triangles grows with its cube.
+/// The most tetrahedra around an edge: the number of triangles grows with its cube. Sets of vertices are bits of one word, so it cannot be
+/// larger. 32 changes nothing on eleven models: it only bounds the work on worse ones.
 pub const MOST_IN_RING: usize = 64;
 
 /// The best triangulation of a part of the polygon.

@@ -18,9 +18,11 @@ use crate::progress::Phase;
 use crate::segments::recovery::Segments;
 use rustc_hash::FxHashMap;
 
-/// Attempts at merging facets from scratch before all new edges off the input's surface are given up.
+/// Attempts at merging facets from scratch before all new edges off the input's surface are given up. 1 and 6 change nothing on seven
+/// models: it only bounds the work on worse ones.
 const MERGE_ATTEMPTS: usize = 3;
-/// How often an attempt is repaired: new edges that would need Steiner points are flipped back.
+/// How often an attempt is repaired: new edges that would need Steiner points are flipped back. 8 and 32 change nothing on seven models: it
+/// only bounds the work on worse ones.
 const MENDINGS: usize = 16;
 
 const FEWER: &str = "facets are not merged: without merging the mesh needs fewer Steiner points";

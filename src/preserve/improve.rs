@@ -18,10 +18,14 @@ use rustc_hash::FxHashSet;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Tetrahedra below are improved: a dihedral angle of less than a degree, a circumradius of more than twenty edges.
+/// Tetrahedra below are improved: a dihedral angle of less than a degree, a circumradius of more than twenty edges. Higher values take time
+/// for more tetrahedra. On eleven models with 22 points inside half of the angle changes four meshes, double five meshes, but never their
+/// number. There half of the ratio changes four meshes, double two meshes, but never their number.
 const BAD: Shape = Shape { angle: 0.0175, ratio: 0.05 };
 
-/// Above this, one measure may be lowered to improve the other.
+/// Above this, one measure may be lowered to improve the other. On eleven models with 22 points inside half of the angle changes two
+/// meshes, double one mesh, but never their number. Half of the ratio and double change nothing on eleven models: nothing measurable
+/// depends on that.
 const ENOUGH: Shape = Shape { angle: 0.02, ratio: 0.25 };
 
 /// One stage of the improvement.
@@ -32,8 +36,17 @@ struct Stage {
     failures: [usize; 2],
 }
 
+/// The effort for many tetrahedra: small cavities and few steps. On eleven models with 22 points inside two vertices less changes six
+/// meshes, two more five meshes, but never their number. There half of the steps changes three meshes, double none, but never their number.
 const QUICK: Effort = Effort { cavities: &[(9, 30), (12, 100)], thorough: false };
+/// The effort for the worst that remain: larger cavities, more steps, and other apexes for walls. On eleven models with 22 points inside
+/// three vertices less changes five meshes, three more six meshes, but never their number. Half of the steps and double change nothing on
+/// eleven models: it only bounds the work on worse ones. Two models take up to 14 % less time with three vertices less, up to 15 % more
+/// with three more.
 const HARD: Effort = Effort { cavities: &[(12, 500), (18, 1500)], thorough: true };
+/// One after the other; failures allowed trade time for better tetrahedra. On eleven models with 22 points inside half of them in quick
+/// stages changes eight meshes, double two meshes, but never their number. There half of them in hard stages changes six meshes, double
+/// eight meshes, but never their number.
 const STAGES: [Stage; 4] = [
     Stage { measure: Measure::Angle, effort: QUICK, failures: [30, 800] },
     Stage { measure: Measure::Ratio, effort: QUICK, failures: [30, 800] },

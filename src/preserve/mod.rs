@@ -41,12 +41,22 @@ use rustc_hash::FxHashMap;
 use settle::Settled;
 use std::collections::TryReserveError;
 
-/// Default number of steps per search.
+/// Default number of steps per search: more fill more polyhedra, but what cannot be filled costs all of them. On eleven models with 22
+/// points inside 100 changes none, 400 one mesh, but never their number.
 const BUDGET: u32 = 200;
 
-/// How far the surroundings of a point grow before points inside are used, and how far those of a flip.
+/// How far the surroundings of a point grow before points inside are used: time for fewer points inside. On eleven models with 22 points
+/// inside one branch in both takes two fewer (three meshes changed), six as many (one mesh changed). There 12 tries changes none, 48 one
+/// mesh, but never their number. With one branch two models with ten points inside take 2.2 to 2.4 times as long.
 const SOME: Growth = Growth { budget: 50, branches: 3, tries: 24 };
+/// How far those of a flip, and in the end those of points inside. On eleven models with 22 points inside 30 tries takes as many (none
+/// changed), 120 three fewer (one mesh changed). Half of both budgets and double change nothing on eleven models: it only bounds the work
+/// on worse ones. With 120 tries two models with ten points inside take 1.5 to 2 times as long.
 const MORE: Growth = Growth { budget: 50, branches: 3, tries: 60 };
+
+/// Sweeps over all points inside: time for better tetrahedra. On six models with 22 points inside 1 changes two meshes, 6 one mesh, but
+/// never their number.
+const SWEEPS: usize = 3;
 
 /// Carves the domain out of a constrained mesh with regions, and names its subfaces by their patches.
 ///
@@ -213,9 +223,6 @@ fn free(
     let subfaces = subfaces(mesh, points, target, internal)?;
     Ok((Freed { inside, settled: Vec::new(), subfaces }, removal.staying))
 }
-
-/// Sweeps over all points inside.
-const SWEEPS: usize = 3;
 
 /// Moves the points inside to better positions.
 fn smooth_inside(mesh: &Mesh, points: &mut Points, inside: &Inside, control: &Control) -> Result<(), Error> {

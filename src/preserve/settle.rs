@@ -13,7 +13,7 @@ use crate::ops::place::{sees_all, step};
 use crate::predicates::{in_range, Points};
 use crate::segments::recovery::Segments;
 
-/// Farthest neighbour tried, in units in the last place.
+/// Farthest neighbour tried, in units in the last place: the number of neighbours grows with its cube. 1 and 6 change nothing on one model.
 const FARTHEST: i32 = 3;
 
 /// A point that stays on its segment.

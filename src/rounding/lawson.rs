@@ -16,9 +16,11 @@ use crate::predicates::{Points, Sign};
 use crate::rounding::positive;
 use crate::rounding::untangle::{is_closed, Place};
 
-/// Limit of flips per initial tetrahedron.
+/// Limit of flips per initial tetrahedron: faces left over are not locally Delaunay. 4 and 16 change nothing on the only model measured
+/// whose points have to move.
 const MOST_FLIPS: usize = 8;
-/// The most tetrahedra around a reflex edge.
+/// The most tetrahedra around a reflex edge: the number of sheets grows with it. 3 and 12 change nothing on the only model measured whose
+/// points have to move.
 const MOST_RING: usize = 6;
 
 /// Flips; keeps its scratch space.

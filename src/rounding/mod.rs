@@ -38,7 +38,9 @@ enum Stage {
     Reconnect,
 }
 
-/// One after the other, until every tetrahedron is positive.
+/// One after the other, until every tetrahedron is positive: what moves points least comes first. Half of all parameters and double change
+/// nothing on the only model measured whose points have to move. Half of all radii and double change nothing on the only model measured
+/// whose points have to move.
 const STAGES: [Stage; 7] = [
     Stage::Place(Reach { parameters: 0, radius: 3 }),
     Stage::Place(Reach { parameters: 16, radius: 3 }),

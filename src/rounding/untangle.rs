@@ -23,11 +23,14 @@ use crate::rounding::work::Work;
 use crate::rounding::{positive, Repair};
 use rustc_hash::FxHashSet;
 
-/// Steps of a search.
+/// Steps of a search: more fill more cavities, but what cannot be filled costs all of them. 1,000 and 4,000 change nothing on the only
+/// model measured whose points have to move.
 const BUDGET: u32 = 2000;
-/// Most tetrahedra of a cavity: more have too many vertices.
+/// Most tetrahedra of a cavity: more have too many vertices. 80 and 320 change nothing on the only model measured whose points have to
+/// move.
 const MOST_TETS: usize = 160;
-/// How many faces away a cavity reaches at most.
+/// How many faces away a cavity reaches at most: larger ones replace more tetrahedra of the Delaunay mesh. 2 and 8 change nothing on the
+/// only model measured whose points have to move.
 const MOST_LAYERS: usize = 4;
 
 /// What is repaired.

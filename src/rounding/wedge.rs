@@ -15,10 +15,11 @@ pub struct Plane {
     pub height: f64,
 }
 
-/// Most planes considered: there are n³/6 corners to try.
+/// Most planes considered: there are n³/6 corners to try. 12 and 48 change nothing on the only model measured whose points have to move.
 pub const MOST: usize = 24;
 
-/// For unit normals, far below the rounding errors of products that are zero: smaller values are meaningless as divisors.
+/// For unit normals, far below the rounding errors of products that are zero: smaller values are meaningless as divisors. None of the
+/// models measured reaches it.
 const PARALLEL: f64 = 1e-60;
 
 /// The shortest `d` with `height + normal · d >= margin` for all planes, if a corner of up to three planes gives one.

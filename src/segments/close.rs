@@ -11,11 +11,12 @@ use crate::predicates::{Expansion, Points, Sign};
 use crate::segments::placement::{bisector, OwnSegment};
 use crate::vector::{cross, dot, sub};
 
-/// Bits beyond (h/L)², since copies of copies of a radius have to agree.
+/// Bits beyond (h/L)², since copies of copies of a radius have to agree. On two models with 439 Steiner points 16 takes 3.4 % fewer (−11 to
+/// 0 % on single ones), 24 3.4 % fewer (−11 to 0 % on single ones).
 const SPARE_BITS: i32 = 20;
-/// Limit on the corrections of the first approximation, of about 50 bits each.
+/// Limit on the corrections of the first approximation, of about 50 bits each. 10 and 40 change nothing on two models.
 const MOST_STEPS: usize = 20;
-/// The finest grid of parameters.
+/// The finest grid of parameters. −860 and −700 change nothing on two models.
 const FINEST: i32 = -780;
 
 /// The piece and the vertex next to it.

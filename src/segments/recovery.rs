@@ -25,17 +25,23 @@ use rustc_hash::FxHashMap;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-/// Number of parameters tried on each side of the chosen one for a point near a double, and their spacing relative to the piece.
+/// Number of parameters tried on each side of the chosen one for a point near a double: time in placement for work of rounding. On 15
+/// models with 23,337 Steiner points 2 takes 0.9 % fewer (−5 to +6 % on single ones), 8 0.9 % fewer (−8 to +7 % on single ones).
 const KIND_TRIES: i32 = 4;
+/// Their spacing relative to the piece: negligible to the placement, but each rounds differently. On 15 models with 23,337 Steiner points
+/// half takes 0.8 % fewer (−8 to +3 % on single ones), double 0.2 % fewer (−11 to +12 % on single ones).
 const KIND_STEP: f64 = 1.0 / (1u64 << 30) as f64;
-/// The same on segments where rounding failed.
+/// The same on segments where rounding failed. None of the models measured reaches it.
 const CAREFUL_TRIES: i32 = 256;
+/// The spacing there. None of the models measured reaches it.
 const CAREFUL_STEP: f64 = 1.0 / (1u64 << 24) as f64;
-/// The same where it failed again, around one of these fractions of the piece.
+/// The spacing where it failed again, around one of these fractions of the piece. None of the models measured reaches it.
 const FAR_STEP: f64 = 1.0 / (1u64 << 11) as f64;
+/// The fractions, in turn. None of the models measured reaches it.
 const FAR_CENTERS: [f64; 4] = [0.5, 0.8, 0.2, 0.65];
 
-/// Parameters are precise to this fraction of their piece.
+/// Parameters are precise to this fraction of their piece; closer points get parameters of several doubles. Half of it and double change
+/// nothing on 15 models: nothing measurable depends on it.
 const USUAL_PRECISION: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// The subsegments of all segments.

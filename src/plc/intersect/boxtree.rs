@@ -15,6 +15,12 @@ use crate::plc::intersect::fans::{Fans, Member};
 use crate::plc::radix::sort_keyed;
 use std::ops::Range;
 
+/// Turns of a traversal that make a step.
+const TURNS_PER_STEP: u32 = 32;
+
+/// Boxes per leaf.
+const LEAF: usize = 8;
+
 /// An axis-parallel box in the coordinates of a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds {
@@ -92,12 +98,6 @@ impl Bounds {
             & (other.low[2] <= self.high[2])
     }
 }
-
-/// Turns of a traversal that make a step.
-const TURNS_PER_STEP: u32 = 32;
-
-/// Boxes per leaf.
-const LEAF: usize = 8;
 
 /// The hierarchy.
 pub(super) struct BoxTree {

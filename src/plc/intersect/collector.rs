@@ -5,6 +5,9 @@ use crate::fallible;
 use crate::plc::intersect::locate_point::Triangle;
 use crate::plc::intersect::{Intersections, Names};
 
+/// Lists shorter than this are not worth deduplicating.
+const COMPACT_FROM: usize = 1 << 12;
+
 /// Which of several findings about one pair of elements is listed: the most informative one has the lowest rank.
 fn rank(kind: DefectKind) -> u32 {
     match kind {
@@ -43,9 +46,6 @@ pub(super) struct Collector<'a> {
     segments: Vec<([u32; 2], [f64; 3])>,
     piercings: Vec<([u32; 3], [f64; 3])>,
 }
-
-/// Lists shorter than this are not worth deduplicating.
-const COMPACT_FROM: usize = 1 << 12;
 
 impl<'a> Collector<'a> {
     pub(super) fn new(names: Names<'a>, max_defects: usize) -> Collector<'a> {

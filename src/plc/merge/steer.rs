@@ -11,11 +11,16 @@ use crate::plc::merge::flipper::{Candidate, Flipper};
 use crate::plc::merge::Guide;
 use crate::progress::Phase;
 
-/// Limit of undo rounds: a restored edge may itself be expensive.
+/// Limit of undo rounds: a restored edge may itself be expensive. 16 and 64 change nothing on seven models: it only bounds the work on
+/// worse ones.
 const ROUNDS: usize = 32;
-/// Limit of flips undone for one edge.
+/// Limit of flips undone for one edge. 500 and 2,000 change nothing on three models: it only bounds the work on worse ones.
 const DEPTH: usize = 1000;
+/// What an edge costs that the Delaunay tetrahedralization does not have: without it only edges off the surface would be steered away from.
+/// On six models with 1,326 Steiner points 0 takes 0.1 % more, 2 the same.
 const MISSING: u32 = 1;
+/// What it costs if it also lies off the input's surface: a thousand times as much. 500 and 2,000 change nothing on four models: nothing
+/// measurable depends on it.
 const MISSING_BESIDE: u32 = 1000;
 
 impl Flipper<'_> {

@@ -12,7 +12,8 @@ use crate::predicates::Points;
 use crate::preserve::recover::corridor::Feature;
 use crate::vector::{cross, dot, sub};
 
-/// How much nearer to its only edge a piece gets its point.
+/// How much nearer to its only edge a piece gets its point: nearer is likelier to be seen from the edge's ring, but makes shorter pieces.
+/// None of the models measured reaches it.
 const BESIDE: f64 = 0.125;
 
 /// The parameter between `a` and `b` at which the piece is divided.

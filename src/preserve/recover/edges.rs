@@ -41,21 +41,28 @@ const fn round(depth: usize, rings: u32, tried: usize, budget: u32) -> Round {
     Round { limits: Limits { depth, rings }, tried, budget }
 }
 
-/// Rounds over the missing edges; the last is that of the pieces of those that resist. The second list takes longer and needs fewer
-/// points: its meshes leave more room where those of the first leave none.
+/// Rounds over the missing edges; the last is that of the pieces of those that resist. The second list takes longer and needs fewer points:
+/// its meshes leave more room where those of the first leave none. On eleven models with 22 points inside one level less takes one more
+/// (six meshes changed), one more three more (six meshes changed). There half of all rings takes two more (five meshes changed), double two
+/// more (three meshes changed). There half of the edges tried takes two more (four meshes changed), double two more (two meshes changed).
+/// Half of the steps and double change nothing on eleven models: it only bounds the work on worse ones.
 pub const ROUNDS: [&[Round]; 2] = [
     &[round(4, 60, 12, 50), round(6, 200, 12, 200), round(6, 600, 12, 200)],
     &[round(4, 200, 50, 0), round(6, 1000, 50, 200), round(6, 1000, 50, 200), round(7, 2000, 50, 200)],
 ];
 
-/// Search steps per cavity of a face in each round, and the limits for edges that pierce it.
+/// Search steps per cavity of a face in each round: time for fewer faces that need points. On eleven models with 22 points inside half of
+/// all changes one mesh, double none, but never their number.
 pub(super) const BUDGETS: [u32; 3] = [50, 200, 200];
+/// The limits for edges that pierce a face. None of the models measured reaches it.
 pub(super) const PIERCING: Limits = Limits { depth: 4, rings: 1000 };
 
-/// Most faces of a cavity that is searched: the cost of a step grows with the square. (Larger ones may still be cones.)
+/// Most faces of a cavity that is searched: the cost of a step grows with the square. (Larger ones may still be cones.) 30 and 120 change
+/// nothing on eleven models: it only bounds the work on worse ones.
 const MOST_SEARCHED: usize = 60;
 
-/// Most pieces of one segment; beyond, reconnection has failed.
+/// Most pieces of one segment; beyond, reconnection has failed. 2,048 and 8,192 change nothing on four models: it only bounds the work on
+/// worse ones.
 const MOST_PIECES: u32 = 4096;
 
 /// The state of a recovery.

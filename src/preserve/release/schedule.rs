@@ -19,7 +19,9 @@ use crate::preserve::{BUDGET, SOME};
 use crate::segments::recovery::Segments;
 use rustc_hash::FxHashSet;
 
-/// What is tried, in this order.
+/// What is tried, in this order: the cheapest first, since it is tried at every point. Half of all budgets and double change nothing on
+/// eleven models: it only bounds the work on worse ones. Half of all numbers of walls and double change nothing on eleven models: nothing
+/// measurable depends on that.
 const EFFORTS: [Effort; 4] = [
     Effort { budget: BUDGET, walls: 3, growth: None, relocate: false },
     Effort { budget: 500, walls: 8, growth: None, relocate: false },
