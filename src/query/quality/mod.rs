@@ -11,9 +11,11 @@
 //!
 //! * [`tet`]: the measures of one tetrahedron.
 //! * [`summary`]: histograms and worst tetrahedra.
+//! * `rough`: their bins without the measures.
 //! * [`forced`]: tetrahedra in narrow wedges between two facets.
 
 pub mod forced;
+mod rough;
 pub mod summary;
 #[cfg(test)]
 mod tests;
@@ -138,11 +140,17 @@ impl Measure {
         self.bin_edges()[1..BINS].iter().filter(|&&edge| value >= edge).count()
     }
 
+    /// Whether small values are bad, not large ones.
+    fn is_worse_if_small(self) -> bool {
+        matches!(self, Measure::MinDihedral | Measure::Eta)
+    }
+
     /// How bad a value is: larger is worse.
     fn badness(self, value: f64) -> f64 {
-        match self {
-            Measure::MinDihedral | Measure::Eta => -value,
-            Measure::MaxDihedral | Measure::RadiusEdge => value,
+        if self.is_worse_if_small() {
+            -value
+        } else {
+            value
         }
     }
 }

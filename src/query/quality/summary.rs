@@ -1,12 +1,14 @@
 //! Histograms and the worst tetrahedra, in one pass over the mesh that keeps nothing per tetrahedron.
 use crate::error::Error;
 use crate::fallible;
+use crate::query::quality::rough::{keys, Bins, Worst};
+use crate::query::quality::tet::corners_of;
 use crate::query::quality::{ForcedTet, Measure, TetQuality, BINS};
 use crate::{TetMesh, INVALID};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-const MEASURES: usize = Measure::ALL.len();
+pub(super) const MEASURES: usize = Measure::ALL.len();
 
 /// Worst values and histograms of some tetrahedra. Lists are indexed by [`Measure`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +24,13 @@ pub struct Figures {
 impl Figures {
     const NONE: Figures =
         Figures { worst: [0.0; MEASURES], worst_tet: [INVALID; MEASURES], histograms: [[0; BINS]; MEASURES] };
+
+    /// Adds a tetrahedron that is not the worst by any measure.
+    fn add_to_bins(&mut self, bins: &[usize; MEASURES]) {
+        for (histogram, &bin) in self.histograms.iter_mut().zip(bins) {
+            histogram[bin] += 1;
+        }
+    }
 
     fn add(&mut self, tet: u32, quality: &TetQuality) {
         for (i, measure) in Measure::ALL.into_iter().enumerate() {
@@ -53,12 +62,31 @@ impl QualitySummary {
         let (mut all, mut unforced) = (Figures::NONE, Figures::NONE);
         let mut forced_count = 0;
         let mut next = forced.iter().peekable();
+        let bins = Bins::new();
+        let (mut worst, mut worst_unforced) = (Worst::new(), Worst::new());
         for (tet, corners) in (0..).zip(&mesh.tets) {
-            let quality = TetQuality::of_tet(mesh, corners);
-            all.add(tet, &quality);
-            match next.next_if(|forced| forced.tet == tet) {
-                Some(_) => forced_count += 1,
-                None => unforced.add(tet, &quality),
+            let corners = corners_of(mesh, corners);
+            let forced = next.next_if(|forced| forced.tet == tet).is_some();
+            forced_count += u64::from(forced);
+            let sure = keys(&corners).and_then(|keys| {
+                let beaten = worst.add(&keys);
+                let beaten = (forced || worst_unforced.add(&keys)) && beaten;
+                bins.of(&keys).filter(|_| beaten)
+            });
+            match sure {
+                Some(bins) => {
+                    all.add_to_bins(&bins);
+                    if !forced {
+                        unforced.add_to_bins(&bins);
+                    }
+                }
+                None => {
+                    let quality = TetQuality::of(corners);
+                    all.add(tet, &quality);
+                    if !forced {
+                        unforced.add(tet, &quality);
+                    }
+                }
             }
         }
         QualitySummary { tet_count: mesh.tets.len() as u64, forced_count, all, unforced }

@@ -281,6 +281,58 @@ fn histograms_add_up() {
     }
 }
 
+/// Histograms and worst values are those of the measures, also where bins are told without them: random, flat, equal and inverted tetrahedra,
+/// regular ones and corners (on edges of bins, and tied), of all sizes.
+#[test]
+fn figures_are_those_of_the_measures() {
+    let mut numbers = Numbers(9);
+    let mut mesh = TetMesh::default();
+    for i in 0..6000 {
+        let mut corners = match i % 8 {
+            0 => REGULAR,
+            1 => CORNER,
+            _ => [(); 4].map(|()| numbers.point()),
+        };
+        let flat = 10f64.powi(-(i % 40) / 2);
+        let size = [1.0, 1e-3, 1e7, 1e-19, 1e-150, 1e150][i as usize / 8 % 6];
+        for p in &mut corners {
+            p[2] *= if i % 8 > 4 { flat } else { 1.0 };
+            *p = p.map(|x| x * size);
+        }
+        let first = mesh.points.len() as u32;
+        mesh.points.extend(corners);
+        mesh.tets.push([0, 1, 2, 3].map(|k| first + k));
+    }
+    let some = |tet| ForcedTet { tet, facets: [0, 1], ends: [0, 1], angle: 1.0 };
+    let forced: Vec<ForcedTet> = (0..6000).filter(|tet| tet % 7 < 2).map(some).collect();
+    let summary = QualitySummary::new(&mesh, &forced);
+    let qualities = tet_qualities(&mesh).unwrap();
+    for (figures, of_unforced) in [(summary.all, false), (summary.unforced, true)] {
+        for (i, measure) in Measure::ALL.into_iter().enumerate() {
+            let mut histogram = [0; BINS];
+            let mut worst: Option<(f64, u32)> = None;
+            for (tet, quality) in (0..).zip(&qualities) {
+                if of_unforced && tet % 7 < 2 {
+                    continue;
+                }
+                let value = quality.by(measure);
+                histogram[measure.bin(value)] += 1;
+                if worst.is_none_or(|worst| measure.badness(value) > measure.badness(worst.0)) {
+                    worst = Some((value, tet));
+                }
+            }
+            assert_eq!(figures.histograms[i], histogram, "{measure:?}");
+            assert_eq!(Some((figures.worst[i], figures.worst_tet[i])), worst, "{measure:?}");
+        }
+    }
+    // Bins are told for nearly all tetrahedra of a usual shape.
+    let bins = rough::Bins::new();
+    let usual =
+        (0..1000).map(|_| [(); 4].map(|()| numbers.point())).filter(|&c| TetQuality::of(c).volume > 1e-3);
+    let told: Vec<bool> = usual.map(|c| rough::keys(&c).and_then(|keys| bins.of(&keys)).is_some()).collect();
+    assert!(told.len() > 100 && told.iter().all(|&told| told));
+}
+
 /// The same figures, bit for bit, after points, tetrahedra and corners have been renumbered.
 #[test]
 fn renumbering_changes_no_figure() {

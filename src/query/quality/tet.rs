@@ -17,7 +17,7 @@ use crate::TetMesh;
 
 /// Six times the volume over the cube of the size (largest difference of coordinates, rounded down to a power of two): below, sums are
 /// exact.
-const FLAT: f64 = 1.0 / 1_048_576.0;
+pub(super) const FLAT: f64 = 1.0 / 1_048_576.0;
 
 /// The edge between two corners, as an index into [`EDGE_ENDS`].
 const EDGE_BETWEEN: [[usize; 4]; 4] = [[6, 0, 1, 2], [0, 6, 3, 4], [1, 3, 6, 5], [2, 4, 5, 6]];
@@ -76,7 +76,7 @@ impl TetQuality {
 
     /// The measures of a tetrahedron of a mesh.
     pub fn of_tet(mesh: &TetMesh, tet: &[u32; 4]) -> TetQuality {
-        TetQuality::of(tet.map(|corner| mesh.points.get(corner as usize).copied().unwrap_or_default()))
+        TetQuality::of(corners_of(mesh, tet))
     }
 
     /// The smallest dihedral angle in degrees.
@@ -103,6 +103,11 @@ impl TetQuality {
     pub(super) fn at_edge(&self, [i, j]: [usize; 2]) -> f64 {
         self.dihedrals.get(EDGE_BETWEEN[i][j]).copied().unwrap_or(0.0)
     }
+}
+
+/// The corners of a tetrahedron of a mesh.
+pub(super) fn corners_of(mesh: &TetMesh, tet: &[u32; 4]) -> [[f64; 3]; 4] {
+    tet.map(|corner| mesh.points.get(corner as usize).copied().unwrap_or_default())
 }
 
 /// The place of each corner in the order of their coordinates, and whether that is an odd permutation.
