@@ -277,7 +277,16 @@ fn an_interrupt_ends_cleanly_with_3() {
         .stderr(std::process::Stdio::piped())
         .spawn()
         .unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(400));
+    // As soon as it has a handler (SIGINT is the second bit of the mask) it may be interrupted.
+    let caught = || {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+        let mask =
+            status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap_or("2").trim().to_string();
+        u64::from_str_radix(&mask, 16).unwrap() & 2 != 0
+    };
+    while !caught() {
+        std::thread::yield_now();
+    }
     let sent = Command::new("sh").args(["-c", &format!("kill -INT {}", child.id())]).status().unwrap();
     assert!(sent.success());
     let output = child.wait_with_output().unwrap();
@@ -300,7 +309,7 @@ fn limits_end_with_3_and_leave_nothing_behind() {
     std::fs::copy(prism, dir.join("prism.off")).unwrap();
     let files = std::fs::read_dir(&dir).unwrap().count();
     let mut cases = vec![
-        (["p.node", "--time-limit", "0.1"], "the time limit of 0.1 s"),
+        (["p.node", "--time-limit", "0.001"], "the time limit of 0.001 s"),
         (["prism.off", "--steiner-limit", "0"], "the limit of 0 Steiner points"),
     ];
     if cfg!(target_os = "linux") {

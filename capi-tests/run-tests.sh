@@ -7,7 +7,7 @@ set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 2
 . capi-tests/common.sh
 
-packages g++ cmake make pkg-config python3 valgrind abigail-tools binutils libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev \
+packages g++ cmake make pkg-config python3 python3-numpy python3-scipy valgrind abigail-tools binutils libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev \
   calculix-ccx tetgen libtet1.5-dev ninja-build
 command -v cargo >/dev/null || { echo "cargo (1.86 or later) is needed: see https://rustup.rs"; exit 2; }
 

@@ -76,6 +76,7 @@ pub fn append<T: Copy>(list: &mut Vec<T>, more: &[T]) -> Room<()> {
 }
 
 /// Appends a text.
+#[cfg(feature = "io")]
 pub fn append_text(text: &mut String, more: &str) -> Room<()> {
     text.try_reserve(more.len())?;
     text.push_str(more);

@@ -13,12 +13,14 @@ static void *cancel(void *unused)
     return NULL;
 }
 
-/* The run is in its longest phase when the other thread begins. */
+/* The other thread begins in the middle of the run, which waits for it here: however slow the machine, the run goes on cancelled. */
 static int32_t start(void *user_data, DelotetPhase phase, double fraction)
 {
     (void)user_data, (void)fraction;
-    if (phase == DELOTET_PHASE_DELAUNAY && !started)
+    if (phase == DELOTET_PHASE_DELAUNAY && !started) {
         started = pthread_create(&thread, NULL, cancel, NULL) == 0;
+        CHECK(started && pthread_join(thread, NULL) == 0);
+    }
     CHECK(phase != DELOTET_PHASE_AUDIT);
     return 0;
 }
@@ -26,7 +28,7 @@ static int32_t start(void *user_data, DelotetPhase phase, double fraction)
 int main(void)
 {
     DelotetOptions *options = delotet_options_new(), *others = delotet_options_new();
-    DelotetPlc *plc = cloud(300000), *small = cube();
+    DelotetPlc *plc = cloud(3000), *small = cube();
     DelotetMesh *mesh;
     token = delotet_cancel_token_new();
     OK(delotet_options_set_mode(options, DELOTET_MODE_DELAUNAY, &error));
@@ -35,7 +37,7 @@ int main(void)
     delotet_mesh_free(mesh_with(small, others));
     OK(delotet_options_set_progress(options, start, NULL, &error));
     FAILS(DELOTET_STATUS_CANCELLED, delotet_tetrahedralize(plc, options, &mesh, &error));
-    CHECK(started && mesh == NULL && pthread_join(thread, NULL) == 0);
+    CHECK(started && mesh == NULL);
     FAILS(DELOTET_STATUS_CANCELLED, delotet_tetrahedralize(small, others, &mesh, &error));
     FAILS(DELOTET_STATUS_CANCELLED, delotet_plc_check(small, others, &error));
     delotet_cancel_token_cancel(token);

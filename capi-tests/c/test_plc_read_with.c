@@ -24,7 +24,7 @@ int main(void)
     FAILS(DELOTET_STATUS_CANCELLED, delotet_plc_read_with("test_plc_read_with.off", options, &plc, &error));
     CHECK(plc == NULL);
     delotet_cancel_token_reset(token);
-    OK(delotet_options_set_time_limit(options, 1e-3, &error));
+    OK(delotet_options_set_time_limit(options, 1e-9, &error));
     FAILS(DELOTET_STATUS_TIME_LIMIT, delotet_plc_read_with("test_plc_read_with.off", options, &plc, &error));
     OK(delotet_options_set_time_limit(options, 0, &error));
 #ifdef __linux__

@@ -6,8 +6,6 @@
 #include <string>
 #include <thread>
 
-using Clock = std::chrono::steady_clock;
-
 static delotet::Status status_of(const delotet::Plc &plc, const delotet::Options &options)
 {
     return caught<delotet::Exception>([&] { delotet::tetrahedralize(plc, options); }).status();
@@ -17,13 +15,18 @@ int main()
 {
     const delotet::Plc cloud(random_points(300000)), small = nested_boxes();
 
-    // The token is cancelled in the middle of runs on several threads, which all end.
+    // The token is cancelled in the middle of runs on several threads, which all end: they wait for it, so time does not matter.
     const delotet::CancelToken token;
     delotet::Options options = delotet::Options().mode(delotet::Mode::delaunay).cancel_token(token);
     CHECK(options.cancel_token() == token.get());
     std::atomic<int> running{0};
     options.on_progress([&](delotet::Phase phase, double) {
-        running += phase == DELOTET_PHASE_DELAUNAY;
+        CHECK(phase != DELOTET_PHASE_AUDIT);
+        if (phase == DELOTET_PHASE_DELAUNAY) {
+            running++;
+            while (!token.is_cancelled())
+                std::this_thread::yield();
+        }
         return true;
     });
     std::vector<std::thread> threads;
@@ -31,19 +34,22 @@ int main()
         threads.emplace_back([&] { CHECK(status_of(cloud, options) == DELOTET_STATUS_CANCELLED); });
     while (running < 2)
         std::this_thread::yield();
-    const Clock::time_point before = Clock::now();
     token.cancel();
     for (std::thread &thread : threads)
         thread.join();
-    // Much less than the runs take; sanitizers and other load have room.
-    CHECK(Clock::now() - before < std::chrono::seconds(5));
     CHECK(token.is_cancelled() && status_of(small, options) == DELOTET_STATUS_CANCELLED);
     token.reset();
+    options.on_progress(nullptr);
     delotet::tetrahedralize(small, options);
 
-    // Worker threads stop too.
-    options.threads(4).time_limit(0.05);
+    // Worker threads stop too; the time is over whatever the machine.
+    options.threads(4).time_limit(0.01);
+    options.on_progress([](delotet::Phase, double) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        return true;
+    });
     CHECK(status_of(cloud, options) == DELOTET_STATUS_TIME_LIMIT);
+    options.on_progress(nullptr);
     options.time_limit(0);
     delotet::Error error;
     CHECK(options.time_limit(-1, error) == DELOTET_STATUS_INVALID_ARGUMENT && error);

@@ -18,6 +18,13 @@ pub struct Plane {
 /// worse ones.
 const MOST_STEPS: usize = 128;
 
+/// A face that lies beyond the nearest one by less than this part of the size cannot improve the centre in doubles. Rounding decides about
+/// the last steps only: the exact signs judge the point.
+const NEAR_ENOUGH: f64 = 1e-12;
+
+/// A smaller share is rounding of zero: a step by it would be of no known size.
+const NO_SHARE: f64 = 1e-14;
+
 /// The point with the largest distance to the nearest plane, and this distance (negative outside); `size` bounds its coordinates.
 pub fn center(planes: &[Plane], size: f64) -> ([f64; 3], f64) {
     let third = 1.0 / 3f64.sqrt();
@@ -41,7 +48,7 @@ pub fn center(planes: &[Plane], size: f64) -> ([f64; 3], f64) {
             best = (p, worst.0);
         }
         let (distance, Some(plane)) = worst else { break };
-        if distance >= x[3] - 1e-12 * size {
+        if distance >= x[3] - NEAR_ENOUGH * size {
             break;
         }
         // The entering column in terms of the basis.
@@ -49,7 +56,7 @@ pub fn center(planes: &[Plane], size: f64) -> ([f64; 3], f64) {
         let columns = [0, 1, 2, 3].map(|k| if k == 3 { [1.0; 4] } else { basis.map(|b| b.normal[k]) });
         let Some(share) = solve(columns, [n[0], n[1], n[2], 1.0]) else { break };
         let leaving = (0..4)
-            .filter(|&j| share[j] > 1e-14)
+            .filter(|&j| share[j] > NO_SHARE)
             .min_by(|&i, &j| (weight[i] / share[i]).total_cmp(&(weight[j] / share[j])));
         let Some(leaving) = leaving else { break };
         let step = weight[leaving] / share[leaving];

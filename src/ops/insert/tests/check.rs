@@ -1,5 +1,5 @@
 //! What must hold after every step, and in the end.
-use super::state::{constrained, Piece, State};
+use super::state::{constrained, Patches, Piece, State};
 use crate::control::Control;
 use crate::delaunay::Construction;
 use crate::facets::fill::Half;
@@ -173,7 +173,7 @@ impl State {
             let mut points = self.points.copied().unwrap();
             let ends = self.pieces.iter().map(|piece| piece.ends).collect();
             let mut segments = Segments::new(&points, ends, &Control::free()).unwrap();
-            let surface = (&self.triangles[..], &self.patch[..], self.patches);
+            let surface = Patches { triangles: &self.triangles, patch: &self.patch, count: self.patches };
             let (at_once, _) = constrained(&mut points, &mut segments, surface, self.keep_hull);
             assert_eq!(points.len(), self.points.len());
             assert_eq!(there, tetrahedra(&at_once));

@@ -50,18 +50,30 @@ pub(super) struct State {
     pub(super) exact: bool,
 }
 
+/// The triangles of a surface, and the patch of each.
+pub(super) struct Patches<'a> {
+    pub(super) triangles: &'a [[u32; 3]],
+    pub(super) patch: &'a [u32],
+    pub(super) count: usize,
+}
+
 /// The constrained mesh of a domain, with flags of its subsegments.
 pub(super) fn constrained(
     points: &mut Points,
     segments: &mut Segments,
-    (triangles, patch, patch_count): (&[[u32; 3]], &[u32], usize),
+    surface: Patches,
     keep_hull: bool,
 ) -> (Mesh, Subfaces) {
     let control = &Control::free();
     let (mut mesh, mut inserter) = (Construction::of(points), Inserter::default());
     assert!(Recovery::new((&mut mesh, &mut inserter), points, segments, control).run().unwrap());
-    let facet = vec![0; triangles.len()];
-    let triangles = Triangles { corners: triangles, facet: &facet, patch, patch_count };
+    let facet = vec![0; surface.triangles.len()];
+    let triangles = Triangles {
+        corners: surface.triangles,
+        facet: &facet,
+        patch: surface.patch,
+        patch_count: surface.count,
+    };
     let subfaces = Subfaces::build(points, &triangles, segments, control).unwrap();
     FacetRecovery::new(&mut mesh, points, &subfaces, control).unwrap().run().unwrap();
     let parts = components(&mesh, control).unwrap();
@@ -82,7 +94,8 @@ impl State {
     pub(super) fn new(model: &Model) -> State {
         let mut points = Points::new(model.points.clone());
         let mut segments = Segments::new(&points, model.segments(), &Control::free()).unwrap();
-        let surface = (&model.triangles[..], &model.patch[..], model.patches as usize);
+        let surface =
+            Patches { triangles: &model.triangles, patch: &model.patch, count: model.patches as usize };
         let (mesh, subfaces) = constrained(&mut points, &mut segments, surface, model.keep_hull);
         let pieces = segments.pieces.iter();
         let pieces =
