@@ -68,9 +68,15 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "options",
         ],
     ),
+    ("size", &["kernel", "predicates", "vector", "error", "options"]),
+    ("optimise", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error"]),
+    ("fill", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error"]),
     (
         "plan",
         &[
+            "fill",
+            "optimise",
+            "size",
             "preserve",
             "rounding",
             "domain",

@@ -204,7 +204,7 @@ fn c_and_cpp_see_the_layouts_of_rust() {
             ask(format!("sizeof((({name} *)0)->{field})"), *size);
         }
     }
-    use ffi::{options, plc_view, quality, query, status};
+    use ffi::{options, plc_view, quality, query, sizes, status};
     ask("sizeof(DelotetStatus)".into(), size_of::<status::DelotetStatus>());
     ask("sizeof(DelotetPhase)".into(), size_of::<status::DelotetPhase>());
     ask("sizeof(DelotetElement)".into(), size_of::<status::DelotetElement>());
@@ -216,6 +216,7 @@ fn c_and_cpp_see_the_layouts_of_rust() {
     ask("sizeof(DelotetQualityMeasure)".into(), size_of::<quality::DelotetQualityMeasure>());
     ask("sizeof(DelotetFacetRule)".into(), size_of::<plc_view::DelotetFacetRule>());
     ask("sizeof(DelotetProgressFn)".into(), size_of::<options::DelotetProgressFn>());
+    ask("sizeof(DelotetSizeFunction)".into(), size_of::<sizes::DelotetSizeFunction>());
     ask("DELOTET_INVALID_INDEX".into(), delotet::INVALID as usize);
     let folder = folder("layout");
     let source = format!(
@@ -288,7 +289,7 @@ fn headers_compile_in_every_standard() {
 #[test]
 fn cpp_and_static_callers_run() {
     let folder = folder("wrapper");
-    for name in ["test_wrapper", "test_inputs", "test_exceptions"] {
+    for name in ["test_wrapper", "test_inputs", "test_exceptions", "test_sizes"] {
         let program = folder.join(name);
         let mut compile = compiler("c++17");
         compile.arg(root().join(format!("capi-tests/cpp/{name}.cpp"))).arg("-o").arg(&program);
@@ -420,6 +421,7 @@ fn the_wrapper_has_every_function() {
     let own = [
         "delotet_options_log",
         "delotet_options_progress",
+        "delotet_options_size_function",
         "delotet_version_string",
         "delotet_write_options_log",
     ];

@@ -565,3 +565,141 @@ fn a_mesh_without_its_faces_is_not_called_correct() {
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stderr).contains("facet missing"));
 }
+
+/// Two spheres in one another with fine surfaces, so that there is room inside.
+const NESTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/capi-tests/data/nested.off");
+
+/// A mesh of it with the surface kept, whose files pass their check; the number of points.
+fn points_of_nested(options: &[&str], dir: &Path) -> u64 {
+    let fixed = ["mesh", NESTED, "-o", "n.ele", "--mode", "preserve", "-q", "--stats", "s.json"];
+    let output = delotet(&[&fixed[..], options].concat(), dir);
+    assert_eq!(output.status.code(), Some(0), "{options:?}: {}", error_line(&output));
+    let check = delotet(&["check", "n.ele", "--input", NESTED, "--preserved"], dir);
+    assert_eq!(check.status.code(), Some(0), "{options:?}: {}", error_line(&check));
+    let stats: serde_json::Value = serde_json::from_str(&text(dir.join("s.json"))).unwrap();
+    stats["points"].as_u64().unwrap()
+}
+
+#[test]
+fn a_kept_surface_is_filled_by_size_and_shape() {
+    let dir = folder("sizes");
+    let none = points_of_nested(&[], &dir);
+    let coarse = points_of_nested(&["--size", "4"], &dir);
+    let fine = points_of_nested(&["--size", "1.2"], &dir);
+    assert!(none < coarse && coarse < fine, "{none}, {coarse}, {fine}");
+    assert!(none < points_of_nested(&["--quality", "--optimize"], &dir));
+    assert!(none < points_of_nested(&["--quality=1.5", "--optimize=0"], &dir));
+    assert!(none < points_of_nested(&["--max-volume", "0.5"], &dir));
+    assert!(
+        points_of_nested(&["--quality", "--gradation", "1"], &dir)
+            < points_of_nested(&["--quality", "--gradation", "0.01"], &dir)
+    );
+}
+
+#[test]
+fn parts_of_the_input_have_sizes() {
+    let dir = folder("part-sizes");
+    let none = points_of_nested(&["--size", "4"], &dir);
+    let more = |options: &[&str]| {
+        let count = points_of_nested(&[&["--size", "4"], options].concat(), &dir);
+        assert!(none < count, "{options:?}: {count}");
+    };
+    more(&["--facet-size", "0=0.5"]);
+    more(&["--region", "0,0,0,-2.5", "--region-size", "-2.5=0.5", "--region-size", "7=1"]);
+    let sizes: String = (0..648).map(|i| if i % 2 == 0 { "0.4\n" } else { "0\n" }).collect();
+    std::fs::write(dir.join("sizes.txt"), &sizes).unwrap();
+    more(&["--size-file", "sizes.txt"]);
+    std::fs::write(dir.join("sizes.mtr"), format!("648 1\n{sizes}")).unwrap();
+    more(&["--size-file", "sizes.mtr"]);
+    // No segment has this marker.
+    assert_eq!(points_of_nested(&["--size", "4", "--segment-size", "-3=0.01"], &dir), none);
+}
+
+#[test]
+fn nonsense_for_sizes_is_refused_with_2() {
+    let dir = folder("no-sizes");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    for options in [
+        &["--size", "0"][..],
+        &["--size", "-1"],
+        &["--size", "nan"],
+        &["--size", "inf"],
+        &["--max-volume", "0"],
+        &["--max-volume", "-0.5"],
+        &["--gradation", "0"],
+        &["--gradation", "1.5"],
+        &["--quality=1"],
+        &["--quality=inf"],
+        &["--optimize=-1"],
+        &["--facet-size", "3"],
+        &["--facet-size", "3=0"],
+        &["--segment-size", "1.5=1"],
+        &["--region-size", "x=1"],
+    ] {
+        let arguments = [&["mesh", "cube.off", "-o", "m.vtu", "--mode", "preserve"], options].concat();
+        let output = delotet(&arguments, &dir);
+        assert_eq!(output.status.code(), Some(2), "{options:?}");
+        assert!(error_line(&output).starts_with("error: "), "{options:?}: {}", error_line(&output));
+    }
+    for mode in ["cdt", "delaunay"] {
+        for option in ["--size=1", "--max-volume=1", "--quality", "--optimize"] {
+            let output = delotet(&["mesh", "cube.off", "-o", "m.vtu", "--mode", mode, option], &dir);
+            assert_eq!(output.status.code(), Some(2), "{mode} {option}");
+            assert!(
+                error_line(&output).contains("mode preserve") || mode == "delaunay",
+                "{}",
+                error_line(&output)
+            );
+        }
+    }
+    assert_eq!(std::fs::read_dir(&dir).unwrap().count(), 1, "nothing may be written");
+}
+
+#[test]
+fn files_of_sizes_fail_with_1_and_name_the_line() {
+    let dir = folder("size-files");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    let run = |file: &str, text: Option<&[u8]>| {
+        if let Some(text) = text {
+            std::fs::write(dir.join(file), text).unwrap();
+        }
+        let fixed =
+            ["mesh", "cube.off", "-o", "m.vtu", "--mode", "preserve", "--size", "1", "--size-file", file];
+        delotet(&fixed, &dir)
+    };
+    for (text, said) in [
+        (None, "no such file"),
+        (Some(&b"1\n2\n"[..]), "2 sizes; the input has 8 points"),
+        (Some(b"8 1\n1\n2\n3\nx\n"), "line 5: a size expected, found 'x'"),
+        (Some(b"8 6\n"), "line 1: 6 numbers per point"),
+        (Some(b"\xff\xfe"), "it is not text"),
+    ] {
+        let output = run("s.txt", text);
+        assert_eq!(output.status.code(), Some(1), "{said}: {}", error_line(&output));
+        let line = error_line(&output);
+        assert!(line.starts_with("error: s.txt: ") && line.contains(said), "{line}");
+    }
+    assert_eq!(run("s.txt", Some(b"1 # the first\n1\n1\n1\n0\n0\ninf\n-1\n")).status.code(), Some(0));
+    // An output does not replace it.
+    let both = ["mesh", "cube.off", "-o", "s.vtu", "--mode", "preserve", "--size-file", "s.vtu"];
+    let output = delotet(&both, &dir);
+    assert!(output.status.code() == Some(2) && error_line(&output).contains("would replace the input"));
+    // Without an option that fills, sizes have no effect.
+    let idle = [
+        "mesh",
+        "cube.off",
+        "-o",
+        "m.vtu",
+        "--mode",
+        "preserve",
+        "--size-file",
+        "s.txt",
+        "--facet-size",
+        "1=1",
+    ];
+    let output = delotet(&idle, &dir);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    assert!(said.contains("no effect without --size, --max-volume or --quality: --facet-size"), "{said}");
+    assert!(said.contains("--quality: --size-file"), "{said}");
+}

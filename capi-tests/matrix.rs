@@ -28,13 +28,21 @@ fn models() -> Vec<PathBuf> {
 /// Every combination of the options that change what is in a mesh.
 fn options() -> impl Iterator<Item = (Options, &'static [&'static str])> {
     MODES.into_iter().flat_map(|(mode, preserve, arguments)| {
-        // The exact form makes a difference only for constrained Delaunay meshes.
-        (0..if mode == Mode::Constrained { 8 } else { 4 }).map(move |bits| {
+        // The exact form makes a difference only for constrained Delaunay meshes, and only kept surfaces are filled.
+        let kinds = match mode {
+            Mode::Constrained => 8,
+            Mode::Preserve => 5,
+            Mode::Delaunay => 4,
+        };
+        (0..kinds).map(move |bits| {
             let merge_facets = (bits & 1 != 0).then_some(179.9);
-            let (keep_hull, exact_form) = (bits & 2 != 0, bits & 4 != 0);
-            let options =
-                Options { mode, preserve, merge_facets, keep_hull, exact_form, ..Options::default() };
-            (options, arguments)
+            let (keep_hull, last) = (bits & 2 != 0, bits & 4 != 0);
+            let exact_form = last && mode == Mode::Constrained;
+            let quality = (last && mode == Mode::Preserve).then_some(2.0);
+            // It takes the longest, so not everywhere.
+            let optimize = u32::from(quality.is_some() && preserve == Preserve::All);
+            let base = Options { mode, preserve, merge_facets, keep_hull, ..Options::default() };
+            (Options { exact_form, quality, optimize, ..base }, arguments)
         })
     })
 }
@@ -72,6 +80,8 @@ fn what_is_made_passes_its_check_from_files() {
             arguments.extend(mode);
             arguments.extend(options.merge_facets.map(|_| "--merge-facets"));
             arguments.extend(options.keep_hull.then_some("--keep-hull"));
+            arguments.extend(options.quality.map(|_| "--quality"));
+            arguments.extend((options.optimize > 0).then_some("--optimize"));
             // What only the files have: by turns, so that each mode with each other option meets them.
             arguments.extend([None, Some("--second-order")][(turn + round) % 2]);
             arguments.extend([None, Some("--drop-points")][(turn + round) / 2 % 2]);

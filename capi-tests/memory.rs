@@ -22,8 +22,8 @@ use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, Ordering::SeqCst};
 
 use delotet::ffi::{
-    error::*, file::*, mesh::*, options::*, plc::*, plc_view::*, quality::*, query::*, run::*, status::*,
-    view::*, write::*,
+    error::*, file::*, mesh::*, options::*, plc::*, plc_view::*, quality::*, query::*, run::*, sizes::*,
+    status::*, view::*, write::*,
 };
 
 /// At most about this many requests of a job are refused, one run each, unless all are requested, since meshing takes long.
@@ -355,6 +355,11 @@ fn writing_with(job: &Job) -> Box<dyn Fn() -> Outcome> {
 /// Somebody listens.
 unsafe extern "C" fn line(_: *mut std::ffi::c_void, _: *const std::ffi::c_char) {}
 
+/// A size function without a wish.
+unsafe extern "C" fn no_wish(_: *mut std::ffi::c_void, _: *const f64, _: *mut f64) -> i32 {
+    0
+}
+
 /// The input in a surface format, with words on what it cannot hold and what has no effect.
 fn writing_input(job: &Job) -> Box<dyn Fn() -> Outcome> {
     let plc = plc_of(job);
@@ -535,6 +540,16 @@ fn build(plc: &mut *mut DelotetPlc, hash: &mut Hash) -> Result<(), DelotetStatus
         step(status, &mut error)?;
         let status = delotet_plc_add_hole(plc, [2.0, 2.0, 2.0].as_ptr(), &mut error);
         step(status, &mut error)?;
+        let status = delotet_plc_set_point_sizes(plc, [0.5; 8].as_ptr(), 8, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_set_facet_size(plc, 3, 0.25, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_set_segment_size(plc, 9, 0.25, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_set_region_size(plc, 3.0, 0.25, &mut error);
+        step(status, &mut error)?;
+        let status = delotet_plc_add_points(plc, [0.5; 3].as_ptr(), 1, null_mut(), &mut error);
+        step(status, &mut error)?;
         hash.bytes(&delotet_plc_facet_count(plc).to_le_bytes());
     }
     Ok(())
@@ -611,6 +626,19 @@ fn jobs() -> Vec<Job> {
             jobs.push(Job { model, mode, change, runs, ..Job::new(name, meshing) });
         }
     }
+    jobs.push(Job {
+        model: "internal.smesh",
+        mode: DELOTET_MODE_PRESERVE,
+        // SAFETY: the options are alive and nothing else uses them.
+        change: |o| unsafe {
+            assert_eq!(delotet_options_set_quality(o, 2.0, null_mut()), DelotetStatus::Ok);
+            assert_eq!(delotet_options_set_optimize(o, 1, null_mut()), DelotetStatus::Ok);
+            let status = delotet_options_set_size_function(o, Some(no_wish), null_mut(), null_mut());
+            assert_eq!(status, DelotetStatus::Ok);
+        },
+        runs: RUNS_PER_MESH,
+        ..Job::new("mesh internal.smesh, preserve, filled and optimised", meshing)
+    });
     jobs.push(Job {
         mode: DELOTET_MODE_DELAUNAY,
         // SAFETY: the options are alive and nothing else uses them.

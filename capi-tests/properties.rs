@@ -50,6 +50,7 @@ fn preserve(plc: &Plc, options: &Options, constrained: &TetMesh) -> Result<(), T
         return Err(TestCaseError::fail(format!("preserve: {error}: {:?}\n{plc:?}", error.defects)));
     }
     prop_assert_eq!(kept.regions.len(), constrained.regions.len());
+    filled(plc, &options, &kept)?;
     let options = Options { preserve: Preserve::Outer, ..options };
     match tetrahedralize(plc, &options, &mut Silent) {
         Ok(outer) => {
@@ -63,6 +64,41 @@ fn preserve(plc: &Plc, options: &Options, constrained: &TetMesh) -> Result<(), T
         Err(error) if error.status == Status::Rounding => {}
         Err(error) => {
             return Err(TestCaseError::fail(format!("outer: {error}: {:?}\n{plc:?}", error.defects)))
+        }
+    }
+    Ok(())
+}
+
+/// The same filled with points and optimised: still the surface, the regions and their volumes, whatever is asked for.
+fn filled(plc: &Plc, options: &Options, kept: &TetMesh) -> Result<(), TestCaseError> {
+    let size = kept.points.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs())) / 4.0;
+    for (quality, size, max_volume) in
+        [(Some(2.0), None, None), (None, Some(size), Some(size * size * size / 8.0))]
+    {
+        let asked = Options { quality, size, max_volume, optimize: 1, ..options.clone() };
+        let filled = match tetrahedralize(plc, &asked, &mut Silent) {
+            Ok(filled) => filled,
+            Err(error) => {
+                return Err(TestCaseError::fail(format!(
+                    "filled: {error}: {:?}\n{asked:?}\n{plc:?}",
+                    error.defects
+                )))
+            }
+        };
+        if let Err(error) = check_preserved(plc, &filled, 10) {
+            return Err(TestCaseError::fail(format!(
+                "filled: {error}: {:?}\n{asked:?}\n{plc:?}",
+                error.defects
+            )));
+        }
+        prop_assert_eq!(filled.regions.len(), kept.regions.len());
+        let of = |mesh: &TetMesh, region: u32| -> f64 {
+            let tets = mesh.tets.iter().zip(&mesh.tet_region).filter(|x| *x.1 == region);
+            tets.map(|x| volume6_of(mesh, x.0)).sum()
+        };
+        for region in 0..kept.regions.len() as u32 {
+            let (before, after) = (of(kept, region), of(&filled, region));
+            prop_assert!((before - after).abs() <= 1e-9 * before, "{} {}", before, after);
         }
     }
     Ok(())
@@ -123,13 +159,15 @@ fn add_box(plc: &mut Plc, low: Point, high: Point, marker: i32) {
 
 /// Six times the volume of a mesh of integer points: exact in doubles while small.
 fn volume6(mesh: &TetMesh) -> f64 {
-    let det = |t: &[u32; 4]| {
-        let p = t.map(|v| mesh.points[v as usize]);
-        let [a, b, c] = [1, 2, 3].map(|i| [0, 1, 2].map(|k| p[i][k] - p[0][k]));
-        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
-            + a[2] * (b[0] * c[1] - b[1] * c[0])
-    };
-    mesh.tets.iter().map(det).sum()
+    mesh.tets.iter().map(|t| volume6_of(mesh, t)).sum()
+}
+
+/// That of one tetrahedron.
+fn volume6_of(mesh: &TetMesh, t: &[u32; 4]) -> f64 {
+    let p = t.map(|v| mesh.points[v as usize]);
+    let [a, b, c] = [1, 2, 3].map(|i| [0, 1, 2].map(|k| p[i][k] - p[0][k]));
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
 proptest! {

@@ -5,7 +5,7 @@
 
 The tool is ../shared/tools/quality.py (numpy, scipy); where it is absent, that is said and nothing is compared. Where this Python has no
 numpy and scipy, the system's runs the comparison with Debian's packages. Models are surfaces of triangles, kept as they are (`--mode
-preserve`), so that the tool knows the inside from the mesh itself. Compared are the worst values, the counts below its thresholds, and every
+preserve`), plain and filled, so that the tool knows the inside from the mesh itself. Compared are the worst values, the counts below its thresholds, and every
 tetrahedron's measures. The tool's own rule for tetrahedra to leave out is coarser than ours (any edge on a narrow wedge, and needles of the
 surface), so all of ours must be among its.
 """
@@ -33,12 +33,12 @@ def near(a, b, error=1e-9):
     return abs(a - b) <= error * max(abs(a), abs(b), 1e-300)
 
 
-def faults(model, binary, tool, folder):
+def faults(model, binary, tool, folder, filling):
     """What differs for one model, and how many tetrahedra its mesh has."""
     path = lambda name: os.path.join(folder, name)
     # The tool reads no .ply; .off holds all coordinates.
     subprocess.run([binary, "convert", model, "-o", path("in.off")], check=True, capture_output=True)
-    run = [binary, "mesh", path("in.off"), "--mode", "preserve", "--quiet"]
+    run = [binary, "mesh", path("in.off"), "--mode", "preserve", "--quiet", *filling]
     subprocess.run(run + ["-o", path("m.ele"), "--stats", path("s.json")], check=True)
     subprocess.run(run + ["-o", path("m.vtu"), "--quality-data"], check=True)
     command = [sys.executable, TOOL, path("in.off"), path("m.ele"), "--kept", path("m.ele"), "--json"]
@@ -91,13 +91,14 @@ def main():
     import quality as tool
     good = 0
     models = args.models or [os.path.join(ROOT, "capi-tests", "data", name) for name in MODELS]
-    for model in models:
+    cases = [(model, filling) for model in models for filling in ([], ["--quality", "--optimize"])]
+    for model, filling in cases:
         with tempfile.TemporaryDirectory() as folder:
-            bad, count = faults(model, os.path.abspath(args.bin), tool, folder)
+            bad, count = faults(model, os.path.abspath(args.bin), tool, folder, filling)
         good += not bad
-        print(f"{os.path.basename(model)}: {count} tetrahedra: {'; '.join(bad) or 'as there'}")
-    print(f"{good} of {len(models)} ok")
-    return good != len(models)
+        print(f"{os.path.basename(model)} {' '.join(filling)}: {count} tetrahedra: {'; '.join(bad) or 'as there'}")
+    print(f"{good} of {len(cases)} ok")
+    return good != len(cases)
 
 
 if __name__ == "__main__":

@@ -43,6 +43,7 @@ for set in uniform:1000 uniform:10000 uniform:100000 uniform:1000000 clustered:1
 done
 step "comparison" python3 capi-tests/compare_peers.py --bin "$bin" --write --tsv "$out/compare.tsv"
 step "comparison, facets merged" python3 capi-tests/compare_peers.py --merge-facets --bin "$bin" --write --tsv "$out/compare-merged.tsv"
+step "sizes and shapes" python3 capi-tests/quality_figures.py --bin "$bin" --set clean --tetgen
 step "comparison, surface preserved" python3 capi-tests/compare_peers.py --mode preserve --bin "$bin" --write --tsv "$out/compare-preserve.tsv"
 step "surface preserved, counts and the exact check" python3 capi-tests/preserve_figures.py corpus --tetgen --bin "$bin" --write --tsv "$out/preserve-counts.tsv"
 for figure in classics chazelle growth; do

@@ -14,12 +14,14 @@
 //! ```text
 //! rim       ffi  cli  io  query  check       the C interface, the program, files, queries and audits of finished meshes
 //! plan                                       the pipeline and its retries: the only place that knows the order
-//! stages    preserve  rounding               the surface as it was (recover/, release/, settle); doubles for implicit points
+//! stages    fill  optimise                   points inside by size; better angles
+//!           preserve  rounding               the surface as it was (recover/, release/, settle); doubles for implicit points
 //!           domain                           carving, holes, regions
 //!           facets                           D1 → D2: every facet a union of faces
 //!           segments                         D0 → D1: every segment a union of edges
 //!           delaunay                         D0: the Delaunay tetrahedralization of the points
 //!           plc                              the input: validation, polygons, merging → Surface
+//! size                                       which edge length is wanted where
 //! ops                                        local operations on a few tetrahedra: reconnection, sheets, insertion, positions
 //! kernel                                     tetrahedra and their adjacency: topology alone, no coordinates
 //! predicates                                 signs
@@ -48,6 +50,7 @@ pub mod error;
 mod facets;
 mod fallible;
 pub mod ffi;
+mod fill;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod internals;
@@ -55,6 +58,7 @@ pub mod internals;
 pub mod io;
 mod kernel;
 mod ops;
+mod optimise;
 pub mod options;
 pub mod output;
 mod panics;
@@ -66,6 +70,7 @@ pub mod progress;
 pub mod query;
 mod rounding;
 mod segments;
+mod size;
 mod threads;
 mod vector;
 pub mod warning;
@@ -73,13 +78,13 @@ pub mod warning;
 pub use check::{check_guarantee, check_mesh, check_preserved, check_preserved_outer};
 pub use control::{controlled, CancelToken, Control, Limits};
 pub use error::{Defect, DefectKind, Element, Error, Status};
-pub use options::{Mode, MshVersion, Options, Preserve, RegionName, WriteOptions};
+pub use options::{Mode, MshVersion, Options, Preserve, RegionName, SizeFunction, WriteOptions};
 pub use output::{
     Dropped, FacetFlip, Guarantee, PreserveStatistics, Region, Statistics, SteinerPoint, SteinerTerm,
     Subface, Subsegment, TetMesh,
 };
 pub use plan::{tetrahedralize, tetrahedralize_with};
-pub use plc::{Facet, Interior, MarkerName, Plc, RegionSeed, Segment};
+pub use plc::{Facet, Interior, MarkerName, MarkerSize, Plc, RegionSeed, RegionSize, Segment, Sizes};
 pub use progress::{Observer, Phase, Silent};
 pub use warning::{Warning, WarningKind, Warnings};
 

@@ -1,7 +1,9 @@
 //! The settings of a run and of a writer, with their defaults.
 use crate::control::{CancelToken, Limits};
-use crate::error::Error;
+use crate::error::{Error, Status};
 use crate::fallible;
+use std::fmt;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// What is made from the input.
@@ -29,6 +31,86 @@ pub enum Preserve {
     Outer,
 }
 
+/// A function that gives the edge length wanted at a point (x, y, z): positive; infinite where it has no wish. What it returns as an error
+/// ends the run with that error; NaN, zero and negative lengths end it with
+/// [`Status::InvalidArgument`]. It is called on the thread that called for the mesh, in the same order in
+/// every run, once or more for a point.
+pub struct SizeFunction(Kept);
+
+/// What a [`SizeFunction`] calls.
+type Wanted = dyn Fn([f64; 3]) -> Result<f64, Error> + Send + Sync;
+
+/// How a [`SizeFunction`] has its function.
+enum Kept {
+    Shared(Arc<Wanted>),
+    /// For the C API: an `Arc` would abort the process if memory ran out.
+    Borrowed(&'static Wanted),
+}
+
+impl SizeFunction {
+    /// Wraps a function.
+    #[expect(clippy::disallowed_methods, reason = "for callers; the library itself never calls it")]
+    pub fn new(function: impl Fn([f64; 3]) -> Result<f64, Error> + Send + Sync + 'static) -> SizeFunction {
+        SizeFunction(Kept::Shared(Arc::new(function)))
+    }
+
+    /// A function that somebody else keeps.
+    pub(crate) fn borrowed(function: &'static Wanted) -> SizeFunction {
+        SizeFunction(Kept::Borrowed(function))
+    }
+
+    /// The same function.
+    #[expect(clippy::disallowed_methods, reason = "a count goes up, nothing is allocated")]
+    pub(crate) fn shared(&self) -> SizeFunction {
+        SizeFunction(match &self.0 {
+            Kept::Shared(function) => Kept::Shared(Arc::clone(function)),
+            Kept::Borrowed(function) => Kept::Borrowed(*function),
+        })
+    }
+
+    fn get(&self) -> &Wanted {
+        match &self.0 {
+            Kept::Shared(function) => &**function,
+            Kept::Borrowed(function) => function,
+        }
+    }
+
+    /// The length wanted at a point.
+    ///
+    /// # Errors
+    /// What the function returns, and `InvalidArgument` for what is no length.
+    pub fn at(&self, point: [f64; 3]) -> Result<f64, Error> {
+        let length = self.get()(point)?;
+        if length > 0.0 {
+            return Ok(length);
+        }
+        let [x, y, z] = point;
+        Err(Error::new(
+            Status::InvalidArgument,
+            format_args!("the size function gives {length} at ({x}, {y}, {z}): a positive length is needed"),
+        ))
+    }
+}
+
+impl Clone for SizeFunction {
+    fn clone(&self) -> SizeFunction {
+        self.shared()
+    }
+}
+
+/// Equal if it is the same function object.
+impl PartialEq for SizeFunction {
+    fn eq(&self, other: &SizeFunction) -> bool {
+        std::ptr::addr_eq(self.get(), other.get())
+    }
+}
+
+impl fmt::Debug for SizeFunction {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("SizeFunction")
+    }
+}
+
 /// Settings of a run. `Options::default()` has the defaults that the field docs give.
 #[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq)]
@@ -43,40 +125,62 @@ pub struct Options {
     /// to be Delaunay on the surface before meshing. Default: None (off).
     pub merge_facets: Option<f64>,
     /// Look for self-intersections and all other defects before meshing. Default: true. Without it an invalid PLC may cause
-    /// [`Status::Internal`](crate::Status::Internal).
+    /// [`Status::Internal`].
     pub validate: bool,
     /// How many defects an error lists at most, and how many warnings of each kind a mesh lists. Default: 1000.
     pub max_defects: usize,
     /// The number of worker threads; 0: one per processor available to the process. The mesh is the same for any number. Default: 1.
     pub threads: usize,
-    /// Fail with [`Status::SteinerLimit`](crate::Status::SteinerLimit) if the mesh needs more Steiner points than this; those that
+    /// Fail with [`Status::SteinerLimit`] if the mesh needs more Steiner points than this; those that
     /// [`Mode::Preserve`] removes again count where it starts from the constrained Delaunay tetrahedralization. Default: None, which means
-    /// 100,000 plus 100 per segment, many times what any model has needed.
+    /// 100,000 plus 100 per segment, many times what any model has needed; points of filling count only against a limit that is given.
     pub steiner_limit: Option<u64>,
-    /// Fail with [`Status::TimeLimit`](crate::Status::TimeLimit) after this time, counted from the call. Default: None (no limit).
+    /// Fail with [`Status::TimeLimit`] after this time, counted from the call. Default: None (no limit).
     pub time_limit: Option<Duration>,
-    /// Fail with [`Status::MemoryLimit`](crate::Status::MemoryLimit) before the resident memory of the process has grown by more than this
+    /// Fail with [`Status::MemoryLimit`] before the resident memory of the process has grown by more than this
     /// many bytes since the call. Concurrent runs and the host's other threads count, since only the whole process is measured. What
     /// is taken between two readings may exceed it. Linux only: other systems count only the large tables of the engine. Default: None (no limit).
     pub memory_limit: Option<u64>,
-    /// Fail with [`Status::Cancelled`](crate::Status::Cancelled) once this token is cancelled. Default: None.
+    /// Fail with [`Status::Cancelled`] once this token is cancelled. Default: None.
     pub cancel: Option<CancelToken>,
     /// Return the mesh even if some Steiner points have no valid position in doubles, instead of failing with
-    /// [`Status::Rounding`](crate::Status::Rounding). [`TetMesh::crowded`](crate::TetMesh::crowded) lists these points; tetrahedra at them
+    /// [`Status::Rounding`]. [`TetMesh::crowded`](crate::TetMesh::crowded) lists these points; tetrahedra at them
     /// may be flat or inverted in doubles; [`TetMesh::steiner`](crate::TetMesh::steiner) gives the exact mesh. Default: false.
     pub exact_form: bool,
     /// Leave out points that belong to no tetrahedron: those that equal an earlier one, and those around which everything was carved. Input
     /// points then have other indices in the mesh; [`TetMesh::dropped`](crate::TetMesh::dropped) maps them. Unmeshed subfaces and
     /// subsegments are not listed, since their points are dropped; warnings about them remain. Default: false.
     pub drop_unmeshed_points: bool,
+    /// The largest edge length wanted anywhere inside: with [`Mode::Preserve`] the mesh is filled with points. The smallest of all sizes
+    /// counts: this one, those of the input ([`Plc::sizes`](crate::Plc::sizes)), [`Options::size_function`], the lengths of the surface, and
+    /// what follows from them by [`Options::gradation`]. Positive and finite. Default: None.
+    pub size: Option<f64>,
+    /// The largest volume of a tetrahedron, with [`Mode::Preserve`]: none is above it, but for some over triangles of the kept surface that
+    /// are too large for it. Bounds of regions ([`RegionSeed::max_volume`](crate::RegionSeed::max_volume)) count beside it once the mesh is
+    /// filled. Positive and finite. Default: None.
+    pub max_volume: Option<f64>,
+    /// How fast sizes may grow: by at most this times the distance. More than 0, at most 1. Default: 0.3.
+    pub gradation: f64,
+    /// The edge length wanted at a point, asked for wherever one may come. Default: None.
+    pub size_function: Option<SizeFunction>,
+    /// Fill the mesh with points until no tetrahedron's circumradius is more than this many of its shortest edge, where the surface allows
+    /// it; without other sizes those of the surface count, and grow inwards. At least 1.2. Default: None (off).
+    pub quality: Option<f64>,
+    /// The effort to optimise the smallest dihedral angles: 0 none, 1 as much as pays, larger numbers take longer and find more.
+    /// Default: 0.
+    pub optimize: u32,
     /// The points are already in a spatially coherent order: skip sorting. Default: false.
     pub points_sorted: bool,
 }
 
 impl Options {
-    /// A copy: no setting owns memory but the token, which is shared.
+    /// A copy: no setting owns memory but the token and the function, which are shared.
     pub(crate) fn copied(&self) -> Options {
-        Options { cancel: self.cancel.as_ref().map(CancelToken::shared), ..*self }
+        Options {
+            cancel: self.cancel.as_ref().map(CancelToken::shared),
+            size_function: self.size_function.as_ref().map(SizeFunction::shared),
+            ..*self
+        }
     }
 
     /// What ends a run.
@@ -114,6 +218,12 @@ impl Default for Options {
             cancel: None,
             exact_form: false,
             drop_unmeshed_points: false,
+            size: None,
+            max_volume: None,
+            gradation: 0.3,
+            size_function: None,
+            quality: None,
+            optimize: 0,
             points_sorted: false,
         }
     }
@@ -180,7 +290,7 @@ impl WriteOptions {
     /// Names the regions with an attribute.
     ///
     /// # Errors
-    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    /// [`Status::OutOfMemory`].
     pub fn set_region_name(&mut self, attribute: f64, name: &str) -> Result<(), Error> {
         let kept = fallible::copied_text(name)?;
         match self.region_names.iter_mut().find(|n| n.attribute == attribute) {

@@ -128,7 +128,7 @@ pub struct PreserveStatistics {
     pub deleted: u64,
     /// Points on the surface replaced by points inside.
     pub relocated: u64,
-    /// Points added inside that remain in the mesh.
+    /// Points added inside for the surface that remain in the mesh, without those of filling and optimisation.
     pub interior: u64,
     /// Points left on internal facets and segments ([`Preserve::Outer`](crate::Preserve::Outer)).
     pub on_internal_facets: u64,

@@ -22,7 +22,7 @@ pub enum WarningKind {
     RepeatedSeed,
     /// A hole seed lies outside the domain and has no effect.
     HoleOutside,
-    /// A region has a volume bound, which is kept but not applied: there is no refinement yet.
+    /// A region has a volume bound, which has no effect unless the mesh is filled with points.
     UnusedVolume,
     /// A polygon is out of plane by more than rounding; it was triangulated.
     NonPlanarFacet,
@@ -92,8 +92,8 @@ impl WarningKind {
                 "hole seeds lie outside the domain and have no effect",
             ],
             WarningKind::UnusedVolume => [
-                "region has a volume bound, which has no effect yet",
-                "regions have a volume bound, which has no effect yet",
+                "region has a volume bound, which has no effect unless the mesh is filled with points",
+                "regions have a volume bound, which has no effect unless the mesh is filled with points",
             ],
             WarningKind::NonPlanarFacet => [
                 "polygon is not planar; it was triangulated",

@@ -33,6 +33,8 @@ static delotet::Options options_of(const std::string &mode)
         options.mode(delotet::Mode::delaunay);
     else if (mode == "preserve")
         options.mode(delotet::Mode::preserve);
+    else if (mode == "fill")
+        options.mode(delotet::Mode::preserve).quality(2).optimize(1);
     else if (mode == "merge")
         options.merge_facets(179.9);
     return options;

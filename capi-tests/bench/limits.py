@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How soon cancelled runs end, and how far runs go beyond a limit on memory.
 
-  limits.py MODEL... [--modes delaunay,cdt,merge,preserve] [--stops 50] [--seed 1] [--memory 10] [--folder DIR]
+  limits.py MODEL... [--modes delaunay,cdt,merge,preserve,fill] [--stops 50] [--seed 1] [--memory 10] [--folder DIR]
 
 Every model is meshed in every mode and cancelled from another thread at random moments: a line tells the whole run's seconds, how many runs
 were stopped, the mean and the largest time from the cancelling to the return, and the phase of the largest. Then it is meshed with
@@ -39,7 +39,7 @@ def numbers(command):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("models", nargs="+")
-    parser.add_argument("--modes", default="delaunay,cdt,merge,preserve")
+    parser.add_argument("--modes", default="delaunay,cdt,merge,preserve,fill")
     parser.add_argument("--stops", type=int, default=50)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--memory", type=int, default=10)

@@ -73,6 +73,45 @@ static inline DelotetPlc *cube(void)
     return plc;
 }
 
+/* A box from 0 to GRID whose sides are cut into unit squares of two triangles each, so that there is room inside; sides have markers 1 to 6. */
+#define GRID 6
+static inline DelotetPlc *grid_box(void)
+{
+    enum { LINE = GRID + 1, POINTS = 6 * GRID * GRID + 2 };
+    static const int step[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    double xyz[3 * POINTS] = {0};
+    uint32_t index[LINE][LINE][LINE] = {{{0}}}, count = 0, corners[3] = {0};
+    DelotetPlc *plc = NULL;
+    int at[3], side, i, j, k;
+    for (at[0] = 0; at[0] < LINE; at[0]++)
+        for (at[1] = 0; at[1] < LINE; at[1]++)
+            for (at[2] = 0; at[2] < LINE; at[2]++) {
+                int inside = 1;
+                for (i = 0; i < 3; i++)
+                    inside &= at[i] > 0 && at[i] < GRID;
+                if (inside)
+                    continue;
+                for (i = 0; i < 3; i++)
+                    xyz[3 * count + (uint32_t)i] = at[i];
+                index[at[0]][at[1]][at[2]] = count++;
+            }
+    CHECK(count == POINTS);
+    OK(delotet_plc_new(xyz, count, &plc, &error));
+    for (side = 0; side < 6; side++)
+        for (i = 0; i < GRID; i++)
+            for (j = 0; j < GRID; j++)
+                for (k = 0; k < 6; k++) {
+                    const int32_t marker = side + 1;
+                    at[side / 2] = side % 2 * GRID;
+                    at[(side / 2 + 1) % 3] = i + step[k][0];
+                    at[(side / 2 + 2) % 3] = j + step[k][1];
+                    corners[k % 3] = index[at[0]][at[1]][at[2]];
+                    if (k % 3 == 2)
+                        OK(delotet_plc_add_triangles(plc, corners, &marker, 1, &error));
+                }
+    return plc;
+}
+
 /* A box from 0 to 3 around a box from 1 to 2; the outer one has marker 7, the inner one 8. */
 static inline DelotetPlc *nested_boxes(void)
 {
@@ -210,6 +249,17 @@ static inline double volume(const DelotetMesh *mesh)
         sum += volume_of(points.data, tets.data + 4 * i);
     }
     return sum;
+}
+
+/* The number of points of the mesh of a grid_box() in DELOTET_MODE_PRESERVE, whose surface must be kept. */
+static inline size_t points_in_grid(const DelotetPlc *plc, const DelotetOptions *options)
+{
+    DelotetMesh *mesh = mesh_with(plc, options);
+    size_t count = delotet_mesh_points(mesh).count;
+    OK(delotet_mesh_check_preserved(mesh, plc, 10, &error));
+    CHECK(fabs(volume(mesh) - GRID * GRID * GRID) < 1e-9);
+    delotet_mesh_free(mesh);
+    return count;
 }
 
 static inline int near(double a, double b)

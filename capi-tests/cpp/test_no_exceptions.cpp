@@ -19,6 +19,9 @@ int main()
     options.on_progress([&](delotet::Phase, double) { return ++calls > 0; });
     CHECK(options.merge_facets(17, error) == DELOTET_STATUS_INVALID_ARGUMENT && error && error.message()[0] != '\0');
     CHECK(options.merge_facets() == 0);
+    CHECK(options.size(-1, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.size() == 0);
+    CHECK(options.size_function([](const Point &) { return 1.0; }, error) == DELOTET_STATUS_OK && options.size_function());
+    CHECK(options.size_function(nullptr, error) == DELOTET_STATUS_OK);
     CHECK(options.threads(2, error) == DELOTET_STATUS_OK && !error && options.threads() == 2);
     delotet::Mesh mesh;
     CHECK(delotet::tetrahedralize(plc, options, mesh, error) == DELOTET_STATUS_OK && calls > 0);

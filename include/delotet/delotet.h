@@ -399,7 +399,7 @@ typedef enum DelotetWarningKind {
      */
     DELOTET_WARNING_KIND_HOLE_OUTSIDE = 7,
     /**
-     * A region has a volume bound, which is kept but not applied: there is no refinement yet.
+     * A region has a volume bound, which has no effect unless the mesh is filled with points (delotet_options_set_size()).
      */
     DELOTET_WARNING_KIND_UNUSED_VOLUME = 8,
     /**
@@ -672,6 +672,15 @@ typedef struct DelotetIndicesView {
  * How the rings of a facet bound it: one of the DELOTET_FACET_RULE_ constants.
  */
 typedef uint32_t DelotetFacetRule;
+
+/**
+ * Gives the edge length wanted at a point. `point`: its x y z, valid only during the callback. `size`: receives the length, positive or
+ * infinite; infinite, which it is before the call, is no wish. Return 0 to continue, anything else to cancel: the call then fails with
+ * DELOTET_STATUS_CANCELLED; NaN, zero and negative lengths end it with DELOTET_STATUS_INVALID_ARGUMENT. Called on the thread that made
+ * the call, once or more for a point, in the same order in every run. The same point must always get the same length: otherwise the mesh
+ * is another one in every run. Must not throw, must not longjmp, and must not use the handles of the call.
+ */
+typedef int32_t (*DelotetSizeFunction)(void *user_data, const double *point, double *size);
 
 /**
  * Borrowed quadruples of indices, one per tetrahedron; NULL and 0 if there are none.
@@ -982,7 +991,7 @@ typedef struct DelotetStats {
      */
     uint64_t preserve_relocated;
     /**
-     * Points added inside that remain in the mesh.
+     * Points added inside for the surface that remain in the mesh, without those of filling and optimisation.
      */
     uint64_t preserve_interior;
     /**
@@ -1539,7 +1548,8 @@ enum DelotetStatus delotet_options_set_threads(struct DelotetOptions *options,
 
 /**
  * Fail with DELOTET_STATUS_STEINER_LIMIT if the mesh needs more Steiner points than this; those that DELOTET_MODE_PRESERVE removes again
- * count where it starts from the constrained Delaunay tetrahedralization. UINT64_MAX, the default: 100,000 plus 100 per segment.
+ * count where it starts from the constrained Delaunay tetrahedralization. UINT64_MAX, the default: 100,000 plus 100 per segment, and no
+ * limit on points of filling.
  * Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
@@ -1960,7 +1970,7 @@ enum DelotetStatus delotet_plc_add_hole(struct DelotetPlc *plc,
 
 /**
  * Adds a region: the tetrahedra reachable from the point `seed` (x y z) without crossing a facet get `attribute`. `max_volume`: bound on
- * the volume of a tetrahedron there, passed on to delotet_mesh_regions(); none if it is not positive.
+ * the volume of a tetrahedron there, kept once the mesh is filled (delotet_options_set_quality() and others); none if it is not positive.
  * Errors: INVALID_ARGUMENT (NULL or NaN), OUT_OF_MEMORY. Whether the seed lies inside is checked later.
  */
 DELOTET_API
@@ -2094,6 +2104,170 @@ const char *delotet_plc_marker_name(const struct DelotetPlc *plc,
 DELOTET_API
 int32_t delotet_plc_named_marker(const struct DelotetPlc *plc,
                                  size_t index);
+
+/**
+ * Sets the largest edge length wanted anywhere inside, in the units of the coordinates: the mesh is filled with points. The smallest of all
+ * sizes counts: this one, those of the input (delotet_plc_set_point_sizes() and so on), that of the size function, and what follows from the
+ * lengths of the kept surface, which is not refined, and the gradation. Offered in DELOTET_MODE_PRESERVE only so far: with other modes
+ * delotet_tetrahedralize() fails with INVALID_ARGUMENT. 0, the default: off. Errors: INVALID_ARGUMENT (negative or not finite).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_size(struct DelotetOptions *options,
+                                            double size,
+                                            struct DelotetError **out_error);
+
+/**
+ * The largest edge length wanted inside, 0 if there is none, as set by delotet_options_set_size().
+ */
+DELOTET_API double delotet_options_size(const struct DelotetOptions *options);
+
+/**
+ * Sets the largest volume of a tetrahedron, in cubed units of the coordinates: the mesh is filled with points until none is above it where
+ * the kept surface allows that. The bounds of regions (delotet_plc_add_region()) count beside it once the mesh is filled. Modes as for
+ * delotet_options_set_size(). 0, the default: off. Errors: INVALID_ARGUMENT (negative or not finite).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_max_volume(struct DelotetOptions *options,
+                                                  double volume,
+                                                  struct DelotetError **out_error);
+
+/**
+ * The largest volume of a tetrahedron, 0 if there is no bound, as set by delotet_options_set_max_volume().
+ */
+DELOTET_API double delotet_options_max_volume(const struct DelotetOptions *options);
+
+/**
+ * Sets how fast sizes may grow: by at most this many times the distance. More than 0, at most 1. Has an effect only where the mesh is
+ * filled. Default: 0.3. Errors: INVALID_ARGUMENT (other values).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_gradation(struct DelotetOptions *options,
+                                                 double gradation,
+                                                 struct DelotetError **out_error);
+
+/**
+ * How fast sizes may grow, as set by delotet_options_set_gradation().
+ */
+DELOTET_API double delotet_options_gradation(const struct DelotetOptions *options);
+
+/**
+ * Fill the mesh with points until no tetrahedron's circumradius is more than `ratio` times its shortest edge, where the kept surface allows
+ * that. Without other sizes those of the surface count, and grow inwards by the gradation. At least 1.2; 2 is a good value. Modes as for
+ * delotet_options_set_size(). 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1.2, or not finite).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_quality(struct DelotetOptions *options,
+                                               double ratio,
+                                               struct DelotetError **out_error);
+
+/**
+ * The largest radius-edge ratio wanted, 0 if there is no bound, as set by delotet_options_set_quality().
+ */
+DELOTET_API double delotet_options_quality(const struct DelotetOptions *options);
+
+/**
+ * Sets the effort to optimise the smallest dihedral angles: 0, the default, is none, 1 is as much as pays, larger numbers take longer and
+ * find more. Modes as for delotet_options_set_size(). Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_optimize(struct DelotetOptions *options,
+                                                uint32_t effort,
+                                                struct DelotetError **out_error);
+
+/**
+ * The effort of optimisation, as set by delotet_options_set_optimize().
+ */
+DELOTET_API uint32_t delotet_options_optimize(const struct DelotetOptions *options);
+
+/**
+ * Sets the function that gives the edge length wanted at a point; `user_data` is passed to it unchanged. It is one size among the others:
+ * see delotet_options_set_size(), also for modes. NULL, the default: none. Errors: INVALID_ARGUMENT (options is NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_size_function(struct DelotetOptions *options,
+                                                     DelotetSizeFunction function,
+                                                     void *user_data,
+                                                     struct DelotetError **out_error);
+
+/**
+ * The size function, NULL if there is none, as set by delotet_options_set_size_function().
+ * `out_user_data`: NULL, or receives the pointer that was set with it (NULL without a function).
+ */
+DELOTET_API
+DelotetSizeFunction delotet_options_size_function(const struct DelotetOptions *options,
+                                                  void **out_user_data);
+
+/**
+ * Sets the edge length wanted at each point, replacing earlier ones; points that are added later have none.
+ * `sizes`: one per point, positive, infinite where there is no wish; copied; may be NULL if `count` is 0. `count`: the number of points, or
+ * 0, which removes all. Sizes are wishes for filling (delotet_options_set_size()): by themselves they fill nothing. Errors:
+ * INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_point_sizes(struct DelotetPlc *plc,
+                                               const double *sizes,
+                                               size_t count,
+                                               struct DelotetError **out_error);
+
+/**
+ * The sizes of the points: #points by 1 double, or none at all. Borrowed from `plc`: valid until it is changed or freed. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetDoublesView delotet_plc_point_sizes(const struct DelotetPlc *plc);
+
+/**
+ * Sets the edge length wanted at the facets with a marker, replacing an earlier one. `size`: positive; infinite removes it. As a wish for
+ * filling: see delotet_plc_set_point_sizes(). Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_facet_size(struct DelotetPlc *plc,
+                                              int32_t marker,
+                                              double size,
+                                              struct DelotetError **out_error);
+
+/**
+ * The edge length wanted at the facets with a marker; infinite if there is none, and for NULL.
+ */
+DELOTET_API double delotet_plc_facet_size(const struct DelotetPlc *plc, int32_t marker);
+
+/**
+ * Sets the edge length wanted at the segments with a marker; otherwise as delotet_plc_set_facet_size().
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_segment_size(struct DelotetPlc *plc,
+                                                int32_t marker,
+                                                double size,
+                                                struct DelotetError **out_error);
+
+/**
+ * The edge length wanted at the segments with a marker; infinite if there is none, and for NULL.
+ */
+DELOTET_API double delotet_plc_segment_size(const struct DelotetPlc *plc, int32_t marker);
+
+/**
+ * Sets the edge length wanted in the regions with an attribute (delotet_plc_add_region()); otherwise as delotet_plc_set_facet_size().
+ * Errors: INVALID_ARGUMENT (also for an attribute that is NaN), OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_region_size(struct DelotetPlc *plc,
+                                               double attribute,
+                                               double size,
+                                               struct DelotetError **out_error);
+
+/**
+ * The edge length wanted in the regions with an attribute; infinite if there is none, and for NULL.
+ */
+DELOTET_API double delotet_plc_region_size(const struct DelotetPlc *plc, double attribute);
 
 /**
  * All points: the input points first, bit for bit and in input order, then the Steiner points. Borrowed from `mesh`: valid until

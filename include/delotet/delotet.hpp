@@ -418,6 +418,8 @@ inline Span<const double> quality_bin_edges(QualityMeasure measure) noexcept
 using ProgressFunction = std::function<bool(Phase phase, double fraction)>;
 /// Receives a line of text.
 using LogFunction = std::function<void(const char *message)>;
+/// Gives the edge length wanted at a point: positive, infinite for no wish. The same point must always get the same length.
+using SizeFunction = std::function<double(const Point &point)>;
 
 namespace detail {
 
@@ -484,8 +486,8 @@ template <class Call> void require(Call &&call)
 /// threads may use the same options at the same time.
 class Running {
   public:
-    Running(const ProgressFunction &progress, const LogFunction &log) noexcept
-        : progress_(progress), log_(log), outer_(current())
+    Running(const ProgressFunction &progress, const LogFunction &log, const SizeFunction *size) noexcept
+        : progress_(progress), log_(log), size_(size), outer_(current())
     {
         current() = this;
     }
@@ -507,6 +509,14 @@ class Running {
         Running *self = current();
         if (self && self->log_ && !self->failed())
             self->guarded([&] { self->log_(message); });
+    }
+    static std::int32_t size(void *, const double *point, double *size) noexcept
+    {
+        Running *self = current();
+        if (!self || !self->size_ || !*self->size_)
+            return 0; // No wish.
+        self->guarded([&] { *size = (*self->size_)(Point{point[0], point[1], point[2]}); });
+        return self->failed();
     }
     /// Rethrows what a callback threw.
     void rethrow()
@@ -549,6 +559,7 @@ class Running {
 
     const ProgressFunction &progress_;
     const LogFunction &log_;
+    const SizeFunction *size_;
     Running *outer_;
 #if DELOTET_EXCEPTIONS
     std::exception_ptr thrown_;
@@ -662,6 +673,45 @@ class Options {
         return change(error, [&](DelotetError **e) { return delotet_options_set_points_sorted(get(), on, e); });
     }
     bool points_sorted() const noexcept { return delotet_options_points_sorted(get()); }
+    /// `length`: 0 for none.
+    Status size(double length, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_size(get(), length, e); });
+    }
+    double size() const noexcept { return delotet_options_size(get()); }
+    /// `volume`: 0 for no bound.
+    Status max_volume(double volume, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_max_volume(get(), volume, e); });
+    }
+    double max_volume() const noexcept { return delotet_options_max_volume(get()); }
+    Status gradation(double slope, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_gradation(get(), slope, e); });
+    }
+    double gradation() const noexcept { return delotet_options_gradation(get()); }
+    /// `ratio`: at least 1.2, or 0 for no bound.
+    Status quality(double ratio, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_quality(get(), ratio, e); });
+    }
+    double quality() const noexcept { return delotet_options_quality(get()); }
+    /// `effort`: 0 for none.
+    Status optimize(std::uint32_t effort, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_optimize(get(), effort, e); });
+    }
+    std::uint32_t optimize() const noexcept { return delotet_options_optimize(get()); }
+    /// The function is asked on the thread that makes the mesh; nullptr removes it.
+    Status size_function(SizeFunction size, Error &error) noexcept
+    {
+        const DelotetSizeFunction call = size ? &detail::Running::size : nullptr;
+        const Status status =
+            change(error, [&](DelotetError **e) { return delotet_options_set_size_function(get(), call, nullptr, e); });
+        if (status == DELOTET_STATUS_OK)
+            size_ = std::move(size);
+        return status;
+    }
 
 #if DELOTET_EXCEPTIONS
     Options &mode(Mode value) &
@@ -734,6 +784,37 @@ class Options {
         return chain([&](Error &e) { return points_sorted(on, e); });
     }
     Options &&points_sorted(bool on) && { return std::move(points_sorted(on)); }
+    Options &size(double length) &
+    {
+        return chain([&](Error &e) { return size(length, e); });
+    }
+    Options &&size(double length) && { return std::move(size(length)); }
+    Options &max_volume(double volume) &
+    {
+        return chain([&](Error &e) { return max_volume(volume, e); });
+    }
+    Options &&max_volume(double volume) && { return std::move(max_volume(volume)); }
+    Options &gradation(double slope) &
+    {
+        return chain([&](Error &e) { return gradation(slope, e); });
+    }
+    Options &&gradation(double slope) && { return std::move(gradation(slope)); }
+    Options &quality(double ratio) &
+    {
+        return chain([&](Error &e) { return quality(ratio, e); });
+    }
+    Options &&quality(double ratio) && { return std::move(quality(ratio)); }
+    Options &optimize(std::uint32_t effort) &
+    {
+        return chain([&](Error &e) { return optimize(effort, e); });
+    }
+    Options &&optimize(std::uint32_t effort) && { return std::move(optimize(effort)); }
+    /// `size` may throw: the run is then cancelled and rethrows the exception.
+    Options &size_function(SizeFunction size) &
+    {
+        return chain([&](Error &e) { return size_function(std::move(size), e); });
+    }
+    Options &&size_function(SizeFunction size) && { return std::move(size_function(std::move(size))); }
 #endif
     /// `progress` may throw: the run is then cancelled and rethrows the exception.
     Options &on_progress(ProgressFunction progress) & noexcept
@@ -754,6 +835,8 @@ class Options {
     void progress() const && = delete;
     const LogFunction &log() const & noexcept { return log_; }
     void log() const && = delete;
+    const SizeFunction &size_function() const & noexcept { return size_; }
+    void size_function() const && = delete;
     /// NULL if memory ran out when the options were created, and after a move.
     DelotetOptions *get() const noexcept { return handle_.get(); }
 
@@ -772,6 +855,7 @@ class Options {
     std::unique_ptr<DelotetOptions, detail::Free<DelotetOptions, delotet_options_free>> handle_;
     ProgressFunction progress_;
     LogFunction log_;
+    SizeFunction size_;
 };
 
 /// How a mesh or a PLC is written. Setters throw or take an Error, like those of Options.
@@ -918,7 +1002,10 @@ template <class Settings, class Call> Status run(const Settings &options, Error 
 {
     if (!options.get())
         return detail::out_of_memory(error);
-    Running running(options.progress(), options.log());
+    const SizeFunction *size = nullptr;
+    if constexpr (std::is_same_v<Settings, Options>)
+        size = &options.size_function();
+    Running running(options.progress(), options.log(), size);
     const Status status = run(error, call);
     running.rethrow();
     return status;
@@ -997,6 +1084,31 @@ class Plc {
             return detail::mismatch(error);
         return detail::run(
             error, [&](DelotetError **e) { return delotet_plc_set_point_markers(get(), markers.data(), e); });
+    }
+    /// The edge lengths wanted at the points: one each, infinite for no wish; or none.
+    Status set_point_sizes(Span<const double> sizes, Error &error) noexcept
+    {
+        return detail::run(error, [&](DelotetError **e) {
+            return delotet_plc_set_point_sizes(get(), sizes.data(), sizes.size(), e);
+        });
+    }
+    /// The edge length wanted at the facets with a marker; infinite removes it.
+    Status set_facet_size(Marker marker, double size, Error &error) noexcept
+    {
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_set_facet_size(get(), marker, size, e); });
+    }
+    /// The edge length wanted at the segments with a marker; infinite removes it.
+    Status set_segment_size(Marker marker, double size, Error &error) noexcept
+    {
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_set_segment_size(get(), marker, size, e); });
+    }
+    /// The edge length wanted in the regions with an attribute; infinite removes it.
+    Status set_region_size(double attribute, double size, Error &error) noexcept
+    {
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_set_region_size(get(), attribute, size, e); });
     }
     /// Names a facet marker; an empty name removes its name.
     Status set_marker_name(Marker marker, const Text &name, Error &error) noexcept
@@ -1191,6 +1303,26 @@ class Plc {
         return chain([&](Error &e) { return set_point_markers(markers, e); });
     }
     Plc &&set_point_markers(Span<const Marker> markers) && { return std::move(set_point_markers(markers)); }
+    Plc &set_point_sizes(Span<const double> sizes) &
+    {
+        return chain([&](Error &e) { return set_point_sizes(sizes, e); });
+    }
+    Plc &&set_point_sizes(Span<const double> sizes) && { return std::move(set_point_sizes(sizes)); }
+    Plc &set_facet_size(Marker marker, double size) &
+    {
+        return chain([&](Error &e) { return set_facet_size(marker, size, e); });
+    }
+    Plc &&set_facet_size(Marker marker, double size) && { return std::move(set_facet_size(marker, size)); }
+    Plc &set_segment_size(Marker marker, double size) &
+    {
+        return chain([&](Error &e) { return set_segment_size(marker, size, e); });
+    }
+    Plc &&set_segment_size(Marker marker, double size) && { return std::move(set_segment_size(marker, size)); }
+    Plc &set_region_size(double attribute, double size) &
+    {
+        return chain([&](Error &e) { return set_region_size(attribute, size, e); });
+    }
+    Plc &&set_region_size(double attribute, double size) && { return std::move(set_region_size(attribute, size)); }
     Plc &add_segment(Index a, Index b, Marker marker = 0) &
     {
         return chain([&](Error &e) { return add_segment(a, b, marker, e); });
@@ -1249,6 +1381,16 @@ class Plc {
     void point_attributes() const && = delete;
     Span<const Marker> point_markers() const & noexcept { return detail::span(delotet_plc_point_markers(get())); }
     void point_markers() const && = delete;
+    Span<const double> point_sizes() const & noexcept
+    {
+        const DelotetDoublesView view = delotet_plc_point_sizes(get());
+        return {view.data, view.count};
+    }
+    void point_sizes() const && = delete;
+    /// The edge lengths wanted, infinite if there is none: at facets and segments with a marker, in regions with an attribute.
+    double facet_size(Marker marker) const noexcept { return delotet_plc_facet_size(get(), marker); }
+    double segment_size(Marker marker) const noexcept { return delotet_plc_segment_size(get(), marker); }
+    double region_size(double attribute) const noexcept { return delotet_plc_region_size(get(), attribute); }
     Records<Segment> segments() const & noexcept { return detail::records(delotet_plc_segments(get())); }
     void segments() const && = delete;
     Span<const Point> holes() const & noexcept { return detail::points_of(delotet_plc_holes(get())); }

@@ -1,4 +1,5 @@
 //! The arguments.
+use super::sizes::SizeArgs;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use delotet::io::RegionName;
 use std::path::PathBuf;
@@ -16,7 +17,7 @@ pub struct Args {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Mesh the volume that a surface encloses (or the convex hull of a point set).
-    Mesh(MeshArgs),
+    Mesh(Box<MeshArgs>),
     /// Check a mesh exactly against its input.
     Check(CheckArgs),
     /// Show what is in a surface file, whether it is valid, and where it is not.
@@ -69,6 +70,8 @@ pub struct MeshArgs {
     /// First flip the triangles of nearly coplanar facets (meeting at more than DEG degrees) to be Delaunay on the surface
     #[arg(long, value_name = "DEG", num_args = 0..=1, require_equals = true, default_missing_value = "179.9")]
     pub merge_facets: Option<f64>,
+    #[command(flatten)]
+    pub sizes: SizeArgs,
     /// Keep the whole convex hull
     #[arg(long)]
     pub keep_hull: bool,

@@ -12,7 +12,8 @@ use std::time::Instant;
 
 /// Reads the input, meshes it and writes the mesh.
 pub fn run(args: &MeshArgs) -> Result<(), Failure> {
-    let inputs = delotet::io::sources(&args.input)?;
+    let mut inputs = delotet::io::sources(&args.input)?;
+    inputs.extend(args.sizes.size_file.clone());
     paths::check_report(args.report.as_deref(), &inputs)?;
     paths::check_distinct(&inputs, &outputs(args))?;
     let mut console = Console::new(args.quiet);
@@ -70,6 +71,7 @@ fn read_mesh_and_write(
     control.progress(Phase::Read, 0.0)?;
     let mut plc = delotet::io::read_with(&args.input, control)?;
     add_seeds(&mut plc, args);
+    args.sizes.add_to(&mut plc)?;
     let read = start.elapsed().as_secs_f64();
     let mut mesh = delotet::tetrahedralize_with(&plc, options, control)?;
     control.progress(Phase::Write, 0.0)?;
@@ -103,19 +105,25 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         let message = format!("--merge-facets={angle}: expected an angle of 90 to 180 degrees");
         return Err(Error::new(Status::InvalidArgument, message).into());
     }
+    let defaults = Options::default();
     Ok(Options {
         mode,
         preserve,
         keep_hull: args.keep_hull,
         drop_unmeshed_points: args.drop_points,
         merge_facets: args.merge_facets,
+        size: args.sizes.size,
+        max_volume: args.sizes.max_volume,
+        gradation: args.sizes.gradation.unwrap_or(defaults.gradation),
+        quality: args.sizes.quality,
+        optimize: args.sizes.optimize.unwrap_or(defaults.optimize),
         threads: args.threads,
         time_limit: args.time_limit,
         memory_limit: args.memory_limit,
         steiner_limit: args.steiner_limit,
         // A report lists everything, but memory stays bounded.
         max_defects: if args.report.is_some() { 10_000_000 } else { 1000 },
-        ..Options::default()
+        ..defaults
     })
 }
 
@@ -164,6 +172,11 @@ fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
             (UnusedOption::RegionNames, _) => "--region-name: only .msh and .inp store names of regions",
         };
         page::tell(format_args!("warning: no effect with .{name}: {text}"));
+    }
+    for option in args.sizes.unused() {
+        page::tell(format_args!(
+            "warning: no effect without --size, --max-volume or --quality: {option}: nothing is filled with points"
+        ));
     }
     let delaunay = [
         (args.merge_facets.is_some(), "--merge-facets"),

@@ -19,6 +19,7 @@ mod page;
 mod paths;
 mod quality;
 mod report;
+mod sizes;
 mod summary;
 
 /// Parses the arguments and runs the command.

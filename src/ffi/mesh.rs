@@ -270,7 +270,7 @@ pub struct DelotetStats {
     pub preserve_deleted: u64,
     /// Points on the surface replaced by points inside.
     pub preserve_relocated: u64,
-    /// Points added inside that remain in the mesh.
+    /// Points added inside for the surface that remain in the mesh, without those of filling and optimisation.
     pub preserve_interior: u64,
     /// Points left on internal facets and segments (DELOTET_PRESERVE_OUTER).
     pub preserve_on_internal_facets: u64,

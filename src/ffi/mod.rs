@@ -27,6 +27,7 @@ pub mod plc_view;
 pub mod quality;
 pub mod query;
 pub mod run;
+pub mod sizes;
 mod slice;
 pub mod status;
 pub mod version;

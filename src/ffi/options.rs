@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::ffi::error::{c_text, DelotetError};
 use crate::ffi::guard::{free, get_mut, guard, invalid, make, read};
 use crate::ffi::limits::{with_token, Shared};
+use crate::ffi::sizes::{borrowed, SizeCallback};
 use crate::ffi::status::{DelotetPhase, DelotetStatus};
 use crate::options::{Mode, Options, Preserve};
 use crate::progress::{Observer, Phase};
@@ -55,6 +56,7 @@ pub(super) struct Callbacks {
     progress_data: *mut c_void,
     pub(super) log: DelotetLogFn,
     pub(super) log_data: *mut c_void,
+    pub(super) size: SizeCallback,
 }
 
 // SAFETY: the pointers are only handed back to the caller's own functions; the header tells the caller that runs on several
@@ -70,6 +72,7 @@ impl Callbacks {
         progress_data: std::ptr::null_mut(),
         log: None,
         log_data: std::ptr::null_mut(),
+        size: SizeCallback::NONE,
     };
 }
 
@@ -107,6 +110,14 @@ pub(super) unsafe fn with_settings<R>(
         }
         None => (Options::default(), Callbacks::NONE, None),
     };
+    let size = callbacks.size;
+    let wanted = move |point| size.at(point);
+    // Declared after the function that it refers to, so dropped before.
+    let mut options = options;
+    if size.is_set() {
+        // SAFETY: the function lives longer than this copy of the options, and what `body` returns does not refer to them.
+        options.size_function = Some(unsafe { borrowed(&wanted) });
+    }
     let limits = with_token(options.limits(), &cancel);
     controlled(limits, &mut callbacks, |control| body(&options, control))
 }
@@ -280,7 +291,8 @@ pub unsafe extern "C" fn delotet_options_set_threads(
 }
 
 /// Fail with DELOTET_STATUS_STEINER_LIMIT if the mesh needs more Steiner points than this; those that DELOTET_MODE_PRESERVE removes again
-/// count where it starts from the constrained Delaunay tetrahedralization. UINT64_MAX, the default: 100,000 plus 100 per segment.
+/// count where it starts from the constrained Delaunay tetrahedralization. UINT64_MAX, the default: 100,000 plus 100 per segment, and no
+/// limit on points of filling.
 /// Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
@@ -527,7 +539,7 @@ pub unsafe extern "C" fn delotet_options_log(
 ///
 /// # Safety
 /// `pointer` is null or valid for one write.
-unsafe fn put(pointer: *mut *mut c_void, value: *mut c_void) {
+pub(super) unsafe fn put(pointer: *mut *mut c_void, value: *mut c_void) {
     if !pointer.is_null() {
         // SAFETY: not null, and the caller promises that it is valid for a write.
         unsafe { pointer.write(value) };

@@ -382,7 +382,7 @@ pub unsafe extern "C" fn delotet_plc_add_hole(
 }
 
 /// Adds a region: the tetrahedra reachable from the point `seed` (x y z) without crossing a facet get `attribute`. `max_volume`: bound on
-/// the volume of a tetrahedron there, passed on to delotet_mesh_regions(); none if it is not positive.
+/// the volume of a tetrahedron there, kept once the mesh is filled (delotet_options_set_quality() and others); none if it is not positive.
 /// Errors: INVALID_ARGUMENT (NULL or NaN), OUT_OF_MEMORY. Whether the seed lies inside is checked later.
 #[no_mangle]
 #[must_use]

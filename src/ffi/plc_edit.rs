@@ -5,7 +5,7 @@ use crate::ffi::error::c_text;
 use crate::ffi::guard::invalid;
 use crate::ffi::plc::DelotetPlc;
 use crate::ffi::view::DelotetRegionSeed;
-use crate::plc::{name_line, Facet, Plc, RegionSeed, Segment};
+use crate::plc::{name_line, Facet, Plc, RegionSeed, Segment, Sizes};
 use crate::INVALID;
 
 impl DelotetPlc {
@@ -67,7 +67,7 @@ impl DelotetPlc {
         }
     }
 
-    /// Appends points; their attributes and markers are 0, if the points have any.
+    /// Appends points; their attributes and markers are 0, if the points have any, and there is no wish for their sizes.
     pub(super) fn add_points(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
         self.check_room(points.len(), self.plc.points.len())?;
         let count = self.plc.points.len() + points.len();
@@ -75,8 +75,13 @@ impl DelotetPlc {
         let width = plc.point_attribute_count;
         plc.points.try_reserve(points.len())?;
         plc.point_attributes.try_reserve(times(points.len(), width)?)?;
+        let sized = if plc.sizes.points.is_empty() { 0 } else { points.len() };
+        plc.sizes.points.try_reserve(sized)?;
         if !plc.point_markers.is_empty() {
             fallible::resize(&mut plc.point_markers, count, 0)?;
+        }
+        if sized > 0 {
+            fallible::resize(&mut plc.sizes.points, count, f64::INFINITY)?;
         }
         fallible::append(&mut plc.points, points)?;
         fallible::resize(&mut plc.point_attributes, count * width, 0.0)?;
@@ -87,6 +92,14 @@ impl DelotetPlc {
         self.plc.regions.try_reserve(1)?;
         fallible::push(&mut self.seeds, DelotetRegionSeed::from(&seed))?;
         Ok(fallible::push(&mut self.plc.regions, seed)?)
+    }
+
+    /// One size per point; none takes them all back.
+    pub(super) fn set_point_sizes(&mut self, sizes: &[f64]) -> Result<(), Error> {
+        let wanted = Sizes { points: fallible::copied(sizes)?, ..Sizes::default() };
+        wanted.check(self.plc.points.len())?;
+        self.plc.sizes.points = wanted.points;
+        Ok(())
     }
 
     pub(super) fn set_facet_markers(&mut self, markers: Option<&[i32]>) -> Result<(), Error> {

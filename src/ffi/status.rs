@@ -152,7 +152,7 @@ pub enum DelotetWarningKind {
     RepeatedSeed = 6,
     /// A hole seed lies outside the domain and has no effect.
     HoleOutside = 7,
-    /// A region has a volume bound, which is kept but not applied: there is no refinement yet.
+    /// A region has a volume bound, which has no effect unless the mesh is filled with points (delotet_options_set_size()).
     UnusedVolume = 8,
     /// A polygon is out of plane by more than rounding; it was triangulated.
     NonPlanarFacet = 9,

@@ -3,11 +3,14 @@ use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::ffi::error::*;
 use crate::ffi::guard::guard;
 use crate::ffi::mesh::*;
+use crate::ffi::options::{delotet_options_free, delotet_options_new, with_settings};
 use crate::ffi::query::*;
+use crate::ffi::sizes::delotet_options_set_size_function;
 use crate::ffi::slice::{array, optional};
 use crate::ffi::status::DelotetStatus;
 use crate::query::tests::grid;
 use crate::query::PointData;
+use libc::c_void;
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
@@ -87,6 +90,57 @@ fn views_point_into_the_mesh() {
         assert!(delotet_mesh_subfaces(&handle).first.is_null());
         let points = delotet_mesh_points(null());
         assert_eq!((points.data, points.count), (null(), 0));
+    }
+}
+
+/// What a size function of a caller answers: a status and a length.
+struct Answer {
+    status: i32,
+    size: Option<f64>,
+    asked: Vec<[f64; 3]>,
+}
+
+unsafe extern "C" fn answer(user_data: *mut c_void, point: *const f64, size: *mut f64) -> i32 {
+    // SAFETY: the pointer set with this function, three coordinates, and room for a length.
+    unsafe {
+        let answer = &mut *user_data.cast::<Answer>();
+        answer.asked.push(*point.cast());
+        assert_eq!(*size, f64::INFINITY);
+        if let Some(wanted) = answer.size {
+            *size = wanted;
+        }
+        answer.status
+    }
+}
+
+#[test]
+fn size_functions_answer_cancel_and_have_no_wish() {
+    let mut data = Answer { status: 0, size: None, asked: Vec::new() };
+    let user_data = std::ptr::from_mut(&mut data).cast::<c_void>();
+    let options = delotet_options_new();
+    // SAFETY: the options and the data of the function are alive, and nothing else uses them during a call.
+    unsafe {
+        let status = delotet_options_set_size_function(options, Some(answer), user_data, null_mut());
+        assert_eq!(status, DelotetStatus::Ok);
+        let ask = |status, size| {
+            (*user_data.cast::<Answer>()).status = status;
+            (*user_data.cast::<Answer>()).size = size;
+            with_settings(options, |options, _| {
+                let function = options.size_function.clone().expect("the function");
+                function.at([1.0, 2.0, 3.0]).map_err(|error| error.status)
+            })
+        };
+        assert_eq!(ask(0, None), Ok(f64::INFINITY));
+        assert_eq!(ask(0, Some(0.5)), Ok(0.5));
+        assert_eq!(ask(-7, Some(0.5)), Err(Status::Cancelled));
+        for nonsense in [0.0, -1.0, f64::NAN, f64::NEG_INFINITY] {
+            assert_eq!(ask(0, Some(nonsense)), Err(Status::InvalidArgument));
+        }
+        assert_eq!((*user_data.cast::<Answer>()).asked, [[1.0, 2.0, 3.0]; 7]);
+        let status = delotet_options_set_size_function(options, None, user_data, null_mut());
+        assert_eq!(status, DelotetStatus::Ok);
+        assert!(with_settings(options, |options, _| options.size_function.is_none()));
+        delotet_options_free(options);
     }
 }
 

@@ -95,6 +95,7 @@ impl Faces {
     }
 
     /// Removes the face of a corner, with others, if the new tetrahedra then reach a goal.
+    #[cfg(test)]
     pub fn reach(&mut self, site: &mut Site, code: u32, goal: &Goal) -> Result<bool, Error> {
         let Site { mesh, points, edges, replace } = site;
         if self.plan(mesh, points, edges, code, goal)?.is_none() {

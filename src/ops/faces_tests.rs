@@ -15,7 +15,7 @@ use std::cell::RefCell;
 const MOST_TRIED: usize = 11;
 
 /// Any valid set is good enough.
-const ANY: Goal = Goal { measure: Measure::Angle, above: -0.5, least: 0.0 };
+const ANY: Goal = Goal { measure: Measure::Angle, above: -0.5, least: 0.0, largest: f64::INFINITY };
 
 /// A face between two vertices.
 struct Between {
@@ -130,8 +130,11 @@ fn the_best_set_goes_and_all_else_stays() {
             }
             let measure = if dice >> 8 & 1 == 0 { Measure::Angle } else { Measure::Ratio };
             let least = if dice >> 9 & 1 == 0 { 0.0 } else { 0.2 };
-            let (enough, least) = (Shape { angle: 0.3, ratio: 0.5 }, Shape { angle: least, ratio: least });
-            let aim = Aim { measure, enough, least };
+            let (enough, least) = (
+                Shape { angle: 0.3, ratio: 0.5, dihedral: 0.3, volume: 0.0 },
+                Shape { angle: least, ratio: least, dihedral: least, volume: 0.0 },
+            );
+            let aim = Aim { measure, enough, least, largest: f64::INFINITY };
             let between = all_between(mesh, code);
             let beside = mesh.across(code) >> 2;
             // Improvement never takes a ghost.

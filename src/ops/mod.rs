@@ -8,7 +8,6 @@ pub mod center;
 #[cfg(test)]
 pub mod check;
 pub mod contract;
-#[cfg_attr(not(test), allow(dead_code, reason = "no stage asks for it yet"))]
 pub mod faces;
 #[cfg(test)]
 mod faces_tests;

@@ -53,6 +53,8 @@ pub struct Aim {
     pub enough: Shape,
     /// How good by the other measure is never good enough.
     pub least: Shape,
+    /// The largest volume that may come, unless what goes is larger.
+    pub largest: f64,
 }
 
 impl Aim {
@@ -62,7 +64,12 @@ impl Aim {
         let worst = old.iter().map(|&t| shape(mesh, points, t)).fold(Shape::BEST, Shape::worse);
         let other = if self.measure == Measure::Angle { Measure::Ratio } else { Measure::Angle };
         let least = (0.5 * worst.by(other)).min(self.enough.by(other)).max(self.least.by(other));
-        Goal { measure: self.measure, above: worst.by(self.measure), least }
+        Goal {
+            measure: self.measure,
+            above: worst.by(self.measure),
+            least,
+            largest: self.largest.max(worst.volume),
+        }
     }
 }
 

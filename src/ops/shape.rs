@@ -14,6 +14,10 @@ pub struct Shape {
     pub angle: f64,
     /// Shortest edge over circumradius.
     pub ratio: f64,
+    /// The smallest sine of a dihedral angle: of the smallest angle, or of the largest if that is nearer to 180°.
+    pub dihedral: f64,
+    /// The volume.
+    pub volume: f64,
 }
 
 /// One of the two measures.
@@ -23,11 +27,14 @@ pub enum Measure {
     Angle,
     /// The radius-edge ratio.
     Ratio,
+    /// The dihedral angle nearest to 0° or 180°.
+    Dihedral,
 }
 
 impl Shape {
     /// Better than any tetrahedron.
-    pub const BEST: Shape = Shape { angle: f64::INFINITY, ratio: f64::INFINITY };
+    pub const BEST: Shape =
+        Shape { angle: f64::INFINITY, ratio: f64::INFINITY, dihedral: f64::INFINITY, volume: 0.0 };
 
     /// The shape of a positive tetrahedron, independent of the order of its vertices: hill climbing relies on equal tetrahedra having equal
     /// shapes.
@@ -57,7 +64,7 @@ impl Shape {
         let normals = [cross(&wu, &vu), cross(&v, &w), cross(&w, &u), cross(&u, &v)];
         let det = dot(&u, &normals[1]);
         if det <= 0.0 {
-            return Shape { angle: 0.0, ratio: 0.0 };
+            return Shape::default();
         }
         let square = |e: &[f64; 3]| dot(e, e);
         let [n0, n1, n2, n3] = &normals;
@@ -69,25 +76,35 @@ impl Shape {
             [(0, 1, 5), (0, 2, 4), (0, 3, 3), (1, 2, 2), (1, 3, 1), (2, 3, 0)];
         /// Nothing here is larger than 12: divided by this or more it does not overflow.
         const TINY: f64 = 16.0 * f64::MIN_POSITIVE;
-        let mut sine = f64::INFINITY;
+        let (mut sine, mut blunt) = (f64::INFINITY, f64::INFINITY);
         for (i, j, e) in MEET {
             let product = squares[i] * squares[j];
-            if dot(&normals[i], &normals[j]) < 0.0 && product >= TINY {
-                sine = sine.min(edges[e] / product);
+            if product < TINY {
+                continue;
             }
+            let least = if dot(&normals[i], &normals[j]) < 0.0 { &mut sine } else { &mut blunt };
+            *least = least.min(edges[e] / product);
         }
+        let of = |square: f64| if square.is_finite() { det * square.sqrt() } else { 0.0 };
         let center_along = |k: usize| uu * n1[k] + vv * n2[k] + ww * n3[k];
         let center = [center_along(0), center_along(1), center_along(2)];
         let shortest = edges.into_iter().fold(f64::INFINITY, f64::min);
         Shape {
-            angle: if sine.is_finite() { det * sine.sqrt() } else { 0.0 },
+            angle: of(sine),
             ratio: 2.0 * det * (shortest / dot(&center, &center).max(TINY)).sqrt(),
+            dihedral: of(sine.min(blunt)),
+            volume: det * size * size * size / 6.0,
         }
     }
 
     /// The worse of both in each measure.
     pub fn worse(self, other: Shape) -> Shape {
-        Shape { angle: self.angle.min(other.angle), ratio: self.ratio.min(other.ratio) }
+        Shape {
+            angle: self.angle.min(other.angle),
+            ratio: self.ratio.min(other.ratio),
+            dihedral: self.dihedral.min(other.dihedral),
+            volume: self.volume.max(other.volume),
+        }
     }
 
     /// One of the measures.
@@ -95,7 +112,48 @@ impl Shape {
         match measure {
             Measure::Angle => self.angle,
             Measure::Ratio => self.ratio,
+            Measure::Dihedral => self.dihedral,
         }
+    }
+}
+
+/// [`Shape::dihedral`] alone, and quicker: for searches that compare many positions.
+#[inline]
+pub fn sine([o, p, q, r]: [&[f64; 3]; 4]) -> f64 {
+    let [u, v, w] = [sub(p, o), sub(q, o), sub(r, o)];
+    let size = [u, v, w].iter().flatten().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
+    // All numbers are near one, so none that counts over- or underflows.
+    let unit = 1.0 / size;
+    let scaled = |x: [f64; 3]| [x[0] * unit, x[1] * unit, x[2] * unit];
+    let [u, v, w] = [scaled(u), scaled(v), scaled(w)];
+    let [vu, wu, wv] = [sub(&v, &u), sub(&w, &u), sub(&w, &v)];
+    let normals = [cross(&wu, &vu), cross(&v, &w), cross(&w, &u), cross(&u, &v)];
+    let det = dot(&u, &normals[1]);
+    if det.is_nan() || det <= 0.0 {
+        return 0.0;
+    }
+    let [a, b, c, d] = &normals;
+    let [aa, bb, cc, dd] = [dot(a, a), dot(b, b), dot(c, c), dot(d, d)];
+    let pairs = [
+        (aa * bb, dot(&wv, &wv)),
+        (aa * cc, dot(&wu, &wu)),
+        (aa * dd, dot(&vu, &vu)),
+        (bb * cc, dot(&w, &w)),
+        (bb * dd, dot(&v, &v)),
+        (cc * dd, dot(&u, &u)),
+    ];
+    // The least quotient, by products instead of divisions.
+    let [mut least, rest @ ..] = pairs;
+    for (product, edge) in rest {
+        if edge * least.0 < least.1 * product {
+            least = (product, edge);
+        }
+    }
+    let square = least.1 / least.0;
+    if square.is_finite() {
+        det * square.sqrt()
+    } else {
+        0.0
     }
 }
 
@@ -117,16 +175,19 @@ pub struct Goal {
     pub above: f64,
     /// The value that the other measure must reach.
     pub least: f64,
+    /// The largest volume that may come.
+    pub largest: f64,
 }
 
 impl Goal {
-    /// The quality of a tetrahedron; −1 if it misses the other measure's bound.
+    /// The quality of a tetrahedron; −1 if it misses the other measure's bound or is too large.
     pub fn quality(&self, shape: Shape) -> f64 {
         let (quality, other) = match self.measure {
             Measure::Angle => (shape.angle, shape.ratio),
             Measure::Ratio => (shape.ratio, shape.angle),
+            Measure::Dihedral => (shape.dihedral, shape.ratio),
         };
-        if other < self.least {
+        if other < self.least || shape.volume > self.largest {
             -1.0
         } else {
             quality
@@ -139,6 +200,27 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_quick_angle_is_the_angle() {
+        let mut state = 7u64;
+        let mut random = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 40) as f64 / 16777216.0
+        };
+        for _ in 0..1000 {
+            let p: [[f64; 3]; 4] = std::array::from_fn(|_| std::array::from_fn(|_| random()));
+            let [a, b, c, d] = &p;
+            let slow = Shape::at([a, b, c, d]).dihedral;
+            for exponent in [0, -190, -110, 110, 195] {
+                let unit = crate::elementary::power_of_two(exponent);
+                let far = p.map(|x| x.map(|x| x * unit));
+                let [a, b, c, d] = &far;
+                let quick = sine([a, b, c, d]);
+                assert!((slow - quick).abs() <= 1e-9, "{slow} {quick} {exponent}");
+            }
+        }
+    }
+
+    #[test]
     fn known_tetrahedra_have_known_shapes() {
         let regular = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
         let [a, b, c, d] = &regular;
@@ -149,7 +231,7 @@ mod tests {
         // Scaling to the ends of the range changes next to nothing.
         for size in [2f64.powi(195), 2f64.powi(-200)] {
             let [a, b, c, d] = regular.map(|p| p.map(|x| x * size));
-            assert_eq!(Shape::at([&a, &b, &d, &c]), shape);
+            assert_eq!(Shape { volume: shape.volume, ..Shape::at([&a, &b, &d, &c]) }, shape);
         }
         // A corner of a cube: angles of 90° and arccos(1/√3); circumradius √3/2.
         let shape = Shape::at([&[0.0; 3], &[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]]);

@@ -73,7 +73,7 @@ fn the_best_sheet_comes_and_all_else_stays() {
                     found
                 }
                 _ => {
-                    let goal = Goal { measure, above, least: 0.0 };
+                    let goal = Goal { measure, above, least: 0.0, largest: f64::INFINITY };
                     let found = sheets.improve(points, edge, &link, &goal, &mut new).unwrap();
                     if small {
                         let best = best(&scene, edge, &link, false, by_shape);

@@ -10,6 +10,7 @@ use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::options::{Mode, Options};
 use crate::output::TetMesh;
+use crate::plan::refine::refines;
 use crate::plan::{Engine, Recovered, Run};
 use crate::plc::merge::{Guide, Merger};
 use crate::plc::surface::Surface;
@@ -63,10 +64,11 @@ impl Run<'_> {
     ) -> Result<TetMesh, Error> {
         self.unmerged_at_least = 0;
         let merged = match self.mesh_surface(plc, options, prepared.copied()?) {
-            Ok(mesh) if mesh.steiner.len() as u64 <= self.unmerged_at_least => return Ok(mesh),
-            Err(error) if error.status.is_final() => return Err(error),
+            Ok(mesh) if self.needed(&mesh, options) <= self.unmerged_at_least => return Ok(mesh),
+            Err(error) if self.is_final(&error) => return Err(error),
             other => other,
         };
+        let needed = merged.as_ref().map_or(0, |mesh| self.needed(mesh, options));
         let seeds = std::mem::take(&mut self.seeds);
         let seconds = self.statistics.seconds;
         let statistics = std::mem::take(&mut self.statistics);
@@ -76,8 +78,8 @@ impl Run<'_> {
         let options = Options { merge_facets: None, ..options.copied() };
         let unmerged = self.mesh_surface(plc, &options, prepared);
         let fewer = match (&merged, &unmerged) {
-            (Ok(merged), Ok(unmerged)) => unmerged.steiner.len() < merged.steiner.len(),
-            (Ok(_), Err(error)) if !error.status.is_final() => false,
+            (Ok(_), Ok(unmerged)) => self.needed(unmerged, &options) < needed,
+            (Ok(_), Err(error)) if !self.is_final(error) => false,
             _ => true,
         };
         if fewer {
@@ -98,6 +100,15 @@ impl Run<'_> {
         self.promise = promise;
         self.seeds = seeds;
         merged
+    }
+
+    /// The Steiner points that the surface needed, without those of filling and optimisation.
+    fn needed(&self, mesh: &TetMesh, options: &Options) -> u64 {
+        if refines(options) {
+            self.statistics.steiner + self.statistics.preserve.interior
+        } else {
+            mesh.steiner.len() as u64
+        }
     }
 
     /// Recovers segments with merging, and compares.
@@ -132,7 +143,7 @@ impl Run<'_> {
                 self.control.log(FEWER);
                 return Ok((surface, Recovered::of(plain)));
             }
-            Err(error) if error.status.is_final() => return Err(error),
+            Err(error) if self.is_final(&error) => return Err(error),
             // As many points, or not possible at all.
             Ok(false) | Err(_) => {}
         }
@@ -162,7 +173,7 @@ impl Run<'_> {
                 *engine = trial;
                 return Ok((surface, plain));
             }
-            Err(error) if error.status.is_final() => return Err(error),
+            Err(error) if self.is_final(&error) => return Err(error),
             _ => {}
         }
         *engine = merged.engine;

@@ -14,7 +14,7 @@ use crate::fallible;
 use crate::kernel::edge_key;
 use crate::kernel::Mesh;
 use crate::options::{Mode, Options};
-use crate::output::{Statistics, TetMesh};
+use crate::output::{Statistics, SteinerPoint, TetMesh};
 use crate::plan::assemble::Origin;
 use crate::plc::near::Home;
 use crate::plc::surface::Surface;
@@ -32,6 +32,7 @@ mod crowding;
 mod merge;
 mod preserve;
 mod promise;
+mod refine;
 mod unmeshed;
 mod unrounded;
 mod warn;
@@ -57,8 +58,16 @@ pub fn tetrahedralize_with(plc: &Plc, options: &Options, control: &Control) -> R
     let (statistics, warnings) = (Statistics::default(), Warnings::default());
     let promise = Promise::default();
     let seeds = Warnings::default();
-    let mut run =
-        Run { clock: Instant::now(), statistics, warnings, seeds, unmerged_at_least: 0, promise, control };
+    let mut run = Run {
+        clock: Instant::now(),
+        statistics,
+        warnings,
+        seeds,
+        unmerged_at_least: 0,
+        promise,
+        control,
+        is_refining: false,
+    };
     let outcome = run.mesh(plc, options);
     match &outcome {
         Ok(mesh) => mesh.warnings.log(control),
@@ -111,6 +120,8 @@ struct Run<'a> {
     /// What the mesh must have, if it is to keep the surface.
     promise: Promise,
     control: &'a Control<'a>,
+    /// The mesh is filled or optimised: an error ends the run.
+    is_refining: bool,
 }
 
 /// The working state: vertices in insertion order and their triangulation.
@@ -225,6 +236,7 @@ impl Engine {
 impl Run<'_> {
     /// All stages in their order.
     fn mesh(&mut self, plc: &Plc, options: &Options) -> Result<TetMesh, Error> {
+        refine::check(plc, options)?;
         let prepared = self.prepare(plc, options)?;
         let mut mesh = match options.mode {
             Mode::Delaunay => {
@@ -241,14 +253,17 @@ impl Run<'_> {
                     Some(_) => self.merged_or_not(plc, options, prepared),
                 };
                 match made {
-                    Err(error) if error.status == Status::Rounding && options.mode == Mode::Preserve => {
+                    Err(error) if self.is_crowded(&error) && options.mode == Mode::Preserve => {
                         return Err(unrounded::with_hint(plc, options, error, self.control))
                     }
                     made => made?,
                 }
             }
         };
-        self.control.steiner(mesh.steiner.len() as u64, mesh.subsegments.len())?;
+        // Filling has its own account.
+        let refined = refine::refines(options);
+        let counts = |point: &&SteinerPoint| !(refined && point.is_inside());
+        self.control.steiner(mesh.steiner.iter().filter(counts).count() as u64, mesh.subsegments.len())?;
         self.audit(plc, options, &mut mesh)?;
         unmeshed::set_apart(&mut mesh, self.control)?;
         self.warnings.append(&self.seeds);
@@ -260,6 +275,16 @@ impl Run<'_> {
             self.control.look()?;
         }
         Ok(mesh)
+    }
+
+    /// Whether nothing else may be tried after an error.
+    fn is_final(&self, error: &Error) -> bool {
+        self.is_refining || error.status.is_final()
+    }
+
+    /// Whether a point had no position in doubles.
+    fn is_crowded(&self, error: &Error) -> bool {
+        !self.is_refining && error.status == Status::Rounding
     }
 
     /// Books the time since the last call for `phase`.

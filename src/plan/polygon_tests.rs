@@ -249,6 +249,7 @@ fn a_broken_promise_is_internal() {
     let options = Options { mode: Mode::Preserve, ..Options::default() };
     let mut mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
     let mut run = Run {
+        is_refining: false,
         clock: Instant::now(),
         statistics: Statistics::default(),
         warnings: Warnings::default(),

@@ -6,7 +6,7 @@
 //! again ([`from_constrained`]).
 use crate::control::Control;
 use crate::elementary::{exponent_above, power_of_two};
-use crate::error::{Error, Status};
+use crate::error::Error;
 use crate::facets::recovery::FacetRecovery;
 use crate::facets::subface::{Subfaces, Triangles};
 use crate::fallible;
@@ -16,6 +16,7 @@ use crate::output::{Guarantee, TetMesh};
 use crate::plan::assemble::Origin;
 use crate::plan::crowding::crowding;
 use crate::plan::promise::promise;
+use crate::plan::refine::{refines, Input};
 use crate::plan::{assemble, in_terms_of_input, warn, Engine, Recovered, Run};
 use crate::plc::near::Home;
 use crate::plc::patch::Patches;
@@ -70,7 +71,7 @@ impl Run<'_> {
                 let Some(d2) = self.reconnect(&surface, options, &first, rounds)? else { break };
                 match self.free_surface(plc, &surface, options, d2) {
                     // Another mesh may leave more room.
-                    Err(e) if e.status == Status::Rounding => self.statistics.preserve = Default::default(),
+                    Err(e) if self.is_crowded(&e) => self.statistics.preserve = Default::default(),
                     done => return done,
                 }
             }
@@ -82,7 +83,7 @@ impl Run<'_> {
         let careful = more_careful(&[], &surface, &recovered.segments)?;
         let retries = retries(recovered.segments.steiner_t.len());
         match self.free_recovered(plc, &surface, options, D1 { engine, recovered, attempt: 0 }) {
-            Err(e) if e.status == Status::Rounding => match self.whole(plc, &surface, options)? {
+            Err(e) if self.is_crowded(&e) => match self.whole(plc, &surface, options)? {
                 Some(mesh) => Ok(mesh),
                 None => self.try_again(plc, &surface, options, careful, retries)?.ok_or(e),
             },
@@ -115,7 +116,7 @@ impl Run<'_> {
         FacetRecovery::new(&mut engine.mesh, &engine.points, &subfaces, control)?.run()?;
         let d2 = D2 { engine, segments, subfaces, patch, inside, attempt: 0 };
         match self.free_surface(plc, surface, options, d2) {
-            Err(e) if e.status == Status::Rounding => Ok(None),
+            Err(e) if self.is_crowded(&e) => Ok(None),
             made => made.map(Some),
         }
     }
@@ -142,7 +143,7 @@ impl Run<'_> {
                 Err(other) => Err(other),
             };
             match again {
-                Err(e) if !e.status.is_final() => {}
+                Err(e) if !self.is_final(&e) => {}
                 done => return done.map(Some),
             }
         }
@@ -192,14 +193,16 @@ impl Run<'_> {
             attempt,
         };
         let control = self.control;
-        let freed = from_constrained(
+        let whole = control.whole(Phase::Preserve);
+        let share = if refines(options) { 0.3 } else { 1.0 };
+        let mut freed = from_constrained(
             &mut mesh,
             &mut engine.points,
             &segments,
             &target,
             Inside::of(inside),
             &mut self.statistics.preserve,
-            control.whole(Phase::Preserve),
+            whole.part(0.0, share),
         )
         .map_err(|failure| match failure {
             Failure::Other(error) => error,
@@ -215,6 +218,8 @@ impl Run<'_> {
                 }
             }
         })?;
+        let input = Input { plc, surface, regions: &regions };
+        self.refine(options, &mut engine, &mut mesh, &mut freed, input, whole.part(share, 1.0))?;
         self.statistics.missing_segments = segments.missing;
         self.statistics.steiner = freed.settled.len() as u64;
         self.statistics.steiner_moved = freed.settled.iter().filter(|point| point.moved).count() as u64;

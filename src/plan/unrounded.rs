@@ -41,7 +41,15 @@ impl Run<'_> {
 
 /// The error for a surface that cannot be kept, with what mode cdt would do; or what else ends the attempt to find out.
 pub(super) fn with_hint(plc: &Plc, options: &Options, error: Error, control: &Control) -> Error {
-    let constrained = Options { mode: Mode::Constrained, ..options.copied() };
+    let constrained = Options {
+        mode: Mode::Constrained,
+        size: None,
+        max_volume: None,
+        size_function: None,
+        quality: None,
+        optimize: 0,
+        ..options.copied()
+    };
     let hint = match control.muted(|| tetrahedralize_with(plc, &constrained, control)) {
         Ok(_) => "; mode cdt, which may put points on the surface, meshes it",
         Err(other) if other.status == Status::Rounding => "; nor is there room in mode cdt",

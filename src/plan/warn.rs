@@ -6,9 +6,10 @@ use crate::fallible;
 use crate::kernel::edge_key;
 use crate::options::{Mode, Options};
 use crate::output::{Subface, TetMesh};
+use crate::plan::refine::fills;
 use crate::plc::planarity::{farthest_corner, NOTABLE};
 use crate::plc::surface::Surface;
-use crate::plc::Plc;
+use crate::plc::{Plc, RegionSeed};
 use crate::warning::{Warning, WarningKind, Warnings};
 use crate::INVALID;
 
@@ -22,7 +23,8 @@ pub(super) fn about_input(plc: &Plc, alias: &[u32], options: &Options, warnings:
         }
     }
     if options.mode != Mode::Delaunay {
-        for (i, seed) in (0..).zip(&plc.regions).filter(|(_, seed)| seed.max_volume.is_some()) {
+        let unused = |seed: &RegionSeed| seed.max_volume.is_some() && !fills(options);
+        for (i, seed) in (0..).zip(&plc.regions).filter(|x| unused(x.1)) {
             let (kind, first) = (WarningKind::UnusedVolume, Element::Region(i));
             let warning = Warning { kind, first, second: None, point: Some(seed.point) };
             warnings.push(warning, options.max_defects);

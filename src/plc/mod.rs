@@ -14,12 +14,14 @@ pub mod planarity;
 pub mod polygon;
 pub mod prepare;
 mod radix;
+pub mod sizes;
 pub mod split;
 pub mod surface;
 
 use crate::error::Error;
 use crate::fallible;
 pub use prepare::{check, check_and_split, check_with, prepare, Prepared};
+pub use sizes::{MarkerSize, RegionSize, Sizes};
 #[cfg(test)]
 mod tests;
 
@@ -65,7 +67,7 @@ pub struct RegionSeed {
     pub point: [f64; 3],
     /// The attribute given to its tetrahedra.
     pub attribute: f64,
-    /// Bound on the volume of a tetrahedron there (kept for refinement); no bound if not positive.
+    /// Bound on the volume of a tetrahedron there, once the mesh is filled; no bound if not positive.
     pub max_volume: Option<f64>,
 }
 
@@ -103,6 +105,8 @@ pub struct Plc {
     pub holes: Vec<[f64; 3]>,
     /// Region seeds.
     pub regions: Vec<RegionSeed>,
+    /// Edge lengths wanted at points, facets, segments and regions.
+    pub sizes: Sizes,
     /// Names of facet markers, sorted by marker, at most one per marker ([`Plc::set_marker_name`] maintains this). Readers fill it from the
     /// groups of a file, writers use it to name groups; meshing ignores it.
     pub names: Vec<MarkerName>,
@@ -155,6 +159,7 @@ impl Plc {
             facets,
             holes,
             regions,
+            sizes,
             names,
         } = self;
         Ok(Plc {
@@ -168,6 +173,7 @@ impl Plc {
             facets: fallible::each(facets, Facet::try_clone)?,
             holes: fallible::copied(holes)?,
             regions: fallible::copied(regions)?,
+            sizes: sizes.try_clone()?,
             names: fallible::each(names, MarkerName::try_clone)?,
         })
     }

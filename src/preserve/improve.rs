@@ -21,12 +21,12 @@ use std::collections::BinaryHeap;
 /// Tetrahedra below are improved: a dihedral angle of less than a degree, a circumradius of more than twenty edges. Higher values take time
 /// for more tetrahedra. On eleven models with 22 points inside half of the angle changes four meshes, double five meshes, but never their
 /// number. There half of the ratio changes four meshes, double two meshes, but never their number.
-const BAD: Shape = Shape { angle: 0.0175, ratio: 0.05 };
+const BAD: Shape = Shape { angle: 0.0175, ratio: 0.05, dihedral: 0.0, volume: 0.0 };
 
 /// Above this, one measure may be lowered to improve the other. On eleven models with 22 points inside half of the angle changes two
 /// meshes, double one mesh, but never their number. Half of the ratio and double change nothing on eleven models: nothing measurable
 /// depends on that.
-const ENOUGH: Shape = Shape { angle: 0.02, ratio: 0.25 };
+const ENOUGH: Shape = Shape { angle: 0.02, ratio: 0.25, dihedral: 0.0, volume: 0.0 };
 
 /// One stage of the improvement.
 struct Stage {
@@ -110,7 +110,13 @@ pub fn improve(
     let enough = Shape { ratio: forced, ..ENOUGH };
     for stage in STAGES {
         let least = improve.worst(mesh)?;
-        improve.run(mesh, points, isolated, &stage, Aim { measure: stage.measure, enough, least })?;
+        improve.run(
+            mesh,
+            points,
+            isolated,
+            &stage,
+            Aim { measure: stage.measure, enough, least, largest: f64::INFINITY },
+        )?;
     }
     Ok(())
 }
@@ -118,7 +124,7 @@ pub fn improve(
 impl Improve<'_> {
     fn bad(&mut self, measure: Measure) -> &mut Bad {
         match measure {
-            Measure::Angle => &mut self.by_angle,
+            Measure::Angle | Measure::Dihedral => &mut self.by_angle,
             Measure::Ratio => &mut self.by_ratio,
         }
     }
@@ -153,7 +159,7 @@ impl Improve<'_> {
             let good = first.by(measure).max(BAD.by(measure));
             Ok::<f64, Error>(queue.peek().map_or(good, |top| f64::from_bits(top.0 .0)))
         };
-        Ok(Shape { angle: of(Measure::Angle)?, ratio: of(Measure::Ratio)? })
+        Ok(Shape { angle: of(Measure::Angle)?, ratio: of(Measure::Ratio)?, ..Shape::default() })
     }
 
     /// One stage.

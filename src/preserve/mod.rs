@@ -37,7 +37,7 @@ use crate::preserve::release::patches::{Retarget, Target};
 use crate::segments::recovery::Segments;
 use inside::Inside;
 use internal::Internal;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use settle::Settled;
 use std::collections::TryReserveError;
 
@@ -93,6 +93,8 @@ pub struct Freed {
     pub inside: Inside,
     /// Points on internal segments.
     pub settled: Vec<Settled>,
+    /// Edges on no facet that must stay.
+    pub isolated: FxHashSet<[u32; 2]>,
     /// The surface's faces, and the facet of each.
     pub subfaces: Vec<([u32; 3], u32)>,
 }
@@ -221,7 +223,7 @@ fn free(
     improve::improve(mesh, points, &isolated, &part)?;
     statistics.interior = inside.list.len() as u64;
     let subfaces = subfaces(mesh, points, target, internal)?;
-    Ok((Freed { inside, settled: Vec::new(), subfaces }, removal.staying))
+    Ok((Freed { inside, settled: Vec::new(), isolated, subfaces }, removal.staying))
 }
 
 /// Moves the points inside to better positions.

@@ -331,8 +331,8 @@ fn walls_get_better_apexes() {
     for measure in [Measure::Angle, Measure::Ratio] {
         let (mut mesh, points, _) = model.carve();
         let (before, before_patches) = (volume(&mesh, &points), patches(&mesh));
-        let any = Shape { angle: 0.0, ratio: 0.0 };
-        let aim = Aim { measure, enough: any, least: any };
+        let any = Shape::default();
+        let aim = Aim { measure, enough: any, least: any, largest: f64::INFINITY };
         let free = &Control::free();
         let (mut reshape, mut lifted, none) = (Reshape::new(free), 0, FxHashSet::default());
         for t in 0..mesh.slot_count() as u32 {

@@ -40,7 +40,8 @@ use crate::kernel::replace::{Replace, Sector};
 use crate::kernel::visited::Visited;
 use crate::kernel::{Mesh, GHOST, NONE};
 use crate::predicates::{Points, Sign};
-use opening::{Beside, Face};
+use opening::Beside;
+pub use opening::Face;
 use scene::{Rim, Scene, Split};
 
 /// What became of a vertex.
@@ -86,6 +87,11 @@ pub struct Insert {
 }
 
 impl Insert {
+    /// One that inserts also where a subsegment is in the way, or the mesh is not constrained Delaunay.
+    pub fn squeezing() -> Insert {
+        Insert { squeeze: true, ..Insert::default() }
+    }
+
     /// Inserts `p`, which must be in tetrahedron `start` (or on its boundary) and on no wall or subsegment.
     ///
     /// # Errors
@@ -93,6 +99,50 @@ impl Insert {
     pub fn interior(
         &mut self,
         mesh: &mut Mesh,
+        points: &Points,
+        p: u32,
+        start: u32,
+        control: &Control,
+    ) -> Result<Outcome, Error> {
+        let outcome = self.open_interior(mesh, points, p, start, control)?;
+        if let Outcome::Occupied(_) = outcome {
+            return Ok(outcome);
+        }
+        self.fill(mesh, p, None, outcome, control)
+    }
+
+    /// The same if `accept` agrees, which is shown the tetrahedra that would go and what bounds them. It may move the vertex to where it
+    /// sees all faces.
+    ///
+    /// # Errors
+    /// As [`Insert::interior`], and those of `accept`.
+    pub fn interior_if(
+        &mut self,
+        mesh: &mut Mesh,
+        points: &mut Points,
+        p: u32,
+        start: u32,
+        control: &Control,
+        accept: impl FnOnce(&Mesh, &mut Points, &[u32], &[Face]) -> Result<bool, Error>,
+    ) -> Result<bool, Error> {
+        let outcome = self.open_interior(mesh, points, p, start, control)?;
+        let there = matches!(outcome, Outcome::Inserted | Outcome::Squeezed(_));
+        if !there || !accept(mesh, points, &self.tets, &self.faces)? {
+            return Ok(false);
+        }
+        self.fill(mesh, p, None, outcome, control)?;
+        Ok(true)
+    }
+
+    /// The tetrahedra that came with the last vertex.
+    pub fn fresh(&self) -> &[u32] {
+        &self.replace.fresh
+    }
+
+    /// The cavity of a vertex inside.
+    fn open_interior(
+        &mut self,
+        mesh: &Mesh,
         points: &Points,
         p: u32,
         start: u32,
@@ -111,8 +161,7 @@ impl Insert {
         }
         self.begin();
         self.seed(start)?;
-        let outcome = self.open(scene)?;
-        self.fill(mesh, p, None, outcome, control)
+        self.open(scene)
     }
 
     /// Inserts `p`, which must be on the wall `code` (a subface, or a face of the domain's boundary) and on no subsegment.

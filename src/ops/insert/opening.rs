@@ -11,8 +11,10 @@ use crate::predicates::Sign;
 
 /// A face of the cavity's boundary as seen from inside, and its tetrahedron.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Face {
+pub struct Face {
+    /// Its vertices.
     pub corners: [u32; 3],
+    /// The tetrahedron of the cavity.
     pub tet: u32,
 }
 
@@ -43,7 +45,7 @@ impl Insert {
         let mut obstacle = None;
         // Every turn but the last takes a tetrahedron out.
         loop {
-            let mut found = self.bound(scene)?;
+            let mut found = self.bound(scene, obstacle.is_none())?;
             if self.bad.is_empty() {
                 self.find_rim(scene)?;
                 found = self.examine(scene)?;
@@ -77,8 +79,9 @@ impl Insert {
         Ok(())
     }
 
-    /// Collects the faces of the cavity, and its tetrahedra with faces that the vertex does not see; returns the subsegment in the way.
-    fn bound(&mut self, scene: Scene) -> Result<Option<[u32; 2]>, Error> {
+    /// Collects the faces of the cavity, and its tetrahedra with faces that the vertex does not see; returns the subsegment in the way if it
+    /// is asked for.
+    fn bound(&mut self, scene: Scene, seek: bool) -> Result<Option<[u32; 2]>, Error> {
         let mesh = scene.mesh;
         self.faces.clear();
         self.bad.clear();
@@ -102,7 +105,7 @@ impl Insert {
                 fallible::push(&mut self.bad, t)?;
             }
         }
-        if self.bad.is_empty() {
+        if self.bad.is_empty() || !seek {
             return Ok(None);
         }
         match scene.widest(&self.bad)? {

@@ -370,7 +370,7 @@ fn the_best_filling_is_found() {
         values.sort_by(f64::total_cmp);
         assert!(values[0] < values[1] && values[1] < values[2], "{values:?}");
         for (above, found) in [(0.0, true), (values[1], true), (values[2], false)] {
-            let goal = Goal { measure, above, least: 0.0 };
+            let goal = Goal { measure, above, least: 0.0, largest: f64::INFINITY };
             let mut tets = Vec::new();
             assert_eq!(reconnect.improve(&points, &polyhedron, goal, BUDGET, &mut tets).unwrap(), found);
             assert_eq!(found, !tets.is_empty());
@@ -386,7 +386,7 @@ fn the_best_filling_is_found() {
             }
         }
         // A filling that misses the other measure does not count.
-        let goal = Goal { measure, above: 0.0, least: 10.0 };
+        let goal = Goal { measure, above: 0.0, least: 10.0, largest: f64::INFINITY };
         assert!(!reconnect.improve(&points, &polyhedron, goal, BUDGET, &mut Vec::new()).unwrap());
     }
 }
@@ -398,7 +398,7 @@ fn a_sheet_reaches_its_goal_or_is_none() {
     let (edge, link) = ([5, 4], [0, 2, 1, 3]);
     let mut sheets = Sheets::default();
     let mut best = Vec::new();
-    let mut goal = Goal { measure: Measure::Angle, above: 0.0, least: 0.0 };
+    let mut goal = Goal { measure: Measure::Angle, above: 0.0, least: 0.0, largest: f64::INFINITY };
     assert!(sheets.improve(&points, edge, &link, &goal, &mut best).unwrap());
     let worst = best.iter().map(|&t| Shape::of(&points, t).angle).fold(f64::INFINITY, f64::min);
     assert!(best.iter().all(|&[a, b, c, d]| points.orient3d(a, b, c, d) == Sign::Positive));

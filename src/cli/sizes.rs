@@ -1,0 +1,208 @@
+//! The arguments for points inside by size and shape, and the file with a size per point.
+use super::Failure;
+use clap::Args;
+use delotet::{Error, MarkerSize, Plc, RegionSize, Status};
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, Default, Args)]
+pub struct SizeArgs {
+    /// With --mode preserve: fill with points inside, for edges no longer than this there
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
+    pub size: Option<f64>,
+    /// With --mode preserve: fill with points inside, for no tetrahedron larger than this where the surface allows it
+    #[arg(long, value_name = "VOLUME", allow_hyphen_values = true, value_parser = positive)]
+    pub max_volume: Option<f64>,
+    /// How fast sizes may grow: by at most this times the distance (default: 0.3)
+    #[arg(long, value_name = "SLOPE", allow_hyphen_values = true, value_parser = slope)]
+    pub gradation: Option<f64>,
+    /// With --mode preserve: fill with points inside, for circumradii of at most RATIO shortest edges where the surface allows it
+    #[arg(long, value_name = "RATIO", num_args = 0..=1, require_equals = true, default_missing_value = "2", value_parser = ratio)]
+    pub quality: Option<f64>,
+    /// With --mode preserve: optimise the smallest dihedral angles; larger efforts take longer
+    #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1")]
+    pub optimize: Option<u32>,
+    /// The edge length wanted in the regions with an attribute (may be repeated)
+    #[arg(long, value_name = "ATTRIBUTE=LENGTH", allow_hyphen_values = true, value_parser = region_size)]
+    pub region_size: Vec<RegionSize>,
+    /// The edge length wanted at the facets with a marker (may be repeated)
+    #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
+    pub facet_size: Vec<MarkerSize>,
+    /// The edge length wanted at the segments with a marker (may be repeated)
+    #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
+    pub segment_size: Vec<MarkerSize>,
+    /// The edge lengths wanted at the points: a number for each, one to a line, or TetGen's .mtr; 0 is no wish
+    #[arg(long, value_name = "FILE")]
+    pub size_file: Option<PathBuf>,
+}
+
+impl SizeArgs {
+    /// Gives the input the sizes of its parts.
+    pub fn add_to(&self, plc: &mut Plc) -> Result<(), Failure> {
+        for wanted in &self.facet_size {
+            plc.sizes.set_facets(wanted.marker, wanted.size)?;
+        }
+        for wanted in &self.segment_size {
+            plc.sizes.set_segments(wanted.marker, wanted.size)?;
+        }
+        for wanted in &self.region_size {
+            plc.sizes.set_regions(wanted.attribute, wanted.size)?;
+        }
+        if let Some(path) = &self.size_file {
+            plc.sizes.points = read(path, plc.points.len())?;
+        }
+        Ok(())
+    }
+
+    /// The options without effect because nothing is filled.
+    pub fn unused(&self) -> impl Iterator<Item = &'static str> {
+        let fills = self.size.is_some() || self.max_volume.is_some() || self.quality.is_some();
+        let given = [
+            (self.gradation.is_some(), "--gradation"),
+            (!self.region_size.is_empty(), "--region-size"),
+            (!self.facet_size.is_empty(), "--facet-size"),
+            (!self.segment_size.is_empty(), "--segment-size"),
+            (self.size_file.is_some(), "--size-file"),
+        ];
+        given.into_iter().filter(move |option| option.0 && !fills).map(|option| option.1)
+    }
+}
+
+fn read(path: &Path, points: usize) -> Result<Vec<f64>, Error> {
+    let fail = |status, what: std::fmt::Arguments| Error::new(status, format!("{}: {what}", path.display()));
+    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => fail(Status::File, format_args!("no such file")),
+        _ => fail(Status::File, format_args!("{error}")),
+    })?;
+    let text = std::str::from_utf8(&bytes)
+        .map_err(|_| fail(Status::Format, format_args!("not a file of sizes: it is not text")))?;
+    sizes(text, points).map_err(|what| fail(Status::Format, format_args!("{what}")))
+}
+
+/// One size for each of so many points. A first line of two numbers is the header of an .mtr file: count, and sizes per point.
+fn sizes(text: &str, points: usize) -> Result<Vec<f64>, String> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let content = text.lines().map(|line| line.split('#').next().unwrap_or_default().trim());
+    let mut lines = content.zip(1..).filter(|line| !line.0.is_empty()).peekable();
+    let header = lines.next_if(|line| line.0.split_whitespace().count() == 2);
+    if let Some((header, number)) = header {
+        let mut words = header.split_whitespace().map(str::parse::<usize>);
+        let (Some(Ok(count)), Some(Ok(width))) = (words.next(), words.next()) else {
+            return Err(format!("line {number}: two counts expected, found '{header}'"));
+        };
+        if width != 1 {
+            return Err(format!(
+                "line {number}: {width} numbers per point; only one, an edge length, is supported"
+            ));
+        }
+        if count != points {
+            return Err(format!("line {number}: sizes of {count} points; the input has {points}"));
+        }
+    }
+    let values: Result<Vec<f64>, String> = lines.map(|(line, number)| size(line, number)).collect();
+    let values = values?;
+    match values.len() == points {
+        true => Ok(values),
+        false => Err(format!("{} sizes; the input has {points} points", values.len())),
+    }
+}
+
+/// A line's number; infinite for no wish.
+fn size(line: &str, number: usize) -> Result<f64, String> {
+    match line.parse::<f64>() {
+        Ok(size) if size > 0.0 => Ok(size),
+        Ok(size) if size <= 0.0 => Ok(f64::INFINITY),
+        _ => Err(format!("line {number}: a size expected, found '{}'", line.escape_debug())),
+    }
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let value = text.trim().parse::<f64>().ok().filter(|&value| value > 0.0 && value.is_finite());
+    value.ok_or_else(|| "expected a finite number above 0".to_string())
+}
+
+fn slope(text: &str) -> Result<f64, String> {
+    let value = text.trim().parse::<f64>().ok().filter(|&value| value > 0.0 && value <= 1.0);
+    value.ok_or_else(|| "expected a number above 0, at most 1".to_string())
+}
+
+fn ratio(text: &str) -> Result<f64, String> {
+    let value = text.trim().parse::<f64>().ok().filter(|&value| value >= 1.2 && value.is_finite());
+    value.ok_or_else(|| "expected a finite number of at least 1.2".to_string())
+}
+
+fn marker_size(text: &str) -> Result<MarkerSize, String> {
+    let parts = text.split_once('=').map(|(marker, size)| (marker.trim().parse(), positive(size)));
+    match parts {
+        Some((Ok(marker), Ok(size))) => Ok(MarkerSize { marker, size }),
+        _ => Err("expected an integer, '=' and a finite number above 0".to_string()),
+    }
+}
+
+fn region_size(text: &str) -> Result<RegionSize, String> {
+    let parts =
+        text.split_once('=').map(|(attribute, size)| (attribute.trim().parse::<f64>(), positive(size)));
+    match parts {
+        Some((Ok(attribute), Ok(size))) if attribute.is_finite() => Ok(RegionSize { attribute, size }),
+        _ => Err("expected a number, '=' and a finite number above 0".to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_read_with_and_without_a_header() {
+        let no_wish = f64::INFINITY;
+        let expected = Ok(vec![0.5, no_wish, no_wish, 1e-3]);
+        for text in [
+            "0.5\n0\n-1\n1e-3\n",
+            "# a file\r\n 0.5 # the first\r\n\r\ninf\r\n-inf\r\n1e-3",
+            "4 1\n0.5\n0\n0\n.001\n",
+        ] {
+            assert_eq!(sizes(text, 4), expected, "{text}");
+        }
+        assert_eq!(sizes("", 0), Ok(vec![]));
+        assert_eq!(sizes("\u{feff}0 1\n", 0), Ok(vec![]));
+    }
+
+    #[test]
+    fn files_of_anything_else_are_refused_with_the_line() {
+        for (text, said) in [
+            ("1\n2\n", "2 sizes; the input has 3 points"),
+            ("1\n2\n3\n4\n", "4 sizes; the input has 3 points"),
+            ("2 1\n1\n2\n", "line 1: sizes of 2 points; the input has 3"),
+            ("# metric\n3 6\n", "line 2: 6 numbers per point; only one, an edge length, is supported"),
+            ("3 1\n1\n2\n", "2 sizes; the input has 3 points"),
+            ("1 a\n", "line 1: two counts expected, found '1 a'"),
+            ("1\nnan\n2\n", "line 2: a size expected, found 'nan'"),
+            ("1\n2 3\n4\n", "line 2: a size expected, found '2 3'"),
+        ] {
+            assert_eq!(sizes(text, 3), Err(said.to_string()), "{text}");
+        }
+    }
+
+    #[test]
+    fn sizes_of_parts_have_a_name_and_a_length() {
+        assert_eq!(marker_size("-3=0.5"), Ok(MarkerSize { marker: -3, size: 0.5 }));
+        assert_eq!(region_size(" 2.5 = 1e3 "), Ok(RegionSize { attribute: 2.5, size: 1e3 }));
+        for text in ["", "3", "3=", "=1", "3=0", "3=-1", "3=nan", "3=inf", "x=1"] {
+            assert!(marker_size(text).is_err() && region_size(text).is_err(), "{text}");
+        }
+        assert!(marker_size("2.5=1").is_err() && region_size("nan=1").is_err());
+        assert!(slope("1").is_ok() && slope("1.01").is_err() && slope("0").is_err() && slope("nan").is_err());
+        assert!(
+            ratio("1.2").is_ok() && ratio("1.1").is_err() && ratio("inf").is_err() && ratio("nan").is_err()
+        );
+    }
+
+    #[test]
+    fn what_fills_nothing_is_named() {
+        let mut args =
+            SizeArgs { gradation: Some(0.5), size_file: Some(PathBuf::from("a")), ..SizeArgs::default() };
+        assert_eq!(args.unused().collect::<Vec<_>>(), ["--gradation", "--size-file"]);
+        args.quality = Some(2.0);
+        assert_eq!(args.unused().count(), 0);
+    }
+}

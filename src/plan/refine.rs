@@ -1,0 +1,204 @@
+//! Points inside by size and shape, then optimisation ([`Options::size`], [`Options::quality`], [`Options::optimize`]).
+use crate::control::Part;
+use crate::domain::Domain;
+use crate::elementary::{exponent, power_of_two};
+use crate::error::{Error, Status};
+use crate::fallible;
+use crate::fill::{bound_volumes, fill, LEAST_RATIO, RATIO};
+use crate::kernel::tables::EDGE;
+use crate::kernel::{edge_key, Mesh};
+use crate::optimise::optimise;
+use crate::options::{Mode, Options};
+use crate::output::Region;
+use crate::plan::{Engine, Run};
+use crate::plc::surface::Surface;
+use crate::plc::Plc;
+use crate::predicates::scale;
+use crate::preserve::Freed;
+use crate::size::{Bounds, Given, Size};
+
+/// What a mesh is made from.
+#[derive(Clone, Copy)]
+pub(super) struct Input<'a> {
+    pub plc: &'a Plc,
+    pub surface: &'a Surface,
+    pub regions: &'a Domain,
+}
+
+/// Whether the mesh is filled with points.
+pub(super) fn fills(options: &Options) -> bool {
+    let lengths = options.size.is_some() || options.max_volume.is_some() || options.size_function.is_some();
+    lengths || options.quality.is_some()
+}
+
+/// Whether the mesh is filled or optimised.
+pub(super) fn refines(options: &Options) -> bool {
+    fills(options) || options.optimize > 0
+}
+
+/// Refuses sizes and shapes that nothing can have, and modes that offer none.
+pub(super) fn check(plc: &Plc, options: &Options) -> Result<(), Error> {
+    let refuse = |what: std::fmt::Arguments| Err(Error::new(Status::InvalidArgument, what));
+    if let Some(size) = options.size.filter(|&size| !(size > 0.0 && size.is_finite())) {
+        return refuse(format_args!("size: {size} is no positive finite length"));
+    }
+    if let Some(ratio) = options.quality.filter(|&ratio| !(ratio >= LEAST_RATIO && ratio.is_finite())) {
+        return refuse(format_args!("quality: {ratio} is no finite ratio of at least {LEAST_RATIO}"));
+    }
+    if let Some(volume) = options.max_volume.filter(|&volume| !(volume > 0.0 && volume.is_finite())) {
+        return refuse(format_args!("max_volume: {volume} is no positive finite volume"));
+    }
+    let gradation = options.gradation;
+    if !(gradation > 0.0 && gradation <= 1.0) {
+        return refuse(format_args!("gradation: {gradation} is not above 0 and at most 1"));
+    }
+    plc.sizes.check(plc.points.len())?;
+    if !refines(options) || options.mode == Mode::Preserve {
+        return Ok(());
+    }
+    match options.mode {
+        Mode::Delaunay => refuse(format_args!("size, quality, optimize: not offered in mode delaunay")),
+        _ => refuse(format_args!(
+            "size, quality, optimize: not offered in mode cdt yet, only in mode preserve"
+        )),
+    }
+}
+
+impl Run<'_> {
+    /// Fills a mesh whose surface is kept, and optimises it, as the options say.
+    pub(super) fn refine(
+        &mut self,
+        options: &Options,
+        engine: &mut Engine,
+        mesh: &mut Mesh,
+        freed: &mut Freed,
+        input: Input,
+        part: Part,
+    ) -> Result<(), Error> {
+        if !refines(options) {
+            return Ok(());
+        }
+        // What fails from here on fails for good: other ways to the surface would lead to the same.
+        self.is_refining = true;
+        part.steiner(freed.inside.list.len() as u64, usize::MAX / 200)?;
+        let Freed { inside, isolated, .. } = freed;
+        if !isolated.is_empty() {
+            mesh.mark_subsegments(|v| {
+                let bit = |(e, &[i, j]): (usize, &[u8; 2])| {
+                    u16::from(isolated.contains(&edge_key(v[i as usize], v[j as usize]))) << e
+                };
+                Ok(EDGE.iter().enumerate().map(bit).fold(0, |all, bit| all | bit))
+            })?;
+        }
+        let bounds = if fills(options) { bounds(options, engine, input)? } else { Bounds::default() };
+        if fills(options) {
+            let given = given(options, engine, input)?;
+            let mut size = Size::new(mesh, &engine.points, isolated, given, options.gradation, &part)?;
+            let ratio = options.quality.unwrap_or(RATIO);
+            fill(mesh, &mut engine.points, inside, &mut size, ratio, part.part(0.0, 0.4))?;
+            if !bounds.is_empty() {
+                bound_volumes(mesh, &mut engine.points, inside, &mut size, &bounds, part.part(0.4, 0.45))?;
+            }
+        }
+        if options.optimize > 0 {
+            let effort = options.optimize;
+            optimise(mesh, &mut engine.points, inside, isolated, &bounds, effort, part.part(0.45, 1.0))?;
+        }
+        self.is_refining = false;
+        Ok(())
+    }
+}
+
+/// What the caller wants, in the engine's lengths.
+fn given<'a>(options: &'a Options, engine: &Engine, input: Input) -> Result<Given<'a>, Error> {
+    let scaled = |x: f64| scale(x, engine.scale);
+    let least = |x: Option<f64>, y: Option<f64>| x.into_iter().chain(y).reduce(f64::min);
+    let of_volume = |volume: f64| scaled(edge_of(volume));
+    let sizes = &input.plc.sizes;
+    let of_region = |region: &Region| {
+        let wanted = sizes.regions.iter().find(|wanted| wanted.attribute == region.attribute);
+        least(wanted.map(|wanted| scaled(wanted.size)), region.max_volume.map(of_volume))
+    };
+    Ok(Given {
+        length: least(options.size.map(scaled), options.max_volume.map(of_volume)),
+        of_region: fallible::collect(input.regions.regions.iter().map(of_region))?,
+        at_vertices: at_vertices(engine, input)?,
+        function: options.size_function.as_ref(),
+        exponent: engine.scale,
+    })
+}
+
+/// The largest volumes, in the engine's lengths.
+fn bounds(options: &Options, engine: &Engine, input: Input) -> Result<Bounds, Error> {
+    let scaled = |volume: f64| scale(volume, 3 * engine.scale);
+    let regions = input.regions.regions.iter().map(|region| region.max_volume.map(scaled));
+    Ok(Bounds { all: options.max_volume.map(scaled), of_region: fallible::collect(regions)? })
+}
+
+/// The lengths wanted at points, facets and segments, by vertex; empty if there are none.
+fn at_vertices(engine: &Engine, Input { plc, surface, .. }: Input) -> Result<Vec<f64>, Error> {
+    let sizes = &plc.sizes;
+    if sizes.points.is_empty() && sizes.facets.is_empty() && sizes.segments.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut out = fallible::filled(f64::INFINITY, engine.points.len())?;
+    let mut lower = |point: u32, size: f64| {
+        let size = scale(size, engine.scale);
+        if let Some(known) = out.get_mut(engine.engine_of[point as usize] as usize) {
+            *known = size.min(*known);
+        }
+    };
+    (0u32..).zip(&sizes.points).for_each(|(point, &size)| lower(point, size));
+    for (corners, &facet) in surface.triangles.iter().zip(&surface.triangle_facet) {
+        if let Some(size) = sizes.of_facet(plc.facet_marker(facet as usize)) {
+            corners.iter().for_each(|&v| lower(v, size));
+        }
+    }
+    for (ends, &parent) in surface.segments.iter().zip(&surface.segment_parent) {
+        let marker = plc.segments.get(parent as usize).map(|segment| segment.marker);
+        if let Some(size) = marker.and_then(|marker| sizes.of_segment(marker)) {
+            ends.iter().for_each(|&v| lower(v, size));
+        }
+    }
+    Ok(out)
+}
+
+/// The edge of the regular tetrahedron of a volume: the cube root of 6 √2 times it, by Newton's method.
+fn edge_of(volume: f64) -> f64 {
+    let cube = 6.0 * 2.0f64.sqrt() * volume;
+    if !cube.is_finite() || cube < f64::MIN_POSITIVE {
+        return f64::INFINITY;
+    }
+    let mut x = power_of_two(exponent(cube) / 3);
+    for _ in 0..64 {
+        x = (2.0 * x + cube / (x * x)) / 3.0;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_edge_of_a_volume_has_this_volume() {
+        for volume in [1e-30, 0.01, 1.0, 12345.0, 1e100] {
+            let edge = edge_of(volume);
+            assert!((edge * edge * edge / 72f64.sqrt() / volume - 1.0).abs() < 1e-12, "{volume}");
+        }
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        let base = || Options { mode: Mode::Preserve, ..Options::default() };
+        let status = |options: Options| check(&Plc::default(), &options).err().map(|e| e.status);
+        for x in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(status(Options { size: Some(x), ..base() }), Some(Status::InvalidArgument));
+            assert_eq!(status(Options { quality: Some(x), ..base() }), Some(Status::InvalidArgument));
+            assert_eq!(status(Options { max_volume: Some(x), ..base() }), Some(Status::InvalidArgument));
+            assert_eq!(status(Options { gradation: x, ..base() }), Some(Status::InvalidArgument));
+        }
+        assert_eq!(status(Options { size: Some(0.5), quality: Some(2.0), ..base() }), None);
+        assert_eq!(status(Options { size: Some(0.5), ..Options::default() }), Some(Status::InvalidArgument));
+    }
+}
