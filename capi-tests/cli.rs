@@ -93,7 +93,7 @@ fn the_guide_names_every_option() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/doc/options.md");
     let guide = std::fs::read_to_string(path).expect("the guide");
     let (mut found, mut missing) = (0, Vec::new());
-    for command in ["mesh", "check", "info", "convert"] {
+    for command in ["mesh", "refine", "improve", "check", "info", "convert"] {
         assert!(guide.contains(&format!("`delotet {command} ")), "options.md lacks the command {command}");
         let help = delotet(&[command, "--help"], Path::new("."));
         for line in

@@ -703,3 +703,62 @@ fn files_of_sizes_fail_with_1_and_name_the_line() {
     assert!(said.contains("no effect without --size, --max-volume or --quality: --facet-size"), "{said}");
     assert!(said.contains("--quality: --size-file"), "{said}");
 }
+
+#[test]
+fn a_mesh_is_refined_and_improved() {
+    let dir = folder("given");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    let done = |arguments: &[&str]| {
+        let result = delotet(arguments, &dir);
+        assert_eq!(result.status.code(), Some(0), "{arguments:?}: {}", error_line(&result));
+        String::from_utf8_lossy(&result.stdout).into_owned()
+    };
+    let failed = |arguments: &[&str], code: i32, said: &str| {
+        let result = delotet(arguments, &dir);
+        assert_eq!(result.status.code(), Some(code), "{arguments:?}: {}", error_line(&result));
+        assert!(error_line(&result).contains(said), "{arguments:?}: {}", error_line(&result));
+    };
+    done(&["mesh", "cube.off", "--mode", "preserve", "-o", "c.vtu", "--subfaces"]);
+    let told =
+        done(&["refine", "c.vtu", "-o", "r.ele", "--size", "0.4", "--stats", "s.json", "--report", "r.json"]);
+    assert!(told.contains("8 in") && told.contains("volume 1.000000"), "{told}");
+    assert!(text(dir.join("s.json")).contains("\"points_in\": 8"));
+    assert!(text(dir.join("r.json")).contains("\"status\": \"Ok\""));
+    let node = text(dir.join("r.node"));
+    let points: usize = node.split_whitespace().next().unwrap().parse().unwrap();
+    assert!(points > 8, "{points}");
+    for output in ["i.msh", "i.mesh", "i.vtu"] {
+        let told = done(&["improve", "r.ele", "-o", output, "--optimize=2", "--input-points", "8"]);
+        assert!(told.contains("8 in") && told.contains("volume 1.000000"), "{told}");
+        done(&["refine", output, "-o", "again.ele", "--quality", "--optimize", "--quiet"]);
+    }
+    // One size per point, or per tetrahedron.
+    let tets = text(dir.join("r.ele")).split_whitespace().next().unwrap().parse::<usize>().unwrap();
+    for (name, count) in [("points.mtr", points), ("tets.txt", tets)] {
+        let sizes = "0.2\n".repeat(count);
+        let header = if name == "points.mtr" { format!("{count} 1\n") } else { String::new() };
+        std::fs::write(dir.join(name), header + &sizes).unwrap();
+        done(&["refine", "r.ele", "-o", "fine.ele", "--sizes", name]);
+        let fine = text(dir.join("fine.node")).split_whitespace().next().unwrap().parse::<usize>().unwrap();
+        assert!(fine > points, "{name}: {fine}");
+    }
+    std::fs::write(dir.join("few.txt"), "1\n2\n").unwrap();
+    failed(&["refine", "r.ele", "-o", "x.vtu", "--sizes", "few.txt"], 1, "2 sizes; the mesh has");
+    failed(&["refine", "r.ele", "-o", "x.vtu", "--sizes", "none.txt"], 1, "no such file");
+    failed(&["refine", "none.vtu", "-o", "x.vtu", "--size", "1"], 1, "none.vtu");
+    failed(&["improve", "cube.off", "-o", "x.vtu"], 2, "meshes are read from");
+    failed(&["improve", "r.ele", "-o", "r.vtu.none"], 2, "unknown file format");
+    failed(&["improve", "r.ele", "-o", "r.ele"], 2, "");
+    failed(&["refine", "r.ele", "-o", "x.vtu", "--size", "0.1", "--steiner-limit", "3"], 3, "Steiner");
+    failed(&["refine", "r.ele", "-o", "x.vtu", "--size", "0"], 2, "");
+    std::fs::write(
+        dir.join("flat.mesh"),
+        "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 0 0 1 0 0 0 0 1 0 0 1 1 0 0 \
+                   Tetrahedra 1 1 2 3 4 0 End",
+    )
+    .unwrap();
+    failed(&["improve", "flat.mesh", "-o", "x.vtu", "--report", "flat.json"], 1, "a tetrahedron is flat");
+    assert!(text(dir.join("flat.json")).contains("tetrahedron not positive"));
+    let unused = delotet(&["refine", "r.ele", "-o", "same.ele"], &dir);
+    assert!(String::from_utf8_lossy(&unused.stderr).contains("nothing is refined"));
+}

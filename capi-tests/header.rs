@@ -4,9 +4,9 @@
 use std::path::{Path, PathBuf};
 
 /// In the order in which the header explains them.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 17] = [
     "version", "status", "view", "error", "options", "limits", "plc", "plc_view", "sizes", "mesh", "warning",
-    "run", "query", "quality", "file", "write",
+    "run", "given", "query", "quality", "file", "write",
 ];
 
 fn root() -> &'static Path {

@@ -22,8 +22,8 @@ use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, Ordering::SeqCst};
 
 use delotet::ffi::{
-    error::*, file::*, mesh::*, options::*, plc::*, plc_view::*, quality::*, query::*, run::*, sizes::*,
-    status::*, view::*, write::*,
+    error::*, file::*, given::*, mesh::*, options::*, plc::*, plc_view::*, quality::*, query::*, run::*,
+    sizes::*, status::*, view::*, write::*,
 };
 
 /// At most about this many requests of a job are refused, one run each, unless all are requested, since meshing takes long.
@@ -303,6 +303,96 @@ fn reading(job: &Job) -> Box<dyn Fn() -> Outcome> {
         }
         Outcome { status, hash: hash.0 }
     })
+}
+
+/// Reads the file of a mesh.
+fn reading_a_mesh(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let path = c_path(&scratch().join(job.file));
+    let plc = plc_of(job);
+    let (status, mesh) = make_mesh(plc, job.mode, job.change);
+    assert_eq!(status, DelotetStatus::Ok);
+    // SAFETY: handles and path are alive.
+    unsafe {
+        let options = delotet_write_options_new();
+        assert_eq!(delotet_write_options_set_compress(options, true, null_mut()), DelotetStatus::Ok);
+        assert_eq!(delotet_write_options_set_subfaces(options, true, null_mut()), DelotetStatus::Ok);
+        let status = delotet_mesh_write_with(mesh, plc, path.as_ptr(), options, null_mut());
+        assert_eq!(status, DelotetStatus::Ok);
+        delotet_write_options_free(options);
+    }
+    Box::new(move || {
+        let (mut mesh, mut error) = (null_mut(), null_mut());
+        // SAFETY: the path is alive, the mesh is ours.
+        unsafe {
+            let status = finish(delotet_mesh_read(path.as_ptr(), null(), &mut mesh, &mut error), error);
+            let hash = mesh_hash(mesh);
+            delotet_mesh_free(mesh);
+            Outcome { status, hash }
+        }
+    })
+}
+
+/// Makes a mesh of the arrays of another one, refines it with sizes, and improves the result.
+fn changing_a_mesh(job: &Job) -> Box<dyn Fn() -> Outcome> {
+    let (status, mesh) = make_mesh(plc_of(job), job.mode, job.change);
+    assert_eq!(status, DelotetStatus::Ok);
+    Box::new(move || {
+        let mut made = [null_mut(); 3];
+        // SAFETY: all handles are ours.
+        unsafe {
+            let sizes = delotet_mesh_sizes_new();
+            let status = change(mesh, sizes, &mut made);
+            let hash = mesh_hash(made[2]);
+            made.iter().for_each(|&mesh| delotet_mesh_free(mesh));
+            delotet_mesh_sizes_free(sizes);
+            let status = status.err().unwrap_or(DelotetStatus::Ok);
+            // Without memory there are no sizes to be set.
+            Outcome { status: if sizes.is_null() { DelotetStatus::OutOfMemory } else { status }, hash }
+        }
+    })
+}
+
+/// # Safety
+/// The handles are alive, `sizes` may be null.
+unsafe fn change(
+    mesh: *const DelotetMesh,
+    sizes: *mut DelotetMeshSizes,
+    made: &mut [*mut DelotetMesh; 3],
+) -> Result<(), DelotetStatus> {
+    let done = |status, error| match unsafe { finish(status, error) } {
+        DelotetStatus::Ok => Ok(()),
+        status => Err(status),
+    };
+    let mut error = null_mut();
+    // SAFETY: the caller's promise; views are used while their mesh lives.
+    unsafe {
+        let (points, tets) = (delotet_mesh_points(mesh), delotet_mesh_tets(mesh));
+        let (no_numbers, no_corners) = (null(), null());
+        let status = delotet_mesh_from_arrays(
+            points.data,
+            points.count,
+            points.count,
+            tets.data,
+            tets.count,
+            null(),
+            no_corners,
+            0,
+            no_numbers,
+            tets.data,
+            1,
+            no_numbers,
+            null(),
+            &mut made[0],
+            &mut error,
+        );
+        done(status, error)?;
+        let status = delotet_mesh_sizes_set_region(sizes, 1.0, 0.7, &mut error);
+        done(status, error)?;
+        let status = delotet_mesh_refine(made[0], sizes, null(), &mut made[1], &mut error);
+        done(status, error)?;
+        let status = delotet_mesh_improve(made[1], null(), &mut made[2], &mut error);
+        done(status, error)
+    }
 }
 
 fn writing(job: &Job) -> Box<dyn Fn() -> Outcome> {
@@ -667,6 +757,14 @@ fn jobs() -> Vec<Job> {
     }
     for model in ["fins_in_box.poly", "internal.smesh", "text.obj"] {
         jobs.push(Job { model, ..Job::new(format!("read {model}"), reading) });
+    }
+    for file in ["g.ele", "g.vtu", "g.msh", "g.mesh"] {
+        let model = "internal.smesh";
+        jobs.push(Job { model, file, ..Job::new(format!("read the mesh {file}"), reading_a_mesh) });
+    }
+    for model in ["internal.smesh", "fins_in_box.poly"] {
+        let (name, runs) = (format!("given mesh of {model}"), 4 * RUNS_PER_MESH);
+        jobs.push(Job { model, runs, ..Job::new(name, changing_a_mesh) });
     }
     for (model, expected) in [
         ("invalid/truncated.off", DelotetStatus::Format),

@@ -4,7 +4,9 @@ use crate::fallible;
 use crate::progress::Phase;
 use crate::warning::Warnings;
 
+mod arrays;
 mod dropped;
+pub use arrays::MeshArrays;
 pub use dropped::Dropped;
 
 /// A Steiner point and where it lies: on an input edge, or inside and on no segment ([`SteinerPoint::INSIDE`]).
@@ -97,6 +99,9 @@ pub enum Guarantee {
     Preserved,
     /// The outer boundary is kept as it is in the input ([`Preserve::Outer`](crate::Preserve::Outer)).
     PreservedOuter,
+    /// A given mesh ([`mesh_from_arrays`](crate::mesh_from_arrays)), or one refined or improved that kept no surface before: facets and
+    /// segments are unions of faces and edges.
+    Given,
 }
 
 /// A flip of two facet triangles, made by facet merging before meshing: edge `old` became edge `new`.

@@ -429,6 +429,11 @@ typedef struct DelotetError DelotetError;
 typedef struct DelotetMesh DelotetMesh;
 
 /**
+ * Edge lengths wanted in a mesh that is to be refined: at its points, in its tetrahedra, and by markers and attributes.
+ */
+typedef struct DelotetMeshSizes DelotetMeshSizes;
+
+/**
  * Settings of a run. One object may serve any number of runs, even concurrent ones (the callbacks are then called from all their threads).
  */
 typedef struct DelotetOptions DelotetOptions;
@@ -2488,6 +2493,157 @@ enum DelotetStatus delotet_tetrahedralize(const struct DelotetPlc *plc,
                                           struct DelotetError **out_error);
 
 /**
+ * Makes a mesh of arrays: one made elsewhere, or in an earlier run. All arrays are copied.
+ * `xyz`: #points by 3 doubles. `input_point_count`: how many of them are input points, at most `point_count`: these keep their place in
+ * every later mesh. The others may be moved and taken out later, but only those behind the last point that is on a kept face or edge: up
+ * to that one all count as input points.
+ * `tets`: #tetrahedra by 4 corners, in either orientation. `attributes`: NULL, or one double per tetrahedron; equal ones are one material.
+ * `faces`: #faces by 3 corners, faces of the mesh that are to be kept; may be NULL if `face_count` is 0. Those on the boundary and between
+ * different attributes are kept in any case, with marker 0. `face_markers`: NULL, or one per face.
+ * `edges`: #edges by 2 ends, edges of the mesh that are to be kept; may be NULL if `edge_count` is 0. `edge_markers`: NULL, or one per edge.
+ * `options`: NULL, or options whose limits count, and how many defects an error lists.
+ * `out_mesh`: the mesh, owned by the caller; free it with delotet_mesh_free(). NULL on failure. The facet of a subface is the index of the
+ * given face (others are numbered after them), the segment of a subsegment that of the given edge. Of equal points tetrahedra use the first.
+ * Errors: INVALID_ARGUMENT (also without tetrahedra, and for attributes that are not finite), NON_FINITE_POINT, COORDINATE_RANGE,
+ * INDEX_OUT_OF_RANGE; CHECK_FAILED: a tetrahedron is flat, a face belongs to more than two tetrahedra or to two on one side, tetrahedra with
+ * a common edge overlap, a given face or edge is none of the mesh; CANCELLED, TIME_LIMIT, MEMORY_LIMIT, TOO_LARGE, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_from_arrays(const double *xyz,
+                                            size_t point_count,
+                                            size_t input_point_count,
+                                            const uint32_t *tets,
+                                            size_t tet_count,
+                                            const double *attributes,
+                                            const uint32_t *faces,
+                                            size_t face_count,
+                                            const int32_t *face_markers,
+                                            const uint32_t *edges,
+                                            size_t edge_count,
+                                            const int32_t *edge_markers,
+                                            const struct DelotetOptions *options,
+                                            struct DelotetMesh **out_mesh,
+                                            struct DelotetError **out_error);
+
+/**
+ * Reads a mesh from a file; the extension determines the format: .ele (with .node, and .face and .edge if they are there), .vtu (with
+ * STEM_subfaces.vtu if it is there), .msh, .mesh (src/doc/formats.md says what is read). It becomes a mesh as in
+ * delotet_mesh_from_arrays(); all its points are input points. Attributes and markers of points are read where the format has them.
+ * `path`: zero-terminated; any bytes on Unix, UTF-8 elsewhere. `options`: NULL, or options whose limits count. `out_mesh`: the mesh, owned
+ * by the caller; free it with delotet_mesh_free(). NULL on failure.
+ * Errors: as delotet_mesh_from_arrays(); UNSUPPORTED (unknown format, or the library was built without file formats), FILE, FORMAT.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_read(const char *path,
+                                     const struct DelotetOptions *options,
+                                     struct DelotetMesh **out_mesh,
+                                     struct DelotetError **out_error);
+
+/**
+ * Refines a mesh, one of delotet_tetrahedralize() or any other: adds points inside until sizes, volumes and shapes are as wanted, then
+ * optimises if the options say so. Kept are subfaces and subsegments with facets, segments and markers, the regions, the input points, and
+ * points of earlier runs on edges and facets, all in their order. Points inside of earlier runs come behind them, with the new ones; they may
+ * have moved or gone. Surfaces are not refined: near a coarse one sizes are bounded by it. Of a mesh made with
+ * delotet_options_set_drop_unmeshed_points() the remaining points count as the input.
+ * `sizes`: NULL, or lengths wanted in this mesh. `options`: NULL for the defaults; those about filling (delotet_options_set_size() and what
+ * follows it, in any mode), optimisation, limits and callbacks count. `out_mesh`: another mesh, owned by the caller; free it with
+ * delotet_mesh_free(). NULL on failure. It does not refer to the other handles. Attributes of points are interpolated at new ones.
+ * The same mesh, sizes and options give the same result, bit for bit.
+ * Errors: INVALID_ARGUMENT (also for sizes of another mesh), CHECK_FAILED (the mesh has no valid doubles, as with
+ * delotet_options_set_exact_form()), COORDINATE_RANGE, CANCELLED, STEINER_LIMIT, TIME_LIMIT, MEMORY_LIMIT, TOO_LARGE, OUT_OF_MEMORY, INTERNAL.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_refine(const struct DelotetMesh *mesh,
+                                       const struct DelotetMeshSizes *sizes,
+                                       const struct DelotetOptions *options,
+                                       struct DelotetMesh **out_mesh,
+                                       struct DelotetError **out_error);
+
+/**
+ * Improves the dihedral angles of a mesh, with the effort of delotet_options_set_optimize(), but at least 1. The worst tetrahedron never
+ * gets worse. Kept is what delotet_mesh_refine() keeps: points inside of earlier runs may move and go, and new ones may come.
+ * `options`, `out_mesh`, errors: as for delotet_mesh_refine(); of the options those about sizes and shapes do not count.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_improve(const struct DelotetMesh *mesh,
+                                        const struct DelotetOptions *options,
+                                        struct DelotetMesh **out_mesh,
+                                        struct DelotetError **out_error);
+
+/**
+ * Sizes without a wish. The caller owns them; free them with delotet_mesh_sizes_free(). NULL only if memory ran out.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+struct DelotetMeshSizes *delotet_mesh_sizes_new(void);
+
+/**
+ * Sets the edge length wanted at each point of the mesh, replacing earlier ones. The smallest of all sizes counts, and they grow between the
+ * points by the gradation (delotet_options_set_gradation()).
+ * `sizes`: one per point, positive, infinite where there is no wish; copied; may be NULL if `count` is 0. `count`: the number of points of
+ * the mesh that will be refined, or 0, which removes all. Errors: INVALID_ARGUMENT (a size is NaN or not positive; the number is compared
+ * by delotet_mesh_refine()), OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_sizes_set_points(struct DelotetMeshSizes *sizes,
+                                                 const double *lengths,
+                                                 size_t count,
+                                                 struct DelotetError **out_error);
+
+/**
+ * Sets the edge length wanted in each tetrahedron of the mesh, replacing earlier ones: a point gets the smallest of those around it.
+ * Otherwise as delotet_mesh_sizes_set_points(), with `count` the number of tetrahedra.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_sizes_set_tets(struct DelotetMeshSizes *sizes,
+                                               const double *lengths,
+                                               size_t count,
+                                               struct DelotetError **out_error);
+
+/**
+ * Sets the edge length wanted at the subfaces with a marker, replacing an earlier one. `length`: positive; infinite removes it. Errors:
+ * INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_sizes_set_facet(struct DelotetMeshSizes *sizes,
+                                                int32_t marker,
+                                                double length,
+                                                struct DelotetError **out_error);
+
+/**
+ * Sets the edge length wanted at the subsegments with a marker; otherwise as delotet_mesh_sizes_set_facet().
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_sizes_set_segment(struct DelotetMeshSizes *sizes,
+                                                  int32_t marker,
+                                                  double length,
+                                                  struct DelotetError **out_error);
+
+/**
+ * Sets the edge length wanted in the regions with an attribute; otherwise as delotet_mesh_sizes_set_facet(). Errors: INVALID_ARGUMENT (also
+ * for an attribute that is NaN), OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_sizes_set_region(struct DelotetMeshSizes *sizes,
+                                                 double attribute,
+                                                 double length,
+                                                 struct DelotetError **out_error);
+
+/**
+ * Frees sizes. NULL is ignored.
+ */
+DELOTET_API void delotet_mesh_sizes_free(struct DelotetMeshSizes *sizes);
+
+/**
  * The region attribute of each tetrahedron: #tetrahedra by 1. Computed on first use; borrowed from `mesh`, valid until it is freed.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  */
@@ -2698,7 +2854,8 @@ enum DelotetStatus delotet_plc_write(const struct DelotetPlc *plc,
 
 /**
  * Writes a mesh to a file; the extension determines the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made
- * from: some formats store its markers and attributes. Values that the format cannot hold are lost without a warning;
+ * from: some formats store its markers and attributes. For a mesh of delotet_mesh_from_arrays() or delotet_mesh_read(), and what was made
+ * of it, any PLC will do: one with the input points' markers and attributes, or an empty one. Values that the format cannot hold are lost without a warning;
  * delotet_mesh_write_with() reports them.
  * Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, OUT_OF_MEMORY.
  */

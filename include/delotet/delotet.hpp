@@ -1452,6 +1452,102 @@ struct SecondOrder {
     Span<const Tet10> tets;
 };
 
+/// Edge lengths wanted in a mesh that is to be refined. Move-only. The throwing forms return *this.
+class MeshSizes {
+  public:
+    MeshSizes() noexcept : handle_(delotet_mesh_sizes_new()) {}
+
+    /// One length per point of the mesh, infinite where there is no wish; empty removes them.
+    Status points(Span<const double> lengths, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) {
+            return delotet_mesh_sizes_set_points(get(), lengths.data(), lengths.size(), e);
+        });
+    }
+    /// One length per tetrahedron of the mesh, likewise.
+    Status tets(Span<const double> lengths, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) {
+            return delotet_mesh_sizes_set_tets(get(), lengths.data(), lengths.size(), e);
+        });
+    }
+    /// At the subfaces with a marker; infinite removes it, here as below.
+    Status facet(Marker marker, double length, Error &error) noexcept
+    {
+        return change(
+            error, [&](DelotetError **e) { return delotet_mesh_sizes_set_facet(get(), marker, length, e); });
+    }
+    /// At the subsegments with a marker.
+    Status segment(Marker marker, double length, Error &error) noexcept
+    {
+        return change(
+            error, [&](DelotetError **e) { return delotet_mesh_sizes_set_segment(get(), marker, length, e); });
+    }
+    /// In the regions with an attribute.
+    Status region(double attribute, double length, Error &error) noexcept
+    {
+        return change(
+            error, [&](DelotetError **e) { return delotet_mesh_sizes_set_region(get(), attribute, length, e); });
+    }
+
+#if DELOTET_EXCEPTIONS
+    MeshSizes &points(Span<const double> lengths) &
+    {
+        return chain([&](Error &e) { return points(lengths, e); });
+    }
+    MeshSizes &&points(Span<const double> lengths) && { return std::move(points(lengths)); }
+    MeshSizes &tets(Span<const double> lengths) &
+    {
+        return chain([&](Error &e) { return tets(lengths, e); });
+    }
+    MeshSizes &&tets(Span<const double> lengths) && { return std::move(tets(lengths)); }
+    MeshSizes &facet(Marker marker, double length) &
+    {
+        return chain([&](Error &e) { return facet(marker, length, e); });
+    }
+    MeshSizes &&facet(Marker marker, double length) && { return std::move(facet(marker, length)); }
+    MeshSizes &segment(Marker marker, double length) &
+    {
+        return chain([&](Error &e) { return segment(marker, length, e); });
+    }
+    MeshSizes &&segment(Marker marker, double length) && { return std::move(segment(marker, length)); }
+    MeshSizes &region(double attribute, double length) &
+    {
+        return chain([&](Error &e) { return region(attribute, length, e); });
+    }
+    MeshSizes &&region(double attribute, double length) && { return std::move(region(attribute, length)); }
+#endif
+    DelotetMeshSizes *get() const noexcept { return handle_.get(); }
+
+  private:
+    template <class Call> Status change(Error &error, Call &&call) noexcept
+    {
+        return handle_ ? detail::run(error, call) : detail::out_of_memory(error);
+    }
+#if DELOTET_EXCEPTIONS
+    template <class Call> MeshSizes &chain(Call &&call)
+    {
+        detail::require(call);
+        return *this;
+    }
+#endif
+    std::unique_ptr<DelotetMeshSizes, detail::Free<DelotetMeshSizes, delotet_mesh_sizes_free>> handle_;
+};
+
+/// A mesh as arrays, which somebody else keeps: see delotet_mesh_from_arrays(). Lists of attributes and markers may be empty.
+struct MeshArrays {
+    Span<const Point> points;
+    Span<const Tet> tets;
+    Span<const double> attributes;
+    /// Faces and edges of the mesh that are to be kept.
+    Span<const Triangle> faces;
+    Span<const Marker> face_markers;
+    Span<const std::array<Index, 2>> edges;
+    Span<const Marker> edge_markers;
+    /// The others may be moved and taken out later; by default all are input points.
+    std::size_t input_point_count = static_cast<std::size_t>(-1);
+};
+
 /// The result. Move-only and immutable; empty (get() is NULL) by default.
 class Mesh {
   public:
@@ -1758,19 +1854,27 @@ class Mesh {
     std::unique_ptr<DelotetMesh, detail::Free<DelotetMesh, delotet_mesh_free>> handle_;
 };
 
-/// Makes the mesh of a PLC. Rethrows what a callback of `options` throws.
-inline Status tetrahedralize(const Plc &plc, const Options &options, Mesh &mesh, Error &error)
+namespace detail {
+/// Runs a call that makes a mesh.
+template <class Call> Status made(const Options &options, Mesh &mesh, Error &error, Call &&call)
 {
     DelotetMesh *handle = nullptr;
     struct Owner {
         DelotetMesh *&handle;
         ~Owner() { delotet_mesh_free(handle); }
     } owner{handle};
-    const Status status = detail::run(options, error, [&](DelotetError **e) {
-        return delotet_tetrahedralize(plc.get(), options.get(), &handle, e);
-    });
+    const Status status = run(options, error, [&](DelotetError **e) { return call(&handle, e); });
     mesh = Mesh(std::exchange(handle, nullptr));
     return status;
+}
+} // namespace detail
+
+/// Makes the mesh of a PLC. Rethrows what a callback of `options` throws.
+inline Status tetrahedralize(const Plc &plc, const Options &options, Mesh &mesh, Error &error)
+{
+    return detail::made(options, mesh, error, [&](DelotetMesh **out, DelotetError **e) {
+        return delotet_tetrahedralize(plc.get(), options.get(), out, e);
+    });
 }
 
 #if DELOTET_EXCEPTIONS
@@ -1779,6 +1883,79 @@ inline Mesh tetrahedralize(const Plc &plc, const Options &options = {})
     Mesh mesh;
     detail::require([&](Error &e) { return tetrahedralize(plc, options, mesh, e); });
     return mesh;
+}
+#endif
+
+/// Makes a mesh of arrays, under the limits of `options`.
+inline Status mesh_from_arrays(const MeshArrays &arrays, const Options &options, Mesh &mesh, Error &error)
+{
+    const auto listed = [](std::size_t given, std::size_t count) { return given == 0 || given == count; };
+    if (!listed(arrays.attributes.size(), arrays.tets.size()) || !listed(arrays.face_markers.size(), arrays.faces.size()) ||
+        !listed(arrays.edge_markers.size(), arrays.edges.size()))
+        return detail::mismatch(error);
+    const auto first = [](const auto &rows) { return rows.empty() ? nullptr : rows.data()->data(); };
+    const std::size_t count = arrays.points.size();
+    const std::size_t inputs = arrays.input_point_count == static_cast<std::size_t>(-1) ? count : arrays.input_point_count;
+    return detail::made(options, mesh, error, [&](DelotetMesh **out, DelotetError **e) {
+        return delotet_mesh_from_arrays(
+            first(arrays.points), count, inputs, first(arrays.tets), arrays.tets.size(), arrays.attributes.data(),
+            first(arrays.faces), arrays.faces.size(), arrays.face_markers.data(), first(arrays.edges),
+            arrays.edges.size(), arrays.edge_markers.data(), options.get(), out, e);
+    });
+}
+
+/// Reads a mesh from a file, under the limits of `options`.
+inline Status read_mesh(const Path &path, const Options &options, Mesh &mesh, Error &error)
+{
+    return detail::made(options, mesh, error, [&](DelotetMesh **out, DelotetError **e) {
+        return delotet_mesh_read(path.c_str(), options.get(), out, e);
+    });
+}
+
+/// Refines a mesh: see delotet_mesh_refine(). Rethrows what a callback of `options` throws.
+inline Status refine(const Mesh &mesh, const MeshSizes &sizes, const Options &options, Mesh &refined, Error &error)
+{
+    return detail::made(options, refined, error, [&](DelotetMesh **out, DelotetError **e) {
+        return delotet_mesh_refine(mesh.get(), sizes.get(), options.get(), out, e);
+    });
+}
+
+/// Improves the dihedral angles of a mesh: see delotet_mesh_improve().
+inline Status improve(const Mesh &mesh, const Options &options, Mesh &improved, Error &error)
+{
+    return detail::made(options, improved, error, [&](DelotetMesh **out, DelotetError **e) {
+        return delotet_mesh_improve(mesh.get(), options.get(), out, e);
+    });
+}
+
+#if DELOTET_EXCEPTIONS
+inline Mesh mesh_from_arrays(const MeshArrays &arrays, const Options &options = {})
+{
+    Mesh mesh;
+    detail::require([&](Error &e) { return mesh_from_arrays(arrays, options, mesh, e); });
+    return mesh;
+}
+inline Mesh read_mesh(const Path &path, const Options &options = {})
+{
+    Mesh mesh;
+    detail::require([&](Error &e) { return read_mesh(path, options, mesh, e); });
+    return mesh;
+}
+inline Mesh refine(const Mesh &mesh, const MeshSizes &sizes, const Options &options = {})
+{
+    Mesh refined;
+    detail::require([&](Error &e) { return refine(mesh, sizes, options, refined, e); });
+    return refined;
+}
+inline Mesh refine(const Mesh &mesh, const Options &options)
+{
+    return refine(mesh, MeshSizes(), options);
+}
+inline Mesh improve(const Mesh &mesh, const Options &options = {})
+{
+    Mesh improved;
+    detail::require([&](Error &e) { return improve(mesh, options, improved, e); });
+    return improved;
 }
 #endif
 

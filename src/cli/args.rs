@@ -1,5 +1,5 @@
 //! The arguments.
-use super::sizes::SizeArgs;
+use super::sizes::{MeshSizeArgs, SizeArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use delotet::io::RegionName;
 use std::path::PathBuf;
@@ -18,6 +18,10 @@ pub struct Args {
 pub enum Command {
     /// Mesh the volume that a surface encloses (or the convex hull of a point set).
     Mesh(Box<MeshArgs>),
+    /// Refine a mesh: add points inside, keep its faces and edges.
+    Refine(Box<RefineArgs>),
+    /// Improve the angles of a mesh, keep its faces and edges.
+    Improve(Box<ImproveArgs>),
     /// Check a mesh exactly against its input.
     Check(CheckArgs),
     /// Show what is in a surface file, whether it is valid, and where it is not.
@@ -87,6 +91,17 @@ pub struct MeshArgs {
     /// Worker threads, 0 for one per processor; the mesh is the same for any number
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub threads: usize,
+    #[command(flatten)]
+    pub limits: LimitArgs,
+    #[command(flatten)]
+    pub write: WriteArgs,
+    #[command(flatten)]
+    pub say: SayArgs,
+}
+
+/// What ends a run.
+#[derive(Debug, ClapArgs)]
+pub struct LimitArgs {
     /// Stop after this time
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time_limit: Option<Duration>,
@@ -96,6 +111,11 @@ pub struct MeshArgs {
     /// Stop if more Steiner points than this are needed
     #[arg(long, value_name = "N")]
     pub steiner_limit: Option<u64>,
+}
+
+/// How a mesh is written.
+#[derive(Debug, ClapArgs)]
+pub struct WriteArgs {
     /// With .vtu: compress the arrays
     #[arg(long)]
     pub compress: bool,
@@ -114,6 +134,11 @@ pub struct MeshArgs {
     /// With .msh and .inp: the name of the regions with an attribute (may be repeated)
     #[arg(long, value_name = "ATTRIBUTE=NAME", allow_hyphen_values = true, value_parser = region_name)]
     pub region_name: Vec<RegionName>,
+}
+
+/// What is printed and reported.
+#[derive(Debug, ClapArgs)]
+pub struct SayArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub quiet: bool,
@@ -123,6 +148,51 @@ pub struct MeshArgs {
     /// Write the outcome with every defect (or flips of --merge-facets and facets in narrow wedges) as JSON, even on failure
     #[arg(long, value_name = "FILE.json")]
     pub report: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct RefineArgs {
+    /// The mesh: .ele (with .node, and .face and .edge if they are there), .vtu .msh .mesh
+    pub input: PathBuf,
+    /// The refined mesh: .vtu .vtk .msh .inp .mesh, or .ele (with .node .face .edge .neigh beside it)
+    #[arg(short, long)]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub sizes: MeshSizeArgs,
+    /// Optimise the smallest dihedral angles; larger efforts take longer
+    #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1")]
+    pub optimize: Option<u32>,
+    #[command(flatten)]
+    pub given: GivenArgs,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct ImproveArgs {
+    /// The mesh: .ele (with .node, and .face and .edge if they are there), .vtu .msh .mesh
+    pub input: PathBuf,
+    /// The improved mesh: .vtu .vtk .msh .inp .mesh, or .ele (with .node .face .edge .neigh beside it)
+    #[arg(short, long)]
+    pub output: PathBuf,
+    /// The effort: larger ones take longer
+    #[arg(long, value_name = "EFFORT", require_equals = true, num_args = 0..=1, default_value_t = 1, default_missing_value = "1")]
+    pub optimize: u32,
+    #[command(flatten)]
+    pub given: GivenArgs,
+}
+
+/// What refining and improving share.
+#[derive(Debug, ClapArgs)]
+pub struct GivenArgs {
+    /// The number of input points, which come first and stay; others may move and go if they are behind the last one on a kept face or edge
+    /// (default: all points)
+    #[arg(long, value_name = "N")]
+    pub input_points: Option<u32>,
+    #[command(flatten)]
+    pub limits: LimitArgs,
+    #[command(flatten)]
+    pub write: WriteArgs,
+    #[command(flatten)]
+    pub say: SayArgs,
 }
 
 #[derive(Debug, ClapArgs)]

@@ -38,7 +38,7 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         _ if args.no_delaunay => None,
         Guarantee::Preserved => Some(PreserveArg::All),
         Guarantee::PreservedOuter => Some(PreserveArg::Outer),
-        Guarantee::ConstrainedDelaunay | Guarantee::Delaunay => None,
+        Guarantee::ConstrainedDelaunay | Guarantee::Delaunay | Guarantee::Given => None,
     });
     if preserved == Some(PreserveArg::All) {
         // The files do not say where added points lie; here none may lie on the surface.
@@ -61,13 +61,17 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
     let verdict = match preserved {
         Some(PreserveArg::All) => delotet::check_preserved(&plc, &mesh, limit),
         Some(PreserveArg::Outer) => delotet::check_preserved_outer(&plc, &mesh, limit),
-        None => delotet::check_mesh(&plc, &mesh, !args.no_delaunay, limit),
+        None => {
+            let delaunay = !args.no_delaunay && mesh.guarantee != Guarantee::Given;
+            delotet::check_mesh(&plc, &mesh, delaunay, limit)
+        }
     };
     verdict.map_err(|e| Failure::from(e).with_code(1))?;
     let what = match (preserved, mesh.guarantee) {
         (Some(PreserveArg::All), _) => "; the surface is kept",
         (Some(PreserveArg::Outer), _) => "; the outer boundary is kept",
         (None, Guarantee::Delaunay) => "; Delaunay, without facets",
+        (None, Guarantee::Given) => "; the faces of a given mesh are kept",
         (None, _) => "",
     };
     let mut page = Page::default();

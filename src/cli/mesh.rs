@@ -1,5 +1,5 @@
 //! `delotet mesh`.
-use super::args::{MeshArgs, ModeArg, MshVersionArg, PreserveArg};
+use super::args::{MeshArgs, ModeArg, MshVersionArg, PreserveArg, SayArgs, WriteArgs};
 use super::observer::Console;
 use super::page::{self, Page};
 use super::quality::Quality;
@@ -7,57 +7,71 @@ use super::{paths, report, summary, Failure};
 use delotet::io::{Format, MshVersion, UnusedOption, WriteOptions};
 use delotet::{controlled, Control, Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
 use serde_json::{json, Map, Value};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Reads the input, meshes it and writes the mesh.
 pub fn run(args: &MeshArgs) -> Result<(), Failure> {
     let mut inputs = delotet::io::sources(&args.input)?;
     inputs.extend(args.sizes.size_file.clone());
-    paths::check_report(args.report.as_deref(), &inputs)?;
+    paths::check_report(args.say.report.as_deref(), &inputs)?;
     paths::check_distinct(&inputs, &outputs(args))?;
-    let mut console = Console::new(args.quiet);
+    let mut console = Console::new(args.say.quiet);
     let outcome = mesh(args, &mut console);
     console.finish();
-    let report = args.report.as_deref();
-    let of_mesh =
-        |made: &Made| report::of_success(Some(&made.mesh), &made.quality.forced, &made.mesh.warnings);
-    report::write_if_asked(report, outcome, of_mesh).map(|_| ())
+    reported(&args.say, outcome)
 }
 
 /// A mesh and what is reported of its quality.
-struct Made {
+pub(super) struct Made {
     mesh: TetMesh,
     quality: Quality,
 }
 
 fn mesh(args: &MeshArgs, console: &mut Console) -> Result<Made, Failure> {
     let start = Instant::now();
-    let write_options = write_options(args);
+    let write_options = write_options(&args.write, &args.say);
     check_files(args, &write_options)?;
     let options = Options { cancel: Some(console.token()), ..options(args)? };
-    if !args.quiet {
+    if !args.say.quiet {
         tell_unused(args, options.mode, &write_options);
     }
     let make = |control: &Control| read_mesh_and_write(args, &options, &write_options, control);
     let mesh = controlled(options.limits(), console, make)?;
-    let total = start.elapsed().as_secs_f64();
+    told(mesh, &args.output, &args.say, start.elapsed().as_secs_f64(), console)
+}
+
+/// Says what has been made, in the ways that are asked for.
+pub(super) fn told(
+    mesh: TetMesh,
+    output: &Path,
+    say: &SayArgs,
+    total: f64,
+    console: &mut Console,
+) -> Result<Made, Failure> {
     // It takes a moment on large meshes, so only where somebody sees it.
-    let seen = !args.quiet || args.stats.is_some() || args.report.is_some();
+    let seen = !say.quiet || say.stats.is_some() || say.report.is_some();
     let quality = if seen { Quality::of(&mesh)? } else { Quality::default() };
-    if let Some(path) = &args.stats {
+    if let Some(path) = &say.stats {
         let mut statistics = statistics(&mesh, total);
         statistics["quality"] = quality.as_json(&mesh)?;
         report::write(path, &statistics).map_err(Failure::usage)?;
     }
     console.finish();
-    if !args.quiet {
+    if !say.quiet {
         report::print_warnings(&mesh.warnings);
         let mut page = Page::default();
-        summary::describe_mesh(&mut page, &args.output, &mesh, &quality, total);
+        summary::describe_mesh(&mut page, output, &mesh, &quality, total);
         page.print()?;
     }
     Ok(Made { mesh, quality })
+}
+
+/// Writes the report of a run, if there is to be one.
+pub(super) fn reported(say: &SayArgs, outcome: Result<Made, Failure>) -> Result<(), Failure> {
+    let of_mesh =
+        |made: &Made| report::of_success(Some(&made.mesh), &made.quality.forced, &made.mesh.warnings);
+    report::write_if_asked(say.report.as_deref(), outcome, of_mesh).map(|_| ())
 }
 
 /// What the limits count for.
@@ -118,16 +132,16 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         quality: args.sizes.quality,
         optimize: args.sizes.optimize.unwrap_or(defaults.optimize),
         threads: args.threads,
-        time_limit: args.time_limit,
-        memory_limit: args.memory_limit,
-        steiner_limit: args.steiner_limit,
+        time_limit: args.limits.time_limit,
+        memory_limit: args.limits.memory_limit,
+        steiner_limit: args.limits.steiner_limit,
         // A report lists everything, but memory stays bounded.
-        max_defects: if args.report.is_some() { 10_000_000 } else { 1000 },
+        max_defects: if args.say.report.is_some() { 10_000_000 } else { 1000 },
         ..defaults
     })
 }
 
-fn write_options(args: &MeshArgs) -> WriteOptions {
+pub(super) fn write_options(args: &WriteArgs, say: &SayArgs) -> WriteOptions {
     WriteOptions {
         compress: args.compress,
         subfaces: args.subfaces,
@@ -138,7 +152,7 @@ fn write_options(args: &MeshArgs) -> WriteOptions {
             MshVersionArg::V22 => MshVersion::V22,
         },
         region_names: args.region_name.clone(),
-        max_warnings: if args.report.is_some() { 10_000_000 } else { 1000 },
+        max_warnings: if say.report.is_some() { 10_000_000 } else { 1000 },
     }
 }
 
@@ -151,16 +165,16 @@ fn check_files(args: &MeshArgs, options: &WriteOptions) -> Result<(), Failure> {
 
 /// All files that are written.
 fn outputs(args: &MeshArgs) -> Vec<PathBuf> {
-    let mut outputs = paths::of_mesh(&args.output, args.subfaces);
-    outputs.extend(args.stats.clone());
-    outputs.extend(args.report.clone());
+    let mut outputs = paths::of_mesh(&args.output, args.write.subfaces);
+    outputs.extend(args.say.stats.clone());
+    outputs.extend(args.say.report.clone());
     outputs
 }
 
-/// Warns of options that have no effect together with the others.
-fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
-    let format = Format::of(&args.output).unwrap_or(Format::Vtu);
-    let name = args.output.extension().unwrap_or_default().to_string_lossy();
+/// Warns of options of the writer that have no effect in the format.
+pub(super) fn tell_unused_in(output: &Path, options: &WriteOptions) {
+    let format = Format::of(output).unwrap_or(Format::Vtu);
+    let name = output.extension().unwrap_or_default().to_string_lossy();
     for option in options.unused(format) {
         let text = match (option, format) {
             (UnusedOption::Compress, _) => "--compress: only .vtu can be compressed",
@@ -173,6 +187,11 @@ fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
         };
         page::tell(format_args!("warning: no effect with .{name}: {text}"));
     }
+}
+
+/// Warns of options that have no effect together with the others.
+fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
+    tell_unused_in(&args.output, options);
     for option in args.sizes.unused() {
         page::tell(format_args!(
             "warning: no effect without --size, --max-volume or --quality: {option}: nothing is filled with points"

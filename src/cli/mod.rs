@@ -12,6 +12,7 @@ mod args;
 mod attribute;
 mod check;
 mod convert;
+mod given;
 mod info;
 mod mesh;
 mod observer;
@@ -35,6 +36,8 @@ pub fn run() -> ExitCode {
     };
     let outcome = catch_unwind(AssertUnwindSafe(|| match args.command {
         args::Command::Mesh(args) => mesh::run(&args),
+        args::Command::Refine(args) => given::refine(&args),
+        args::Command::Improve(args) => given::improve(&args),
         args::Command::Check(args) => check::run(&args),
         args::Command::Info(args) => info::run(&args),
         args::Command::Convert(args) => convert::run(&args),

@@ -1,7 +1,7 @@
 //! The arguments for points inside by size and shape, and the file with a size per point.
 use super::Failure;
 use clap::Args;
-use delotet::{Error, MarkerSize, Plc, RegionSize, Status};
+use delotet::{Error, MarkerSize, MeshSizes, Plc, RegionSize, Status};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -34,6 +34,73 @@ pub struct SizeArgs {
     /// The edge lengths wanted at the points: a number for each, one to a line, or TetGen's .mtr; 0 is no wish
     #[arg(long, value_name = "FILE")]
     pub size_file: Option<PathBuf>,
+}
+
+/// The same for a mesh that is refined.
+#[derive(Debug, Default, Args)]
+pub struct MeshSizeArgs {
+    /// The edge lengths wanted in the mesh: a number for each point or for each tetrahedron, one to a line, or TetGen's .mtr; 0 is no wish
+    #[arg(long, value_name = "FILE")]
+    pub sizes: Option<PathBuf>,
+    /// The largest edge length wanted anywhere inside
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
+    pub size: Option<f64>,
+    /// The largest volume of a tetrahedron, where the kept faces allow it
+    #[arg(long, value_name = "VOLUME", allow_hyphen_values = true, value_parser = positive)]
+    pub max_volume: Option<f64>,
+    /// How fast sizes may grow: by at most this times the distance (default: 0.3)
+    #[arg(long, value_name = "SLOPE", allow_hyphen_values = true, value_parser = slope)]
+    pub gradation: Option<f64>,
+    /// Circumradii of at most RATIO shortest edges, where the kept faces allow it
+    #[arg(long, value_name = "RATIO", num_args = 0..=1, require_equals = true, default_missing_value = "2", value_parser = ratio)]
+    pub quality: Option<f64>,
+    /// The edge length wanted in the regions with an attribute (may be repeated)
+    #[arg(long, value_name = "ATTRIBUTE=LENGTH", allow_hyphen_values = true, value_parser = region_size)]
+    pub region_size: Vec<RegionSize>,
+    /// The edge length wanted at the kept faces with a marker (may be repeated)
+    #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
+    pub facet_size: Vec<MarkerSize>,
+    /// The edge length wanted at the kept edges with a marker (may be repeated)
+    #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
+    pub segment_size: Vec<MarkerSize>,
+}
+
+impl MeshSizeArgs {
+    /// The sizes wanted in a mesh of so many points and tetrahedra.
+    pub fn of(&self, points: usize, tets: usize) -> Result<MeshSizes, Failure> {
+        let mut wanted = MeshSizes::default();
+        for size in &self.facet_size {
+            wanted.parts.set_facets(size.marker, size.size)?;
+        }
+        for size in &self.segment_size {
+            wanted.parts.set_segments(size.marker, size.size)?;
+        }
+        for size in &self.region_size {
+            wanted.parts.set_regions(size.attribute, size.size)?;
+        }
+        if let Some(path) = &self.sizes {
+            let text = text_of(path)?;
+            // Told apart by their number.
+            let of_points = sizes(&text, points);
+            match (of_points, sizes(&text, tets)) {
+                (Ok(list), _) => wanted.parts.points = list,
+                (Err(_), Ok(list)) => wanted.tets = list,
+                (Err(what), Err(_)) => {
+                    let what = what.replace("the input has", "the mesh has");
+                    let message = format!("{}: {what} and {tets} tetrahedra", path.display());
+                    return Err(Error::new(Status::Format, message).into());
+                }
+            }
+        }
+        Ok(wanted)
+    }
+
+    /// Whether nothing is wanted.
+    pub fn is_empty(&self) -> bool {
+        let lists = self.region_size.is_empty() && self.facet_size.is_empty() && self.segment_size.is_empty();
+        let bounds = self.size.is_none() && self.max_volume.is_none() && self.quality.is_none();
+        lists && bounds && self.sizes.is_none()
+    }
 }
 
 impl SizeArgs {
@@ -69,14 +136,18 @@ impl SizeArgs {
 }
 
 fn read(path: &Path, points: usize) -> Result<Vec<f64>, Error> {
+    let text = text_of(path)?;
+    sizes(&text, points).map_err(|what| Error::new(Status::Format, format!("{}: {what}", path.display())))
+}
+
+fn text_of(path: &Path) -> Result<String, Error> {
     let fail = |status, what: std::fmt::Arguments| Error::new(status, format!("{}: {what}", path.display()));
     let bytes = std::fs::read(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => fail(Status::File, format_args!("no such file")),
         _ => fail(Status::File, format_args!("{error}")),
     })?;
-    let text = std::str::from_utf8(&bytes)
-        .map_err(|_| fail(Status::Format, format_args!("not a file of sizes: it is not text")))?;
-    sizes(text, points).map_err(|what| fail(Status::Format, format_args!("{what}")))
+    String::from_utf8(bytes)
+        .map_err(|_| fail(Status::Format, format_args!("not a file of sizes: it is not text")))
 }
 
 /// One size for each of so many points. A first line of two numbers is the header of an .mtr file: count, and sizes per point.

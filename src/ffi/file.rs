@@ -97,7 +97,8 @@ pub unsafe extern "C" fn delotet_plc_write(
 }
 
 /// Writes a mesh to a file; the extension determines the format (src/doc/formats.md lists them). `plc` is the PLC that the mesh was made
-/// from: some formats store its markers and attributes. Values that the format cannot hold are lost without a warning;
+/// from: some formats store its markers and attributes. For a mesh of delotet_mesh_from_arrays() or delotet_mesh_read(), and what was made
+/// of it, any PLC will do: one with the input points' markers and attributes, or an empty one. Values that the format cannot hold are lost without a warning;
 /// delotet_mesh_write_with() reports them.
 /// Errors: INVALID_ARGUMENT, UNSUPPORTED (unknown format, or the library was built without file formats), FILE, OUT_OF_MEMORY.
 #[no_mangle]
@@ -117,16 +118,26 @@ pub unsafe extern "C" fn delotet_mesh_write(
     }
 }
 
-pub(super) use files::{write, write_surface};
+pub(super) use files::{read_mesh, write, write_surface};
 
 #[cfg(feature = "io")]
 mod files {
-    use crate::io::Format;
-    use crate::{control::Control, error::Error, fallible, Plc, TetMesh, WriteOptions};
+    use crate::io::{Format, MeshFile};
+    use crate::query::PointData;
+    use crate::{control::Control, error::Error, fallible, MeshArrays, Plc, TetMesh, WriteOptions};
     use std::path::Path;
 
     pub(super) fn read(path: &Path, control: &Control) -> Result<Plc, Error> {
         crate::io::read_with(path, control)
+    }
+
+    pub(in crate::ffi) fn read_mesh(
+        path: &Path,
+        control: &Control,
+    ) -> Result<(MeshArrays, PointData), Error> {
+        let MeshFile { arrays, attribute_count, attributes, markers } =
+            crate::io::read_arrays_with(path, control)?;
+        Ok((arrays, PointData { attribute_count, attributes, markers }))
     }
 
     pub(in crate::ffi) fn write_surface(
@@ -166,7 +177,8 @@ mod files {
 #[cfg(not(feature = "io"))]
 mod files {
     use crate::error::{Error, Status};
-    use crate::{control::Control, Plc, TetMesh, WriteOptions};
+    use crate::query::PointData;
+    use crate::{control::Control, MeshArrays, Plc, TetMesh, WriteOptions};
     use std::path::Path;
 
     fn absent() -> Error {
@@ -174,6 +186,10 @@ mod files {
     }
 
     pub(super) fn read(_: &Path, _: &Control) -> Result<Plc, Error> {
+        Err(absent())
+    }
+
+    pub(in crate::ffi) fn read_mesh(_: &Path, _: &Control) -> Result<(MeshArrays, PointData), Error> {
         Err(absent())
     }
 

@@ -16,6 +16,7 @@
 
 pub mod error;
 pub mod file;
+pub mod given;
 mod guard;
 pub mod limits;
 pub mod memory;

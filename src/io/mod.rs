@@ -1,4 +1,4 @@
-//! Files: reads surfaces, writes meshes and surfaces. The extension of a file determines its format; see [`Format`].
+//! Files: reads surfaces and meshes, writes both. The extension of a file determines its format; see [`Format`].
 //!
 //! Invariants: a malformed file gives an error that names the line, never a panic and never an allocation beyond what its
 //! size justifies; coordinates are read correctly rounded and written in the fewest digits that read back bit for bit;
@@ -21,6 +21,7 @@ use std::path::{Path, PathBuf};
 mod groups;
 mod inp;
 mod medit;
+mod mesh_file;
 mod model;
 mod msh;
 mod obj;
@@ -29,6 +30,9 @@ mod output_files;
 mod parents;
 mod ply;
 mod quality;
+mod read_medit;
+mod read_msh;
+mod read_vtu;
 mod sniff;
 mod stl;
 mod surface;
@@ -44,6 +48,7 @@ mod write_surface;
 mod write_tetgen;
 
 pub use crate::options::{MshVersion, RegionName, WriteOptions};
+pub use mesh_file::{array_sources, read_arrays, read_arrays_with, MeshFile};
 pub use write_mesh::{subfaces_path, write, write_with, UnusedOption};
 
 /// A file format, known by its extension.

@@ -2,7 +2,8 @@
 //!
 //! First line: the numbers of Steiner points (the last points of `.node`), of faces (those of `.face`) and of facet flips; 1 if the convex
 //! hull was kept, otherwise 0; the numbers of tetrahedra replaced by rounding and of unmeshed faces and edges; and what the mesh
-//! guarantees: 0 constrained Delaunay, 1 Delaunay, 2 the surface kept, 3 the outer boundary kept. Then a line per Steiner point: the two
+//! guarantees: 0 constrained Delaunay, 1 Delaunay, 2 the surface kept, 3 the outer boundary kept, 4 the faces of a given
+//! mesh kept. Then a line per Steiner point: the two
 //! ends `a` and `b` of its edge (input points), the input segment or -1, and the parameter `t` with any further terms of it: exactly, the
 //! point is `a + t (b − a)`. Then a line per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two
 //! facets. Then a line per replaced tetrahedron, ascending: its number. Then a line per piece of a facet that bounds no tetrahedron: its
@@ -23,8 +24,13 @@ use std::iter::Peekable;
 use std::slice::Iter;
 
 /// What the numbers of the last field of the first line stand for.
-const GUARANTEES: [Guarantee; 4] =
-    [Guarantee::ConstrainedDelaunay, Guarantee::Delaunay, Guarantee::Preserved, Guarantee::PreservedOuter];
+const GUARANTEES: [Guarantee; 5] = [
+    Guarantee::ConstrainedDelaunay,
+    Guarantee::Delaunay,
+    Guarantee::Preserved,
+    Guarantee::PreservedOuter,
+    Guarantee::Given,
+];
 
 /// Writes the file.
 pub(super) fn write(out: &mut Out, mesh: &TetMesh) -> io::Result<()> {

@@ -24,7 +24,21 @@ pub(super) struct Nodes {
     pub base: i64,
 }
 
+/// Points and what they carry.
+pub(super) struct NodeData {
+    pub points: Vec<[f64; 3]>,
+    pub attribute_count: usize,
+    pub attributes: Vec<f64>,
+    pub markers: Vec<i32>,
+}
+
 impl Nodes {
+    /// What the points are, without their numbers.
+    pub fn into_data(self) -> NodeData {
+        let Nodes { points, attribute_count, attributes, markers, .. } = self;
+        NodeData { points, attribute_count, attributes, markers }
+    }
+
     fn into_plc(self) -> Plc {
         Plc {
             points: self.points,
@@ -383,28 +397,68 @@ pub(super) fn read_faces(
     middles: usize,
     control: &Control,
 ) -> Result<Vec<([u32; 3], i32)>, Error> {
+    let words =
+        Words { count: "the number of faces", one: "a face", number: "the number of a face", last: "face" };
+    read_marked(bytes, nodes, Middles { each: 3, count: middles }, words, Element::Facet, control)
+}
+
+/// The edges of an `.edge` file with their markers. If there are nodes in the middle of edges, one follows the ends.
+pub(super) fn read_edges(
+    bytes: &[u8],
+    nodes: &Nodes,
+    middles: usize,
+    control: &Control,
+) -> Result<Vec<([u32; 2], i32)>, Error> {
+    let words =
+        Words { count: "the number of edges", one: "an edge", number: "the number of an edge", last: "edge" };
+    read_marked(bytes, nodes, Middles { each: 1, count: middles }, words, Element::Segment, control)
+}
+
+/// What elements are called.
+struct Words {
+    count: &'static str,
+    one: &'static str,
+    number: &'static str,
+    last: &'static str,
+}
+
+/// Nodes in the middle of edges: how many an element has, if there are any, and how many there are.
+struct Middles {
+    each: usize,
+    count: usize,
+}
+
+/// Elements with a marker each.
+fn read_marked<const N: usize>(
+    bytes: &[u8],
+    nodes: &Nodes,
+    middles: Middles,
+    words: Words,
+    element: fn(u32) -> Element,
+    control: &Control,
+) -> Result<Vec<([u32; N], i32)>, Error> {
     let mut lines = Lines::new(bytes, control);
-    let mut line = lines.expect("the number of faces")?;
-    let count = line.count("the number of faces", 8, lines.remaining().len())?;
-    let mut faces = fallible::reserved(count)?;
-    for face in 0..count {
-        let mut line = lines.expect("a face")?;
-        line.int("the number of a face")?;
-        let element = Element::Facet(face as u32);
-        let corners = index_row::<3>(&mut line, nodes, element)?;
-        for _ in 0..if middles > 0 { 3 } else { 0 } {
+    let mut line = lines.expect(words.count)?;
+    let count = line.count(words.count, 2 * N + 2, lines.remaining().len())?;
+    let mut list = fallible::reserved(count)?;
+    for i in 0..count {
+        let mut line = lines.expect(words.one)?;
+        line.int(words.number)?;
+        let element = element(i as u32);
+        let corners = index_row::<N>(&mut line, nodes, element)?;
+        for _ in 0..if middles.count > 0 { middles.each } else { 0 } {
             let number = line.int("a node in the middle of an edge")?;
             let place = number.saturating_sub(nodes.base).saturating_sub(nodes.points.len() as i64);
-            if !(0..middles as i64).contains(&place) {
+            if !(0..middles.count as i64).contains(&place) {
                 let at = line.number();
                 let what = format_args!("line {at}: node {number} is not in the middle of an edge");
                 return Err(no_such_point(element, what));
             }
         }
-        fallible::push(&mut faces, (corners, line.optional_marker()?))?;
+        fallible::push(&mut list, (corners, line.optional_marker()?))?;
     }
-    lines.expect_end("face")?;
-    Ok(faces)
+    lines.expect_end(words.last)?;
+    Ok(list)
 }
 
 fn index_row<const N: usize>(

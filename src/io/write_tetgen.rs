@@ -6,6 +6,7 @@ use crate::io::model::Model;
 use crate::io::output_files::{with_extension, Out, OutputFiles};
 use crate::io::parents;
 use crate::io::tags::attribute_of;
+use crate::output::Guarantee;
 use crate::query::NodeOrder;
 use crate::INVALID;
 use std::io;
@@ -43,7 +44,9 @@ fn nodes(out: &mut Out, model: &Model<'_>) -> io::Result<()> {
 
 fn tets(out: &mut Out, model: &Model<'_>) -> io::Result<()> {
     let mesh = model.mesh;
-    let attributed = !model.plc.regions.is_empty() || mesh.regions.len() > 1;
+    let attributed = !model.plc.regions.is_empty()
+        || mesh.regions.len() > 1
+        || mesh.guarantee == Guarantee::Given && mesh.regions.iter().any(|region| region.attribute != 1.0);
     out.int(mesh.tets.len())?;
     let corners = if model.options.second_order { 10 } else { 4 };
     out.format(format_args!("  {corners}  {}\n", u8::from(attributed)))?;

@@ -16,6 +16,7 @@ pub mod cells;
 #[cfg(test)]
 pub mod check;
 pub mod ghosts;
+pub mod given;
 pub mod journal;
 pub mod lookup;
 pub mod replace;

@@ -224,7 +224,7 @@ pub(super) fn delaunay(
 }
 
 /// Tetrahedra that stay, their neighbours and regions; returns the new number of each slot.
-fn tets(
+pub(super) fn tets(
     mesh: &Mesh,
     out: &mut TetMesh,
     point_of: impl Fn(u32) -> u32,

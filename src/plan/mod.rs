@@ -29,6 +29,7 @@ use std::time::Instant;
 
 mod assemble;
 mod crowding;
+pub mod given;
 mod merge;
 mod preserve;
 mod promise;

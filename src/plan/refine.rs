@@ -164,7 +164,7 @@ fn at_vertices(engine: &Engine, Input { plc, surface, .. }: Input) -> Result<Vec
 }
 
 /// The edge of the regular tetrahedron of a volume: the cube root of 6 √2 times it, by Newton's method.
-fn edge_of(volume: f64) -> f64 {
+pub(super) fn edge_of(volume: f64) -> f64 {
     let cube = 6.0 * 2.0f64.sqrt() * volume;
     if !cube.is_finite() || cube < f64::MIN_POSITIVE {
         return f64::INFINITY;

@@ -2,6 +2,7 @@
 use crate::error::Error;
 use crate::fallible;
 use crate::plc::attributes::{as_meshed, continue_attributes};
+use crate::query::Locator;
 use crate::{Plc, TetMesh, INVALID};
 
 /// Attributes and markers of all points of a mesh.
@@ -38,6 +39,57 @@ impl PointData {
                     segment => plc.segments.get(segment as usize).map_or(0, |segment| segment.marker),
                 }),
             )?;
+        }
+        Ok(data)
+    }
+
+    /// The data of a mesh for another one that was made of it by refining or improving: points that have stayed keep theirs, others get
+    /// attributes by linear interpolation in the old mesh.
+    ///
+    /// # Errors
+    /// [`Status::OutOfMemory`](crate::Status::OutOfMemory).
+    pub fn continued(&self, before: &TetMesh, after: &TetMesh) -> Result<PointData, Error> {
+        let (inputs, width) = (before.input_point_count as usize, self.attribute_count);
+        let has_attributes = width > 0 && self.attributes.len() == width * before.points.len();
+        let mut data =
+            PointData { attribute_count: if has_attributes { width } else { 0 }, ..PointData::default() };
+        // Input points, and those on edges of the input, have come first and in their order.
+        let stayed = |mesh: &TetMesh, i: usize| {
+            i.checked_sub(inputs).is_none_or(|i| mesh.steiner.get(i).is_some_and(|point| !point.is_inside()))
+        };
+        let mut old = (0..before.points.len()).filter(|&i| stayed(before, i));
+        let others = fallible::collect((0..after.points.len()).filter(|&i| !stayed(after, i)))?;
+        let places = fallible::collect(others.iter().map(|&i| after.points[i]))?;
+        let mut tets = fallible::filled(INVALID, places.len())?;
+        let mut weights = fallible::filled([0.0; 4], places.len())?;
+        if has_attributes && !places.is_empty() {
+            Locator::new(before)?.locate(before, &places, &mut tets, Some(&mut weights));
+        }
+        data.attributes.try_reserve_exact(data.attribute_count * after.points.len())?;
+        data.markers.try_reserve_exact(if self.markers.is_empty() { 0 } else { after.points.len() })?;
+        let mut found = tets.iter().zip(&weights);
+        for i in 0..after.points.len() {
+            let from = if stayed(after, i) { old.next() } else { None };
+            if !self.markers.is_empty() {
+                let marker = from.and_then(|i| self.markers.get(i)).copied().unwrap_or(0);
+                fallible::push(&mut data.markers, marker)?;
+            }
+            if !has_attributes {
+                continue;
+            }
+            if let Some(from) = from {
+                fallible::append(&mut data.attributes, &self.attributes[from * width..(from + 1) * width])?;
+                continue;
+            }
+            let (corners, weights) = match found.next() {
+                Some((&t, weights)) if t != INVALID => (before.tets[t as usize], *weights),
+                _ => ([0; 4], [0.0; 4]),
+            };
+            for k in 0..width {
+                let value = |v: u32| self.attributes[v as usize * width + k];
+                let sum = corners.iter().zip(weights).map(|(&v, weight)| weight * value(v)).sum();
+                fallible::push(&mut data.attributes, sum)?;
+            }
         }
         Ok(data)
     }

@@ -2,6 +2,7 @@
 //! (writers of meshes), `options` (of these writers).
 use std::path::PathBuf;
 
+mod given;
 mod markers;
 mod meshes;
 mod options;
