@@ -112,11 +112,11 @@ fn mesh_valid(plc: &Plc, keep_hull: bool) -> Result<TetMesh, TestCaseError> {
     }
 }
 
-/// The same 64 cases each; others, and more, by the environment variable `PROPTEST_CASES`.
+/// The same 32 cases each; others, and more, by the environment variable `PROPTEST_CASES`.
 fn config() -> ProptestConfig {
     let default = ProptestConfig::default();
     let search = std::env::var_os("PROPTEST_CASES").is_some();
-    let (cases, rng_seed) = if search { (default.cases, default.rng_seed) } else { (64, RngSeed::Fixed(1)) };
+    let (cases, rng_seed) = if search { (default.cases, default.rng_seed) } else { (32, RngSeed::Fixed(1)) };
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..default }
 }
 
