@@ -15,6 +15,7 @@
 //!
 //! All of this is floating-point arithmetic: it chooses points and decides nothing.
 use crate::control::Control;
+use crate::elementary::{self, quotient};
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
@@ -50,7 +51,7 @@ impl Given<'_> {
             None => Ok(least),
             Some(function) => {
                 let wanted = function.at(at.map(|x| scale(x, -self.exponent)))?;
-                Ok(least.min(scale(wanted, self.exponent)))
+                Ok(least.min(scaled(wanted, self.exponent)))
             }
         }
     }
@@ -177,7 +178,8 @@ fn of_surface(
     let mut edges = fallible::collect(isolated.iter().copied())?;
     control.sort(&mut edges)?;
     edges.into_iter().for_each(&mut add);
-    let mean = |&(sum, count): &(f64, f64)| if count > 0.0 { sum / count } else { f64::INFINITY };
+    // Vectors divide before they choose: 0 / 0 would trap where the caller traps it.
+    let mean = |&(sum, count): &(f64, f64)| if count > 0.0 { sum / count.max(1.0) } else { f64::INFINITY };
     Ok(fallible::collect(sums.iter().map(mean))?)
 }
 
@@ -222,6 +224,8 @@ pub struct Bounds {
     pub of_region: Vec<Option<f64>>,
 }
 
+/// What is wanted is below two to this power, so sums of a few do not overflow. Coordinates are far below.
+const LARGEST_EXPONENT: i32 = 1000;
 /// Rounding of the caller's own calculation of a volume stays below this.
 const BELOW: f64 = 1.0 - 1e-9;
 
@@ -239,8 +243,17 @@ impl Bounds {
 
     /// How many times its bound a tetrahedron is.
     pub fn excess(&self, mesh: &Mesh, points: &Points, t: u32) -> f64 {
-        volume(mesh.verts(t).map(|v| points.xyz(v))) / self.of(mesh.region(t))
+        let volume = volume(mesh.verts(t).map(|v| points.xyz(v)));
+        quotient(volume, self.of(mesh.region(t))).unwrap_or(f64::INFINITY)
     }
+}
+
+/// A length or volume that is wanted, times two to this power; infinite, which asks for nothing, where that would overflow.
+pub fn scaled(wanted: f64, exponent: i32) -> f64 {
+    if elementary::exponent(wanted).saturating_add(exponent) > LARGEST_EXPONENT {
+        return f64::INFINITY;
+    }
+    scale(wanted, exponent)
 }
 
 /// Of a tetrahedron.

@@ -19,6 +19,7 @@ mod place;
 mod volumes;
 
 use crate::control::Part;
+use crate::elementary::quotient;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::kernel::{Mesh, NONE};
@@ -154,15 +155,19 @@ impl Fill<'_, '_> {
             let size = self.wanted_in(t)?.length;
             let volume = volume(self.mesh.verts(t).map(|v| self.points.xyz(v)));
             // Regular tetrahedra have √2/12 of the cube of their edge, and six of them come with a point.
-            sum += volume / size / size / size * 2f64.sqrt();
+            let over = |x: Option<f64>| x.and_then(|x| quotient(x, size));
+            let count = over(over(over(Some(volume * 2f64.sqrt())))).unwrap_or(f64::MAX);
+            sum = if count < MOST_POINTS { sum + count } else { count };
+            if sum >= MOST_POINTS {
+                return Err(Error::new(
+                    Status::TooLarge,
+                    format_args!(
+                        "the sizes ask for more than {sum:.1e} points, a mesh can have {MOST_POINTS:.1e}: choose larger sizes"
+                    ),
+                ));
+            }
         }
-        if sum < MOST_POINTS {
-            return Ok(());
-        }
-        Err(Error::new(
-            Status::TooLarge,
-            format_args!("the sizes ask for about {sum:.1e} points, a mesh can have {MOST_POINTS:.1e}: choose larger sizes"),
-        ))
+        Ok(())
     }
 
     /// Takes note of a tetrahedron if it is to be split.
@@ -191,7 +196,8 @@ impl Fill<'_, '_> {
                 shortest = shortest.min(distance(p, q));
             }
         }
-        Ok((radius / (LARGE * h), radius / (self.ratio * shortest)))
+        let over = |length: f64| quotient(radius, length).unwrap_or(f64::INFINITY);
+        Ok((over(LARGE * h), over(self.ratio * shortest)))
     }
 
     /// Puts a point into a tetrahedron that is to be split, or near it.

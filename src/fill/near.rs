@@ -61,9 +61,9 @@ impl Near {
     }
 }
 
-/// The exponent of the cells for a size.
+/// The exponent of the cells for a size. No coordinate overflows when it is counted in the smallest.
 fn level(size: f64) -> Option<i32> {
-    (size > 0.0 && size.is_finite()).then(|| exponent_above(size).clamp(-900, 900))
+    (size > 0.0 && size.is_finite()).then(|| exponent_above(size).clamp(-800, 900))
 }
 
 /// The number of a cell along an axis; far away from the origin the last one, which only makes the filter slow.

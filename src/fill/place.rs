@@ -1,5 +1,5 @@
 //! Candidates: where they are, and in which tetrahedron.
-use crate::elementary::{exponent_above, power_of_two};
+use crate::elementary::{exponent_above, power_of_two, quotient};
 use crate::kernel::{Mesh, NONE};
 use crate::predicates::{in_range, Points, Sign};
 use crate::vector::{cross, dot, sub};
@@ -8,6 +8,11 @@ use crate::vector::{cross, dot, sub};
 const MOST_STEPS: usize = 2000;
 /// Candidates have about this many bits below their distance from what is near: short numbers keep exact signs quick.
 const BITS: i32 = 16;
+
+/// No coordinate is larger than a fraction of this, 2^300.
+const FARTHEST: f64 = f64::from_bits((300 + 1023) << 52);
+/// Doubles of this size are whole numbers.
+const WHOLE: f64 = (1u64 << 53) as f64;
 
 /// Where a walk ended.
 pub(super) enum Found {
@@ -59,13 +64,13 @@ pub(super) fn circumcentre([o, p, q, r]: [&[f64; 3]; 4]) -> ([f64; 3], f64) {
     let [vw, wu, uv] = [cross(&v, &w), cross(&w, &u), cross(&u, &v)];
     let det = 2.0 * dot(&u, &vw);
     let [uu, vv, ww] = [dot(&u, &u), dot(&v, &v), dot(&w, &w)];
-    let d = [0, 1, 2].map(|k| (uu * vw[k] + vv * wu[k] + ww * uv[k]) / det);
-    let radius = dot(&d, &d).sqrt();
-    if radius.is_finite() {
-        ([0, 1, 2].map(|k| o[k] + d[k]), radius)
-    } else {
-        (*o, f64::INFINITY)
+    let n = [0, 1, 2].map(|k| uu * vw[k] + vv * wu[k] + ww * uv[k]);
+    // What is farther than this is beyond all coordinates; hosts may trap a division by zero and an overflow.
+    if !n.iter().all(|x| x.abs() < det.abs() * FARTHEST) {
+        return (*o, f64::INFINITY);
     }
+    let d = n.map(|x| x / det);
+    ([0, 1, 2].map(|k| o[k] + d[k]), dot(&d, &d).sqrt())
 }
 
 /// The point on a grid that is fine compared with a distance; `None` if it is out of range.
@@ -75,9 +80,9 @@ pub(super) fn snapped(at: [f64; 3], near: f64) -> Option<[f64; 3]> {
     }
     let unit = power_of_two((exponent_above(near) - BITS).clamp(-900, 900));
     let out = at.map(|x| {
-        let rounded = (x / unit).round() * unit;
-        if rounded.is_finite() {
-            rounded
+        // Larger numbers are on the grid.
+        if x.abs() < unit * WHOLE {
+            (x / unit).round() * unit
         } else {
             x
         }
@@ -90,5 +95,5 @@ pub(super) fn needle_free([p, q, r]: [&[f64; 3]; 3]) -> f64 {
     let [u, v, w] = [sub(q, p), sub(r, p), sub(r, q)];
     let n = cross(&u, &v);
     let longest = dot(&u, &u).max(dot(&v, &v)).max(dot(&w, &w));
-    (dot(&n, &n).sqrt() / longest).min(1.0)
+    quotient(dot(&n, &n).sqrt(), longest).unwrap_or(0.0).min(1.0)
 }

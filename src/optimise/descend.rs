@@ -3,6 +3,7 @@
 //! The function is a minimum of smooth ones. Its steepest ascent is the shortest vector in the convex hull of the gradients of those that
 //! are nearly the least (Freitag & Ollivier-Gooch 1997), found by Gilbert's algorithm (1966); then the step is halved until the worst is better.
 //! All of this is floating-point; a position counts only if it sees all faces of the star by exact signs.
+use crate::elementary::quotient;
 use crate::error::Error;
 use crate::fallible;
 use crate::ops::place::sees_all;
@@ -164,7 +165,8 @@ fn shortest(vectors: &[[f64; 3]]) -> [f64; 3] {
             break;
         }
         let back = sub(low, &best);
-        let t = (-dot(&best, &back) / dot(&back, &back)).clamp(0.0, 1.0);
+        let Some(t) = quotient(-dot(&best, &back), dot(&back, &back)) else { break };
+        let t = t.clamp(0.0, 1.0);
         best = [0, 1, 2].map(|k| best[k] + t * back[k]);
     }
     best

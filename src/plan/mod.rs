@@ -552,12 +552,8 @@ impl Run<'_> {
         enough: Option<u64>,
     ) -> Result<bool, Error> {
         self.control.progress(Phase::Segments, 0.0)?;
-        let mut recovery = Recovery::new(
-            (&mut engine.mesh, &mut engine.inserter),
-            &mut engine.points,
-            segments,
-            self.control,
-        );
+        let mut recovery =
+            Recovery::new(&mut engine.mesh, &mut engine.inserter, &mut engine.points, segments, self.control);
         recovery.enough = enough;
         let done = recovery.run();
         drop(recovery);

@@ -13,9 +13,8 @@ use crate::output::Region;
 use crate::plan::{Engine, Run};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
-use crate::predicates::scale;
 use crate::preserve::Freed;
-use crate::size::{Bounds, Given, Size};
+use crate::size::{scaled, Bounds, Given, Size};
 
 /// What a mesh is made from.
 #[derive(Clone, Copy)]
@@ -111,7 +110,7 @@ impl Run<'_> {
 
 /// What the caller wants, in the engine's lengths.
 fn given<'a>(options: &'a Options, engine: &Engine, input: Input) -> Result<Given<'a>, Error> {
-    let scaled = |x: f64| scale(x, engine.scale);
+    let scaled = |x: f64| scaled(x, engine.scale);
     let least = |x: Option<f64>, y: Option<f64>| x.into_iter().chain(y).reduce(f64::min);
     let of_volume = |volume: f64| scaled(edge_of(volume));
     let sizes = &input.plc.sizes;
@@ -130,7 +129,7 @@ fn given<'a>(options: &'a Options, engine: &Engine, input: Input) -> Result<Give
 
 /// The largest volumes, in the engine's lengths.
 fn bounds(options: &Options, engine: &Engine, input: Input) -> Result<Bounds, Error> {
-    let scaled = |volume: f64| scale(volume, 3 * engine.scale);
+    let scaled = |volume: f64| scaled(volume, 3 * engine.scale);
     let regions = input.regions.regions.iter().map(|region| region.max_volume.map(scaled));
     Ok(Bounds { all: options.max_volume.map(scaled), of_region: fallible::collect(regions)? })
 }
@@ -143,7 +142,7 @@ fn at_vertices(engine: &Engine, Input { plc, surface, .. }: Input) -> Result<Vec
     }
     let mut out = fallible::filled(f64::INFINITY, engine.points.len())?;
     let mut lower = |point: u32, size: f64| {
-        let size = scale(size, engine.scale);
+        let size = scaled(size, engine.scale);
         if let Some(known) = out.get_mut(engine.engine_of[point as usize] as usize) {
             *known = size.min(*known);
         }
@@ -165,8 +164,12 @@ fn at_vertices(engine: &Engine, Input { plc, surface, .. }: Input) -> Result<Vec
 
 /// The edge of the regular tetrahedron of a volume: the cube root of 6 √2 times it, by Newton's method.
 pub(super) fn edge_of(volume: f64) -> f64 {
+    // A number of this size would overflow, and asks for nothing.
+    if exponent(volume) > 1000 {
+        return f64::INFINITY;
+    }
     let cube = 6.0 * 2.0f64.sqrt() * volume;
-    if !cube.is_finite() || cube < f64::MIN_POSITIVE {
+    if cube < f64::MIN_POSITIVE {
         return f64::INFINITY;
     }
     let mut x = power_of_two(exponent(cube) / 3);

@@ -60,7 +60,7 @@ impl Model {
         let mut points = Points::new(self.points.clone());
         let (mut mesh, mut inserter) = (Construction::of(&points), Inserter::default());
         let mut segments = Segments::new(&points, self.segments(), free).unwrap();
-        Recovery::new((&mut mesh, &mut inserter), &mut points, &mut segments, free).run().unwrap();
+        Recovery::new(&mut mesh, &mut inserter, &mut points, &mut segments, free).run().unwrap();
         let facet = vec![0; self.triangles.len()];
         let triangles = Triangles {
             corners: &self.triangles,

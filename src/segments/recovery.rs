@@ -310,7 +310,8 @@ pub struct Recovery<'a> {
 impl<'a> Recovery<'a> {
     /// Prepares a recovery; `mesh.vertex_tet` must be up to date.
     pub fn new(
-        (mesh, inserter): (&'a mut Mesh, &'a mut Inserter),
+        mesh: &'a mut Mesh,
+        inserter: &'a mut Inserter,
         points: &'a mut Points,
         segments: &'a mut Segments,
         control: &'a Control<'a>,

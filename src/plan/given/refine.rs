@@ -23,7 +23,7 @@ use crate::plc::Plc;
 use crate::predicates::{scale, Points};
 use crate::preserve::inside::Inside;
 use crate::progress::Phase;
-use crate::size::{Bounds, Given, Size};
+use crate::size::{scaled, Bounds, Given, Size};
 use crate::INVALID;
 use rustc_hash::FxHashSet;
 use std::time::Instant;
@@ -217,14 +217,14 @@ impl<'a> Work<'a> {
 
     /// The largest volumes, in the engine's lengths.
     fn bounds(&self, options: &Options) -> Result<Bounds, Error> {
-        let scaled = |volume: f64| scale(volume, 3 * self.exponent);
+        let scaled = |volume: f64| scaled(volume, 3 * self.exponent);
         let regions = self.given.regions.iter().map(|region| region.max_volume.map(scaled));
         Ok(Bounds { all: options.max_volume.map(scaled), of_region: fallible::collect(regions)? })
     }
 
     /// What the caller wants, in the engine's lengths.
     fn wanted<'o>(&self, sizes: &MeshSizes, options: &'o Options) -> Result<Given<'o>, Error> {
-        let scaled = |x: f64| scale(x, self.exponent);
+        let scaled = |x: f64| scaled(x, self.exponent);
         let least = |x: Option<f64>, y: Option<f64>| x.into_iter().chain(y).reduce(f64::min);
         let of_volume = |volume: f64| scaled(edge_of(volume));
         let of_region = |region: &Region| {
@@ -250,7 +250,7 @@ impl<'a> Work<'a> {
         let mut out = fallible::filled(f64::INFINITY, self.points.len())?;
         let mut lower = |point: u32, size: f64| {
             let known = &mut out[self.alias[point as usize] as usize];
-            *known = scale(size, self.exponent).min(*known);
+            *known = scaled(size, self.exponent).min(*known);
         };
         (0u32..).zip(&parts.points).for_each(|(point, &size)| lower(point, size));
         for (corners, &size) in self.given.tets.iter().zip(tets) {

@@ -66,7 +66,7 @@ pub(super) fn constrained(
 ) -> (Mesh, Subfaces) {
     let control = &Control::free();
     let (mut mesh, mut inserter) = (Construction::of(points), Inserter::default());
-    assert!(Recovery::new((&mut mesh, &mut inserter), points, segments, control).run().unwrap());
+    assert!(Recovery::new(&mut mesh, &mut inserter, points, segments, control).run().unwrap());
     let facet = vec![0; surface.triangles.len()];
     let triangles = Triangles {
         corners: surface.triangles,
