@@ -71,10 +71,12 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("size", &["kernel", "predicates", "vector", "error", "options"]),
     ("optimise", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error"]),
     ("fill", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error"]),
+    ("refine", &["fill", "preserve", "segments", "ops", "size", "kernel", "predicates", "vector", "error"]),
     (
         "plan",
         &[
             "fill",
+            "refine",
             "optimise",
             "size",
             "preserve",

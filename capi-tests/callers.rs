@@ -130,7 +130,7 @@ fn layouts() -> Vec<Layout> {
         view::DelotetSubfacesView { first, count, stride }
         view::DelotetSubsegment { ends, segment, marker }
         view::DelotetSubsegmentsView { first, count, stride }
-        view::DelotetSteinerPoint { ends, t, segment, exact }
+        view::DelotetSteinerPoint { ends, t, segment, exact, third, facet, u }
         view::DelotetSteinerView { first, count, stride }
         view::DelotetSteinerTerm { steiner, value }
         view::DelotetSteinerTermsView { first, count, stride }

@@ -28,9 +28,9 @@ fn models() -> Vec<PathBuf> {
 /// Every combination of the options that change what is in a mesh.
 fn options() -> impl Iterator<Item = (Options, &'static [&'static str])> {
     MODES.into_iter().flat_map(|(mode, preserve, arguments)| {
-        // The exact form makes a difference only for constrained Delaunay meshes, and only kept surfaces are filled.
+        // The exact form makes a difference only for constrained Delaunay meshes, and only these and kept surfaces are refined.
         let kinds = match mode {
-            Mode::Constrained => 8,
+            Mode::Constrained => 10,
             Mode::Preserve => 5,
             Mode::Delaunay => 4,
         };
@@ -38,9 +38,10 @@ fn options() -> impl Iterator<Item = (Options, &'static [&'static str])> {
             let merge_facets = (bits & 1 != 0).then_some(179.9);
             let (keep_hull, last) = (bits & 2 != 0, bits & 4 != 0);
             let exact_form = last && mode == Mode::Constrained;
-            let quality = (last && mode == Mode::Preserve).then_some(2.0);
+            let shaped = if mode == Mode::Constrained { bits >= 8 } else { last && mode == Mode::Preserve };
+            let quality = shaped.then_some(2.0);
             // It takes the longest, so not everywhere.
-            let optimize = u32::from(quality.is_some() && preserve == Preserve::All);
+            let optimize = u32::from(shaped && preserve == Preserve::All && bits != 8);
             let base = Options { mode, preserve, merge_facets, keep_hull, ..Options::default() };
             (Options { exact_form, quality, optimize, ..base }, arguments)
         })

@@ -1,8 +1,8 @@
 //! Random piecewise linear complexes on small integer grids, where degenerate cases are the norm: each valid one is meshed, and
 //! the mesh passes the exact checker. Reduced failures belong into a table of named regression cases, not here.
 use delotet::{
-    check_mesh, check_preserved, check_preserved_outer, tetrahedralize, Error, Facet, Mode, Options, Plc,
-    Preserve, Segment, Silent, Status, TetMesh,
+    check_guarantee, check_mesh, check_preserved, check_preserved_outer, tetrahedralize, Error, Facet, Mode,
+    Options, Plc, Preserve, Segment, Silent, Status, TetMesh,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -31,6 +31,7 @@ fn mesh(plc: &Plc, keep_hull: bool) -> Result<Option<TetMesh>, TestCaseError> {
     if let Err(error) = check_mesh(plc, &mesh, true, 10) {
         return Err(TestCaseError::fail(format!("{error}: {:?}\n{plc:?}", error.defects)));
     }
+    refined(plc, &options, &mesh)?;
     preserve(plc, &options, &mesh)?;
     Ok(Some(mesh))
 }
@@ -65,6 +66,26 @@ fn preserve(plc: &Plc, options: &Options, constrained: &TetMesh) -> Result<(), T
         Err(error) => {
             return Err(TestCaseError::fail(format!("outer: {error}: {:?}\n{plc:?}", error.defects)))
         }
+    }
+    Ok(())
+}
+
+/// The constrained mesh refined by sizes and shapes: still constrained Delaunay before it is optimised, with the same regions.
+fn refined(plc: &Plc, options: &Options, constrained: &TetMesh) -> Result<(), TestCaseError> {
+    // The large ones take most of the time: a search takes them too.
+    if constrained.tets.len() > 200 && std::env::var_os("PROPTEST_CASES").is_none() {
+        return Ok(());
+    }
+    let size = constrained.points.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs())) / 4.0;
+    for (quality, size, optimize) in [(Some(1.5), None, 0), (Some(2.0), Some(size), 1)] {
+        let asked =
+            Options { quality, size, optimize, gradation: 1.0, steiner_limit: None, ..options.clone() };
+        let fail = |error: Error| {
+            TestCaseError::fail(format!("refined: {error}: {:?}\n{asked:?}\n{plc:?}", error.defects))
+        };
+        let refined = tetrahedralize(plc, &asked, &mut Silent).map_err(fail)?;
+        check_guarantee(plc, &refined, 10).map_err(fail)?;
+        prop_assert_eq!(refined.regions.len(), constrained.regions.len());
     }
     Ok(())
 }

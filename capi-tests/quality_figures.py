@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Sizes and shapes of meshes on models of the corpus, beside TetGen, by the independent tool.
 
-  python3 capi-tests/quality_figures.py --bin target/release/delotet [--set clean|needle|cad|all] [--size] [--tetgen] [--options "..."] [MODEL ...]
+  python3 capi-tests/quality_figures.py --bin target/release/delotet [--set clean|needle|cad|all] [--size] [--refined] [--tetgen] [--options "..."] [MODEL ...]
 
-Each model's surface is kept. Peer and we run one after the other in one run, so their times compare; seconds are processor seconds of the
+Each model's surface is kept, or with `--refined` split as well (mode cdt). Peer and we run one after the other in one run, so their times compare; seconds are processor seconds of the
 whole process, files included. `--size` asks for one edge length, a fortieth of the model's diagonal, else sizes come from the surface. The
 measure is ../shared/tools/quality.py (numpy, scipy: of this Python or the system's), models are those of ../shared/corpus; without them the script says so and ends. Columns
 with an x leave out what the input forces, by the tool's own rule.
@@ -39,8 +39,9 @@ def timed(command, limit):
     return seconds if done.returncode == 0 else None
 
 
-def measured(surface, mesh, size):
-    command = [sys.executable, TOOL, surface, mesh, "--kept", mesh, "--json"] + (["--size", repr(size)] if size else [])
+def measured(surface, mesh, size, reference=None):
+    against = ["--reference", reference] if reference else ["--kept", mesh]
+    command = [sys.executable, TOOL, surface, mesh, *against, "--json"] + (["--size", repr(size)] if size else [])
     done = subprocess.run(command, capture_output=True, text=True)
     return json.loads(done.stdout) if done.returncode == 0 else {"fault": done.stderr.strip().splitlines()[-1:]}
 
@@ -83,6 +84,7 @@ def main():
     parser.add_argument("--bin", required=True)
     parser.add_argument("--set", default="clean", choices=sorted(SETS))
     parser.add_argument("--size", action="store_true")
+    parser.add_argument("--refined", action="store_true", help="the surface may be split")
     parser.add_argument("--tetgen", action="store_true", help="also the program tetgen")
     parser.add_argument("--options", default="--quality --optimize", help="instead of --quality --optimize")
     parser.add_argument("--limit", type=float, default=90, help="seconds for a run")
@@ -103,19 +105,25 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             surface, path = os.path.join(MODELS, name), lambda file: os.path.join(folder, file)
             size = diagonal(binary, surface, folder) / 40 if args.size else None
+            reference = None
+            if args.refined:
+                # Which side of each triangle is inside.
+                reference = path("reference.ele")
+                subprocess.run([binary, "mesh", surface, "-o", reference, "--mode", "preserve", "--quiet"], check=True)
             if args.tetgen:
                 copy = path("t" + os.path.splitext(name)[1])
                 os.symlink(surface, copy)
-                switches = "-pYq1.414Q" + (f"a{size ** 3 / 8.485!r}" if size else "")
+                switches = ("-pq1.414Q" if args.refined else "-pYq1.414Q") + (f"a{size ** 3 / 8.485!r}" if size else "")
                 seconds = timed(["tetgen", switches, copy], args.limit)
-                found = measured(surface, path("t.1.ele"), size) if seconds is not None else {}
+                found = measured(surface, path("t.1.ele"), size, reference) if seconds is not None else {}
                 theirs.append((seconds, found))
                 row(name, "tetgen", seconds, found)
-            command = [binary, "mesh", surface, "-o", path("m.ele"), "--mode", "preserve", "--quiet", "--threads", "1"]
+            command = [binary, "mesh", surface, "-o", path("m.ele"), "--mode",
+                       "cdt" if args.refined else "preserve", "--quiet", "--threads", "1"]
             sizes = ["--size", repr(size), "--max-volume", repr(size ** 3 / 8.485)] if size else []
             command += args.options.split() + sizes
             seconds = timed(command, args.limit)
-            found = measured(surface, path("m.ele"), size) if seconds is not None else {}
+            found = measured(surface, path("m.ele"), size, reference) if seconds is not None else {}
             ours.append((seconds, found))
             row(name, "delotet", seconds, found)
     total("tetgen", theirs)

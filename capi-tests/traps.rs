@@ -119,7 +119,8 @@ mod glibc {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("traps-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
         let plain = Options::default();
-        let filled = Options { mode: Mode::Preserve, steiner_limit: Some(500), ..plain.clone() };
+        let refined = Options { steiner_limit: Some(500), ..plain.clone() };
+        let filled = Options { mode: Mode::Preserve, ..refined.clone() };
         let runs = [
             Options { mode: Mode::Delaunay, ..plain.clone() },
             plain.clone(),
@@ -130,8 +131,17 @@ mod glibc {
             Options { size: Some(f64::MAX), max_volume: Some(f64::MAX), ..filled.clone() },
             Options { size: Some(1e-200), ..filled.clone() },
             Options { max_volume: Some(f64::MIN_POSITIVE), ..filled },
+            Options { quality: Some(1.5), optimize: 1, ..refined.clone() },
+            Options { size: Some(f64::MAX), max_volume: Some(f64::MAX), ..refined.clone() },
+            Options { size: Some(1e-200), ..refined.clone() },
+            Options { max_volume: Some(f64::MIN_POSITIVE), ..refined },
         ];
         for options in runs {
+            let sized = options.size.or(options.quality).or(options.max_volume).is_some();
+            // More of the same points would only take time.
+            if sized && plc.points.len() > 1000 {
+                continue;
+            }
             let mode = options.mode;
             match tetrahedralize(plc, &options, &mut Silent) {
                 Ok(mesh) => {
@@ -141,7 +151,7 @@ mod glibc {
                         let with_quality = WriteOptions { quality_data: true, ..WriteOptions::default() };
                         write(&path, &mesh, plc, &with_quality).unwrap();
                     }
-                    if options.size.or(options.quality).or(options.max_volume).is_none() {
+                    if !sized && mesh.tets.len() < 20_000 {
                         given(name, &folder, &mesh);
                     }
                     let forced = delotet::query::quality::forced_tets(&mesh).unwrap();

@@ -68,6 +68,7 @@ mod predicates;
 mod preserve;
 pub mod progress;
 pub mod query;
+mod refine;
 mod rounding;
 mod segments;
 mod size;

@@ -12,7 +12,7 @@ pub enum Mode {
     /// The Delaunay tetrahedralization of the points; segments and facets are ignored.
     Delaunay,
     /// The constrained Delaunay tetrahedralization: segments and facets are unions of edges and faces, with Steiner points
-    /// on segments only.
+    /// on segments only, unless sizes or shapes ask for more points ([`Options::size`]).
     #[default]
     Constrained,
     /// A tetrahedralization that keeps the surface as it is: every triangle is a face, every segment and every edge of a polygon is an
@@ -151,23 +151,26 @@ pub struct Options {
     /// points then have other indices in the mesh; [`TetMesh::dropped`](crate::TetMesh::dropped) maps them. Unmeshed subfaces and
     /// subsegments are not listed, since their points are dropped; warnings about them remain. Default: false.
     pub drop_unmeshed_points: bool,
-    /// The largest edge length wanted anywhere inside: with [`Mode::Preserve`] the mesh is filled with points. The smallest of all sizes
-    /// counts: this one, those of the input ([`Plc::sizes`](crate::Plc::sizes)), [`Options::size_function`], the lengths of the surface, and
-    /// what follows from them by [`Options::gradation`]. Positive and finite. Default: None.
+    /// The largest edge length wanted anywhere: the mesh is filled with points. With [`Mode::Constrained`] they come on segments, on facets
+    /// and inside, with [`Mode::Preserve`] only inside; [`Mode::Delaunay`] refuses this and what follows. The smallest of all sizes counts:
+    /// this one, those of the input ([`Plc::sizes`](crate::Plc::sizes)), [`Options::size_function`], the lengths of the surface, and what
+    /// follows from them by [`Options::gradation`]. Positive and finite. Default: None.
     pub size: Option<f64>,
-    /// The largest volume of a tetrahedron, with [`Mode::Preserve`]: none is above it, but for some over triangles of the kept surface that
-    /// are too large for it. Bounds of regions ([`RegionSeed::max_volume`](crate::RegionSeed::max_volume)) count beside it once the mesh is
-    /// filled. Positive and finite. Default: None.
+    /// The largest volume of a tetrahedron: none is above it where the surface allows it (with [`Mode::Preserve`], but for some over
+    /// triangles of the kept surface that are too large for it). Bounds of regions
+    /// ([`RegionSeed::max_volume`](crate::RegionSeed::max_volume)) count beside it once the mesh is filled. Positive and finite. Default: None.
     pub max_volume: Option<f64>,
     /// How fast sizes may grow: by at most this times the distance. More than 0, at most 1. Default: 0.3.
     pub gradation: f64,
     /// The edge length wanted at a point, asked for wherever one may come. Default: None.
     pub size_function: Option<SizeFunction>,
     /// Fill the mesh with points until no tetrahedron's circumradius is more than this many of its shortest edge, where the surface allows
-    /// it; without other sizes those of the surface count, and grow inwards. At least 1.2. Default: None (off).
+    /// it; without other sizes those of the surface count, and grow inwards. The number of points is bounded: at small angles, in needles
+    /// and in thin plates tetrahedra stay bad. At least 1.2. Default: None (off).
     pub quality: Option<f64>,
-    /// The effort to optimise the smallest dihedral angles: 0 none, 1 as much as pays, larger numbers take longer and find more.
-    /// Default: 0.
+    /// The effort to optimise the smallest dihedral angles: 0 none, 1 as much as pays, larger numbers take longer and find more. With
+    /// [`Mode::Constrained`] the mesh is then conforming, no longer Delaunay ([`Guarantee::Conforming`](crate::Guarantee::Conforming));
+    /// refused there together with [`Options::exact_form`]. Default: 0.
     pub optimize: u32,
     /// The points are already in a spatially coherent order: skip sorting. Default: false.
     pub points_sorted: bool,

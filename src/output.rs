@@ -9,31 +9,59 @@ mod dropped;
 pub use arrays::MeshArrays;
 pub use dropped::Dropped;
 
-/// A Steiner point and where it lies: on an input edge, or inside and on no segment ([`SteinerPoint::INSIDE`]).
+/// A Steiner point and where it lies: on an input edge, on an input facet, or inside and on neither ([`SteinerPoint::INSIDE`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct SteinerPoint {
-    /// Ends a and b of the input edge (input point indices): the point lies on it at exactly `a + t (b − a)`. Both are
-    /// [`INVALID`](crate::INVALID) for a point inside, which lies on no edge ([`TetMesh::preserved`]).
+    /// Ends a and b of the input edge (input point indices): the point lies on it at exactly `a + t (b − a)`. On a facet, two points of its
+    /// plane: see [`third`](Self::third). Both are [`INVALID`](crate::INVALID) for a point inside.
     pub ends: [u32; 2],
     /// The parameter, up to the point's [`SteinerTerm`]s, which few points have; 0 for a point inside.
     pub t: f64,
-    /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only.
+    /// The input segment it lies on, or [`INVALID`](crate::INVALID) if the edge belongs to facets only, and elsewhere.
     pub segment: u32,
-    /// True if the double coordinates in `points` are exactly `a + t (b − a)`, and for a point inside. False if they were rounded, or moved
+    /// True if the double coordinates in `points` are the exact position, and for a point inside. False if they were rounded, or moved
     /// by the rounding step.
     pub exact: bool,
+    /// For a point on a facet, a third point c of its plane: the point lies at exactly `a + t (b − a) + u (c − a)`. There `ends` and `third`
+    /// are [`INVALID`](crate::INVALID) if its doubles lie in the plane themselves and are its position. `INVALID` elsewhere.
+    pub third: u32,
+    /// The input facet it lies on (inside, not on an edge), or [`INVALID`](crate::INVALID).
+    pub facet: u32,
+    /// The second parameter of a point on a facet; 0 elsewhere.
+    pub u: f64,
 }
 
 impl SteinerPoint {
-    /// A point on no edge, facet or segment of the input ([`Mode::Preserve`](crate::Mode::Preserve)): it lies exactly at its double
-    /// coordinates.
-    pub const INSIDE: SteinerPoint =
-        SteinerPoint { ends: [crate::INVALID; 2], t: 0.0, segment: crate::INVALID, exact: true };
+    /// A point on no edge, facet or segment of the input: it lies exactly at its double coordinates.
+    pub const INSIDE: SteinerPoint = SteinerPoint {
+        ends: [crate::INVALID; 2],
+        t: 0.0,
+        segment: crate::INVALID,
+        exact: true,
+        third: crate::INVALID,
+        facet: crate::INVALID,
+        u: 0.0,
+    };
 
-    /// Whether the point lies on no input edge.
+    /// Whether the point lies on no input edge and no facet.
     pub fn is_inside(&self) -> bool {
-        self.ends == [crate::INVALID; 2]
+        self.ends == [crate::INVALID; 2] && self.facet == crate::INVALID
+    }
+
+    /// The input points that its position refers to.
+    pub(crate) fn parents(&self) -> impl Iterator<Item = u32> {
+        self.ends.into_iter().chain([self.third]).filter(|&v| v != crate::INVALID)
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn parents_mut(&mut self) -> impl Iterator<Item = &mut u32> {
+        self.ends.iter_mut().chain([&mut self.third]).filter(|v| **v != crate::INVALID)
+    }
+
+    /// Whether the point lies on an input edge.
+    pub fn is_on_edge(&self) -> bool {
+        self.ends != [crate::INVALID; 2] && self.facet == crate::INVALID
     }
 }
 
@@ -93,6 +121,8 @@ pub enum Guarantee {
     /// Every facet and segment is a union of faces and edges, and all other faces are locally Delaunay.
     #[default]
     ConstrainedDelaunay,
+    /// Every facet and segment is a union of faces and edges: such a mesh after optimisation ([`Options::optimize`](crate::Options::optimize)).
+    Conforming,
     /// The Delaunay tetrahedralization of the points: facets and segments are ignored.
     Delaunay,
     /// The surface is kept as it is in the input ([`Preserve::All`](crate::Preserve::All)).
@@ -143,9 +173,9 @@ pub struct PreserveStatistics {
 #[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
-    /// Steiner points on segments and facet edges.
+    /// Steiner points on segments and facet edges, without those of refinement.
     pub steiner: u64,
-    /// Steiner points whose double coordinates are exact.
+    /// Steiner points on segments, facet edges and facets whose double coordinates are exact, with those of refinement.
     pub steiner_exact: u64,
     /// Steiner points moved to another position because the nearest doubles were not valid.
     pub steiner_moved: u64,

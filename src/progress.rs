@@ -25,11 +25,16 @@ pub enum Phase {
     Write = 8,
     /// Keeping the surface as it is ([`Mode::Preserve`](crate::Mode::Preserve)); comes before the audit.
     Preserve = 9,
+    /// Points by size and shape ([`Options::size`](crate::Options::size), [`Options::quality`](crate::Options::quality)); comes before
+    /// rounding.
+    Refine = 10,
+    /// Optimisation ([`Options::optimize`](crate::Options::optimize)); comes before the audit.
+    Optimize = 11,
 }
 
 impl Phase {
     /// The number of phases.
-    pub const COUNT: usize = 10;
+    pub const COUNT: usize = 12;
 
     /// All phases in the order of a run.
     pub const ALL: [Phase; Phase::COUNT] = [
@@ -40,7 +45,9 @@ impl Phase {
         Phase::Facets,
         Phase::Regions,
         Phase::Preserve,
+        Phase::Refine,
         Phase::Round,
+        Phase::Optimize,
         Phase::Audit,
         Phase::Write,
     ];
@@ -49,7 +56,7 @@ impl Phase {
     pub fn name(self) -> &'static str {
         const NAMES: [&str; Phase::COUNT] = [
             "read", "validate", "delaunay", "segments", "facets", "regions", "round", "audit", "write",
-            "preserve",
+            "preserve", "refine", "optimize",
         ];
         NAMES[self as usize]
     }
@@ -59,7 +66,7 @@ impl Phase {
     /// Where each phase begins in the whole of reading, meshing and writing, in the order of [`Phase::ALL`]; the last one ends at 1. These
     /// are rough shares of the time on our own models. The shares differ by a factor of ten between models, so finer numbers would be
     /// meaningless.
-    const BEGINS: [f64; Phase::COUNT] = [0.0, 0.05, 0.15, 0.35, 0.55, 0.65, 0.7, 0.8, 0.85, 0.9];
+    const BEGINS: [f64; Phase::COUNT] = [0.0, 0.05, 0.1, 0.2, 0.3, 0.35, 0.4, 0.5, 0.7, 0.75, 0.9, 0.95];
 
     /// The fraction of the whole that is done when `fraction` of this phase is done: from 0 to 1, increasing from phase to phase.
     pub fn overall(self, fraction: f64) -> f64 {

@@ -184,7 +184,10 @@ fn of_surface(
 }
 
 /// Lowers what is too large for its neighbours, the smallest first.
-fn graded(
+///
+/// # Errors
+/// `OutOfMemory`, and what ends the run.
+pub fn graded(
     sizes: &mut [f64],
     mesh: &Mesh,
     points: &Points,

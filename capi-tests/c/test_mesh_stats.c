@@ -20,6 +20,25 @@ static void preserve(void)
     delotet_options_free(options);
 }
 
+/* Points by size and shape, and optimisation, have times of their own. */
+static void refine(void)
+{
+    DelotetOptions *options = delotet_options_new();
+    DelotetPlc *plc = grid_box();
+    DelotetMesh *mesh;
+    DelotetStats stats;
+    OK(delotet_options_set_quality(options, 2, &error));
+    OK(delotet_options_set_optimize(options, 1, &error));
+    mesh = mesh_with(plc, options);
+    stats.struct_size = sizeof stats;
+    OK(delotet_mesh_stats(mesh, &stats, &error));
+    CHECK(stats.seconds[DELOTET_PHASE_REFINE] > 0 && stats.seconds[DELOTET_PHASE_OPTIMIZE] > 0);
+    CHECK(stats.seconds[DELOTET_PHASE_PRESERVE] == 0);
+    delotet_mesh_free(mesh);
+    delotet_plc_free(plc);
+    delotet_options_free(options);
+}
+
 int main(void)
 {
     DelotetMesh *mesh = mesh_of(twisted_prism());
@@ -38,6 +57,7 @@ int main(void)
     CHECK(room.stats.seconds[DELOTET_PHASE_DELAUNAY] >= 0 && room.stats.seconds[15] == 0);
     CHECK(room.stats.preserve_missing_edges == 0 && room.stats.preserve_interior == 0);
     CHECK(room.stats.seconds[DELOTET_PHASE_PRESERVE] == 0);
+    CHECK(room.stats.seconds[DELOTET_PHASE_REFINE] == 0 && room.stats.seconds[DELOTET_PHASE_OPTIMIZE] == 0);
     memset(&old, 0xAB, sizeof old);
     old.struct_size = offsetof(DelotetStats, steiner_exact); /* An older program. */
     OK(delotet_mesh_stats(mesh, &old, &error));
@@ -49,5 +69,6 @@ int main(void)
     FAILS(INVALID, delotet_mesh_stats(NULL, &old, &error));
     delotet_mesh_free(mesh);
     preserve();
+    refine();
     return 0;
 }

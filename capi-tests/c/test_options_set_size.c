@@ -1,5 +1,16 @@
-/* delotet_options_set_size: smaller sizes make more points; the surface is kept; other modes refuse. */
+/* delotet_options_set_size: smaller sizes make more points; the surface is kept, or refined in mode cdt; mode delaunay refuses. */
 #include "test.h"
+
+/* The number of points where the surface is refined. */
+static size_t refined_points(const DelotetPlc *plc, const DelotetOptions *options)
+{
+    DelotetMesh *mesh = mesh_with(plc, options);
+    size_t count = delotet_mesh_points(mesh).count;
+    OK(delotet_mesh_check(mesh, plc, true, 10, &error));
+    CHECK(fabs(volume(mesh) - GRID * GRID * GRID) < 1e-9);
+    delotet_mesh_free(mesh);
+    return count;
+}
 
 int main(void)
 {
@@ -22,7 +33,10 @@ int main(void)
     FAILS(INVALID, delotet_options_set_size(NULL, 1, &error));
     OK(delotet_options_set_size(options, 1, &error));
     OK(delotet_options_set_mode(options, DELOTET_MODE_CONSTRAINED, &error));
-    FAILS(INVALID, delotet_tetrahedralize(plc, options, &mesh, &error));
+    OK(delotet_options_set_size(options, 3, &error));
+    coarse = refined_points(plc, options);
+    OK(delotet_options_set_size(options, 0.5, &error));
+    CHECK(coarse < refined_points(plc, options) && fine < refined_points(plc, options));
     OK(delotet_options_set_mode(options, DELOTET_MODE_DELAUNAY, &error));
     FAILS(INVALID, delotet_tetrahedralize(plc, options, &mesh, &error));
     CHECK(mesh == NULL);

@@ -183,8 +183,8 @@ typedef enum DelotetStatus {
 } DelotetStatus;
 
 /**
- * Stages of a run. The numbers are fixed. The stages run in this order, except that DELOTET_PHASE_PRESERVE comes before
- * DELOTET_PHASE_AUDIT.
+ * Stages of a run. The numbers are fixed. The stages run in this order, except that DELOTET_PHASE_PRESERVE and DELOTET_PHASE_REFINE come
+ * before DELOTET_PHASE_ROUND, and DELOTET_PHASE_OPTIMIZE before DELOTET_PHASE_AUDIT.
  */
 typedef enum DelotetPhase {
     /**
@@ -227,6 +227,14 @@ typedef enum DelotetPhase {
      * Keeping the surface as it is (DELOTET_MODE_PRESERVE).
      */
     DELOTET_PHASE_PRESERVE = 9,
+    /**
+     * Points by size and shape (delotet_options_set_size(), delotet_options_set_quality()).
+     */
+    DELOTET_PHASE_REFINE = 10,
+    /**
+     * Optimisation (delotet_options_set_optimize()).
+     */
+    DELOTET_PHASE_OPTIMIZE = 11,
 } DelotetPhase;
 
 /**
@@ -816,12 +824,12 @@ typedef struct DelotetSubsegmentsView {
 } DelotetSubsegmentsView;
 
 /**
- * A Steiner point and where it lies: on an input edge, or inside (DELOTET_MODE_PRESERVE), exactly at its double coordinates.
+ * A Steiner point and where it lies: on an input edge, on an input facet, or inside, exactly at its double coordinates.
  */
 typedef struct DelotetSteinerPoint {
     /**
-     * Input points a and b, the ends of the input edge; the point lies on it at exactly a + t (b - a). Both are DELOTET_INVALID_INDEX for
-     * a point inside.
+     * Input points a and b, the ends of the input edge; the point lies on it at exactly a + t (b - a). On a facet, two points of its plane:
+     * see `third`. Both are DELOTET_INVALID_INDEX for a point inside.
      */
     uint32_t ends[2];
     /**
@@ -830,14 +838,28 @@ typedef struct DelotetSteinerPoint {
      */
     double t;
     /**
-     * The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only or the point lies inside.
+     * The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only or the point lies on no edge.
      */
     uint32_t segment;
     /**
-     * True if its coordinates are exactly a + t (b - a), and for a point inside. False if they were rounded, or moved to keep every
+     * True if its coordinates are its exact position, and for a point inside. False if they were rounded, or moved to keep every
      * tetrahedron positive.
      */
     bool exact;
+    /**
+     * For a point on a facet, input point c, a third one of its plane: the point lies at exactly a + t (b - a) + u (c - a). There `ends`
+     * and `third` are DELOTET_INVALID_INDEX if its coordinates lie in the plane themselves and are its position. DELOTET_INVALID_INDEX
+     * elsewhere.
+     */
+    uint32_t third;
+    /**
+     * The input facet it lies on (inside, not on an edge), or DELOTET_INVALID_INDEX.
+     */
+    uint32_t facet;
+    /**
+     * The second parameter of a point on a facet; 0 elsewhere.
+     */
+    double u;
 } DelotetSteinerPoint;
 
 /**
@@ -935,11 +957,11 @@ typedef struct DelotetStats {
      */
     size_t struct_size;
     /**
-     * Steiner points on segments and facet edges.
+     * Steiner points on segments and facet edges, without those of refinement.
      */
     uint64_t steiner;
     /**
-     * Steiner points whose double coordinates are exact.
+     * Steiner points on segments, facet edges and facets whose double coordinates are exact, with those of refinement.
      */
     uint64_t steiner_exact;
     /**
@@ -1315,7 +1337,7 @@ typedef uint32_t DelotetMshVersion;
 
 /**
  * The constrained Delaunay tetrahedralization: segments and facets are unions of edges and faces, with Steiner points on
- * segments only. The default.
+ * segments only, unless sizes or shapes ask for more points (delotet_options_set_size()). The default.
  */
 #define DELOTET_MODE_CONSTRAINED 1
 
@@ -2111,10 +2133,11 @@ int32_t delotet_plc_named_marker(const struct DelotetPlc *plc,
                                  size_t index);
 
 /**
- * Sets the largest edge length wanted anywhere inside, in the units of the coordinates: the mesh is filled with points. The smallest of all
- * sizes counts: this one, those of the input (delotet_plc_set_point_sizes() and so on), that of the size function, and what follows from the
- * lengths of the kept surface, which is not refined, and the gradation. Offered in DELOTET_MODE_PRESERVE only so far: with other modes
- * delotet_tetrahedralize() fails with INVALID_ARGUMENT. 0, the default: off. Errors: INVALID_ARGUMENT (negative or not finite).
+ * Sets the largest edge length wanted anywhere, in the units of the coordinates: the mesh is filled with points. The smallest of all sizes
+ * counts: this one, those of the input (delotet_plc_set_point_sizes() and so on), that of the size function, and what follows from the
+ * lengths of the surface and the gradation. In DELOTET_MODE_CONSTRAINED the surface is refined too: points come on segments, exactly on
+ * facets, and inside. In DELOTET_MODE_PRESERVE they come only inside. In DELOTET_MODE_DELAUNAY delotet_tetrahedralize() fails with
+ * INVALID_ARGUMENT. 0, the default: off. Errors: INVALID_ARGUMENT (negative or not finite).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2129,7 +2152,7 @@ DELOTET_API double delotet_options_size(const struct DelotetOptions *options);
 
 /**
  * Sets the largest volume of a tetrahedron, in cubed units of the coordinates: the mesh is filled with points until none is above it where
- * the kept surface allows that. The bounds of regions (delotet_plc_add_region()) count beside it once the mesh is filled. Modes as for
+ * the surface allows that. The bounds of regions (delotet_plc_add_region()) count beside it once the mesh is filled. Modes as for
  * delotet_options_set_size(). 0, the default: off. Errors: INVALID_ARGUMENT (negative or not finite).
  */
 DELOTET_API
@@ -2159,9 +2182,10 @@ enum DelotetStatus delotet_options_set_gradation(struct DelotetOptions *options,
 DELOTET_API double delotet_options_gradation(const struct DelotetOptions *options);
 
 /**
- * Fill the mesh with points until no tetrahedron's circumradius is more than `ratio` times its shortest edge, where the kept surface allows
- * that. Without other sizes those of the surface count, and grow inwards by the gradation. At least 1.2; 2 is a good value. Modes as for
- * delotet_options_set_size(). 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1.2, or not finite).
+ * Fill the mesh with points until no tetrahedron's circumradius is more than `ratio` times its shortest edge, where the surface allows
+ * that. Without other sizes those of the surface count, and grow inwards by the gradation. The number of points is bounded: at small
+ * angles, in needles and in thin plates tetrahedra stay bad. At least 1.2; 2 is a good value. Modes as for delotet_options_set_size().
+ * 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1.2, or not finite).
  */
 DELOTET_API
 DELOTET_MUST_USE
@@ -2176,7 +2200,9 @@ DELOTET_API double delotet_options_quality(const struct DelotetOptions *options)
 
 /**
  * Sets the effort to optimise the smallest dihedral angles: 0, the default, is none, 1 is as much as pays, larger numbers take longer and
- * find more. Modes as for delotet_options_set_size(). Errors: INVALID_ARGUMENT (NULL).
+ * find more. Modes as for delotet_options_set_size(). In DELOTET_MODE_CONSTRAINED facets and segments are then unions of faces and edges, but
+ * the mesh need not be Delaunay; together with delotet_options_set_exact_form() delotet_tetrahedralize() fails there with INVALID_ARGUMENT.
+ * Errors: INVALID_ARGUMENT (NULL).
  */
 DELOTET_API
 DELOTET_MUST_USE

@@ -84,6 +84,16 @@ fn check_parents(plc: &Plc, mesh: &TetMesh, report: &mut Report) {
         if steiner.is_inside() && steiner.segment == INVALID && steiner.exact {
             continue;
         }
+        if steiner.facet != INVALID {
+            let frame = [steiner.ends[0], steiner.ends[1], steiner.third];
+            let at_doubles = frame == [INVALID; 3] && steiner.exact;
+            let on_frame = frame.iter().all(|&v| (v as usize) < plc.points.len());
+            let facet_ok = (steiner.facet as usize) < plc.facet_count() && steiner.segment == INVALID;
+            if !facet_ok || !at_doubles && !on_frame || !steiner.u.is_finite() {
+                bad_index(report, point(i));
+            }
+            continue;
+        }
         if !ends_ok || !segment_or_none(steiner.segment) || !is_parameter(&t) {
             bad_index(report, point(i));
         }

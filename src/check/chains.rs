@@ -26,7 +26,7 @@ impl<'a, 'b> Chains<'a, 'b> {
     pub(super) fn new(context: &'a Context<'b>) -> Result<Self, Error> {
         let inputs = context.plc.points.len();
         let mut steiner = fallible::reserved(context.mesh.steiner.len())?;
-        for (i, s) in context.mesh.steiner.iter().enumerate().filter(|(_, s)| !s.is_inside()) {
+        for (i, s) in context.mesh.steiner.iter().enumerate().filter(|(_, s)| s.is_on_edge()) {
             let mut ends = s.ends.map(|v| context.alias(v));
             ends.sort_unstable();
             fallible::push(&mut steiner, OnEdge { ends, vertex: (inputs + i) as u32 })?;

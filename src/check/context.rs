@@ -84,7 +84,7 @@ impl<'a> Context<'a> {
     /// The ends of the input edge that a Steiner point lies on; `None` for a point inside.
     pub(super) fn ends(&self, v: u32) -> Option<[u32; 2]> {
         let steiner = self.mesh.steiner.get((v as usize).checked_sub(self.plc.points.len())?)?;
-        (!steiner.is_inside()).then(|| steiner.ends.map(|end| self.alias(end)))
+        steiner.is_on_edge().then(|| steiner.ends.map(|end| self.alias(end)))
     }
 
     pub(super) fn position(&self, v: u32) -> Option<[f64; 3]> {

@@ -1,4 +1,5 @@
-//! The coordinates for the checks: the exact positions (input points, and Steiner points as `a + t (b − a)`), and the output doubles.
+//! The coordinates for the checks: the exact positions (input points, and Steiner points as `a + t (b − a)` or
+//! `a + t (b − a) + u (c − a)`), and the output doubles.
 //!
 //! Both are scaled by one power of two into the range in which all signs are exact. Points without parents (in meshes from files) are taken
 //! to lie at their doubles.
@@ -8,6 +9,7 @@ use crate::output::TetMesh;
 use crate::plc::Plc;
 use crate::predicates;
 use crate::predicates::{Expansion, Points, Sign};
+use crate::INVALID;
 use std::cmp::Ordering;
 
 /// Coordinates of all vertices of the mesh.
@@ -28,9 +30,10 @@ impl Geometry {
         fallible::append(&mut xyz, &rounded[..explicit])?;
         let mut exact = Points::new(xyz);
         for ((s, t), at) in mesh.steiner.iter().zip(parameters(mesh)).zip(&rounded[explicit..]) {
-            match s.is_inside() {
-                true => exact.push(*at)?,
-                false => exact.push_on_segment(s.ends[0], s.ends[1], &t)?,
+            match s.ends {
+                [INVALID, INVALID] => exact.push(*at)?,
+                [o, a] if s.third != INVALID => exact.push_on_facet([o, a, s.third], [s.t, s.u])?,
+                [a, b] => exact.push_on_segment(a, b, &t)?,
             };
         }
         Ok(Geometry { exact, rounded, inputs: plc.points.len() })

@@ -99,7 +99,7 @@ pub fn check_preserved_outer(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> R
 pub fn check_guarantee(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<(), Error> {
     match mesh.guarantee {
         Guarantee::ConstrainedDelaunay | Guarantee::Delaunay => check_mesh(plc, mesh, true, max_defects),
-        Guarantee::Given => check_mesh(plc, mesh, false, max_defects),
+        Guarantee::Conforming | Guarantee::Given => check_mesh(plc, mesh, false, max_defects),
         Guarantee::Preserved => check_preserved(plc, mesh, max_defects),
         Guarantee::PreservedOuter => check_preserved_outer(plc, mesh, max_defects),
     }

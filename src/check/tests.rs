@@ -441,7 +441,7 @@ fn split_edge(scale: f64, t: f64) -> (Plc, TetMesh) {
     }
     let piece = |ends| Subsegment { ends, segment: 0, marker: 4 };
     mesh.subsegments = vec![piece([2, 4]), piece([4, 3])];
-    mesh.steiner = vec![SteinerPoint { ends: [2, 3], t, segment: 0, exact: false }];
+    mesh.steiner = vec![SteinerPoint { ends: [2, 3], t, segment: 0, exact: false, ..SteinerPoint::INSIDE }];
     (plc, mesh)
 }
 
@@ -469,7 +469,13 @@ fn steiner_points_are_judged_where_they_are_exactly() {
     assert!(found.contains(&DefectKind::SegmentMissing) && found.contains(&DefectKind::FacetMissing));
     let mut lost = mesh.clone();
     lost.points.push([0.0; 3]);
-    lost.steiner.push(SteinerPoint { ends: [0, 1], t: 0.5, segment: INVALID, exact: false });
+    lost.steiner.push(SteinerPoint {
+        ends: [0, 1],
+        t: 0.5,
+        segment: INVALID,
+        exact: false,
+        ..SteinerPoint::INSIDE
+    });
     assert_eq!(check(&plc, &lost), vec![DefectKind::PointMoved]);
     let mut tiny = mesh;
     tiny.steiner[0].t = f64::MIN_POSITIVE;
@@ -707,7 +713,7 @@ fn edges_of_replaced_tetrahedra_may_pass_points_of_a_segment_by() {
     let mut mesh = mesh(&plc, points, tets);
     mesh.hull_kept = true;
     mesh.replaced = (0..9).collect();
-    let steiner = SteinerPoint { ends: [a, b], t: 0.5, segment: 0, exact: false };
+    let steiner = SteinerPoint { ends: [a, b], t: 0.5, segment: 0, exact: false, ..SteinerPoint::INSIDE };
     mesh.steiner = vec![steiner; 2];
     mesh.steiner_terms = vec![SteinerTerm { steiner: 0, value: 1e-20 }];
     let piece = |ends| Subsegment { ends, segment: 0, marker: 7 };

@@ -38,7 +38,9 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         _ if args.no_delaunay => None,
         Guarantee::Preserved => Some(PreserveArg::All),
         Guarantee::PreservedOuter => Some(PreserveArg::Outer),
-        Guarantee::ConstrainedDelaunay | Guarantee::Delaunay | Guarantee::Given => None,
+        Guarantee::ConstrainedDelaunay | Guarantee::Conforming | Guarantee::Delaunay | Guarantee::Given => {
+            None
+        }
     });
     if preserved == Some(PreserveArg::All) {
         // The files do not say where added points lie; here none may lie on the surface.
@@ -62,7 +64,8 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         Some(PreserveArg::All) => delotet::check_preserved(&plc, &mesh, limit),
         Some(PreserveArg::Outer) => delotet::check_preserved_outer(&plc, &mesh, limit),
         None => {
-            let delaunay = !args.no_delaunay && mesh.guarantee != Guarantee::Given;
+            let conforms = matches!(mesh.guarantee, Guarantee::Conforming | Guarantee::Given);
+            let delaunay = !args.no_delaunay && !conforms;
             delotet::check_mesh(&plc, &mesh, delaunay, limit)
         }
     };
@@ -71,6 +74,7 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         (Some(PreserveArg::All), _) => "; the surface is kept",
         (Some(PreserveArg::Outer), _) => "; the outer boundary is kept",
         (None, Guarantee::Delaunay) => "; Delaunay, without facets",
+        (None, Guarantee::Conforming) => "; optimised",
         (None, Guarantee::Given) => "; the faces of a given mesh are kept",
         (None, _) => "",
     };

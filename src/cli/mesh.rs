@@ -119,6 +119,8 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         let message = format!("--merge-facets={angle}: expected an angle of 90 to 180 degrees");
         return Err(Error::new(Status::InvalidArgument, message).into());
     }
+    // Where points may come on the surface as well, a finer bound can be kept.
+    let default_ratio = if mode == Mode::Constrained { 1.414 } else { 2.0 };
     let defaults = Options::default();
     Ok(Options {
         mode,
@@ -129,7 +131,7 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         size: args.sizes.size,
         max_volume: args.sizes.max_volume,
         gradation: args.sizes.gradation.unwrap_or(defaults.gradation),
-        quality: args.sizes.quality,
+        quality: args.sizes.quality.map(|ratio| ratio.unwrap_or(default_ratio)),
         optimize: args.sizes.optimize.unwrap_or(defaults.optimize),
         threads: args.threads,
         time_limit: args.limits.time_limit,

@@ -1,4 +1,4 @@
-//! The arguments for points inside by size and shape, and the file with a size per point.
+//! The arguments for points by size and shape, and the file with a size per point.
 use super::Failure;
 use clap::Args;
 use delotet::{Error, MarkerSize, MeshSizes, Plc, RegionSize, Status};
@@ -7,19 +7,19 @@ use std::path::{Path, PathBuf};
 
 #[derive(Debug, Default, Args)]
 pub struct SizeArgs {
-    /// With --mode preserve: fill with points inside, for edges no longer than this there
+    /// Fill with points, for edges no longer than this; with --mode preserve only inside
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
     pub size: Option<f64>,
-    /// With --mode preserve: fill with points inside, for no tetrahedron larger than this where the surface allows it
+    /// Fill with points, for no tetrahedron larger than this where the surface allows it
     #[arg(long, value_name = "VOLUME", allow_hyphen_values = true, value_parser = positive)]
     pub max_volume: Option<f64>,
     /// How fast sizes may grow: by at most this times the distance (default: 0.3)
     #[arg(long, value_name = "SLOPE", allow_hyphen_values = true, value_parser = slope)]
     pub gradation: Option<f64>,
-    /// With --mode preserve: fill with points inside, for circumradii of at most RATIO shortest edges where the surface allows it
-    #[arg(long, value_name = "RATIO", num_args = 0..=1, require_equals = true, default_missing_value = "2", value_parser = ratio)]
-    pub quality: Option<f64>,
-    /// With --mode preserve: optimise the smallest dihedral angles; larger efforts take longer
+    /// Fill with points, for circumradii of at most RATIO (1.414; with --mode preserve 2) shortest edges where the surface allows it
+    #[arg(long, value_name = "RATIO", num_args = 0..=1, require_equals = true, value_parser = ratio)]
+    pub quality: Option<Option<f64>>,
+    /// Optimise the smallest dihedral angles; larger efforts take longer
     #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1")]
     pub optimize: Option<u32>,
     /// The edge length wanted in the regions with an attribute (may be repeated)
@@ -273,7 +273,7 @@ mod tests {
         let mut args =
             SizeArgs { gradation: Some(0.5), size_file: Some(PathBuf::from("a")), ..SizeArgs::default() };
         assert_eq!(args.unused().collect::<Vec<_>>(), ["--gradation", "--size-file"]);
-        args.quality = Some(2.0);
+        args.quality = Some(None);
         assert_eq!(args.unused().count(), 0);
     }
 }

@@ -52,7 +52,13 @@ pub fn describe_mesh(page: &mut Page, output: &Path, mesh: &TetMesh, quality: &Q
 /// How many points were added, and where.
 fn steiner(mesh: &TetMesh) -> String {
     let inside = mesh.steiner.iter().filter(|point| point.is_inside()).count();
-    match (mesh.steiner.len() - inside, inside) {
+    let on_edges = mesh.steiner.iter().filter(|point| point.is_on_edge()).count();
+    let on_facets = mesh.steiner.len() - inside - on_edges;
+    if on_facets > 0 {
+        let [edges, facets, inside] = [on_edges, on_facets, inside].map(|n| grouped(n as u64));
+        return format!("{edges} on edges of the input, {facets} on its facets, {inside} inside");
+    }
+    match (on_edges, inside) {
         (0, 0) => "none: the boundary is exactly the input's".to_string(),
         (0, n) => format!("{} inside; the boundary is exactly the input's", grouped(n as u64)),
         (n, inside) => {

@@ -239,9 +239,9 @@ pub unsafe extern "C" fn delotet_mesh_facet_flips(mesh: *const DelotetMesh) -> D
 pub struct DelotetStats {
     /// The caller sets it to sizeof(DelotetStats); the library sets it to the number of bytes written.
     pub struct_size: usize,
-    /// Steiner points on segments and facet edges.
+    /// Steiner points on segments and facet edges, without those of refinement.
     pub steiner: u64,
-    /// Steiner points whose double coordinates are exact.
+    /// Steiner points on segments, facet edges and facets whose double coordinates are exact, with those of refinement.
     pub steiner_exact: u64,
     /// Steiner points moved to another position because the nearest doubles were not valid.
     pub steiner_moved: u64,

@@ -16,7 +16,7 @@ pub type DelotetMode = u32;
 /// The Delaunay tetrahedralization of the points; segments and facets are ignored.
 pub const DELOTET_MODE_DELAUNAY: DelotetMode = 0;
 /// The constrained Delaunay tetrahedralization: segments and facets are unions of edges and faces, with Steiner points on
-/// segments only. The default.
+/// segments only, unless sizes or shapes ask for more points (delotet_options_set_size()). The default.
 pub const DELOTET_MODE_CONSTRAINED: DelotetMode = 1;
 /// A tetrahedralization that keeps the surface as it is: every triangle is a face, every segment and every edge of a polygon is an
 /// edge, and no point is added on them; a polygon may get any diagonals. Points are added only inside, as few as possible.

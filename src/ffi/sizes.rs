@@ -1,4 +1,4 @@
-//! Points inside by size and shape: the options, the caller's size function, and sizes of parts of the input.
+//! Points by size and shape: the options, the caller's size function, and sizes of parts of the input.
 use crate::error::{Error, Status};
 use crate::ffi::error::DelotetError;
 use crate::ffi::guard::{get_mut, guard, invalid, read};
@@ -78,10 +78,11 @@ fn positive(value: f64, least: f64, name: &str, what: &str) -> Result<Option<f64
     Err(invalid(format_args!("{name}: {value} is neither 0 nor {what}")))
 }
 
-/// Sets the largest edge length wanted anywhere inside, in the units of the coordinates: the mesh is filled with points. The smallest of all
-/// sizes counts: this one, those of the input (delotet_plc_set_point_sizes() and so on), that of the size function, and what follows from the
-/// lengths of the kept surface, which is not refined, and the gradation. Offered in DELOTET_MODE_PRESERVE only so far: with other modes
-/// delotet_tetrahedralize() fails with INVALID_ARGUMENT. 0, the default: off. Errors: INVALID_ARGUMENT (negative or not finite).
+/// Sets the largest edge length wanted anywhere, in the units of the coordinates: the mesh is filled with points. The smallest of all sizes
+/// counts: this one, those of the input (delotet_plc_set_point_sizes() and so on), that of the size function, and what follows from the
+/// lengths of the surface and the gradation. In DELOTET_MODE_CONSTRAINED the surface is refined too: points come on segments, exactly on
+/// facets, and inside. In DELOTET_MODE_PRESERVE they come only inside. In DELOTET_MODE_DELAUNAY delotet_tetrahedralize() fails with
+/// INVALID_ARGUMENT. 0, the default: off. Errors: INVALID_ARGUMENT (negative or not finite).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_size(
@@ -106,7 +107,7 @@ pub unsafe extern "C" fn delotet_options_size(options: *const DelotetOptions) ->
 }
 
 /// Sets the largest volume of a tetrahedron, in cubed units of the coordinates: the mesh is filled with points until none is above it where
-/// the kept surface allows that. The bounds of regions (delotet_plc_add_region()) count beside it once the mesh is filled. Modes as for
+/// the surface allows that. The bounds of regions (delotet_plc_add_region()) count beside it once the mesh is filled. Modes as for
 /// delotet_options_set_size(). 0, the default: off. Errors: INVALID_ARGUMENT (negative or not finite).
 #[no_mangle]
 #[must_use]
@@ -159,9 +160,10 @@ pub unsafe extern "C" fn delotet_options_gradation(options: *const DelotetOption
     unsafe { setting(options, |options| options.gradation) }
 }
 
-/// Fill the mesh with points until no tetrahedron's circumradius is more than `ratio` times its shortest edge, where the kept surface allows
-/// that. Without other sizes those of the surface count, and grow inwards by the gradation. At least 1.2; 2 is a good value. Modes as for
-/// delotet_options_set_size(). 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1.2, or not finite).
+/// Fill the mesh with points until no tetrahedron's circumradius is more than `ratio` times its shortest edge, where the surface allows
+/// that. Without other sizes those of the surface count, and grow inwards by the gradation. The number of points is bounded: at small
+/// angles, in needles and in thin plates tetrahedra stay bad. At least 1.2; 2 is a good value. Modes as for delotet_options_set_size().
+/// 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1.2, or not finite).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_quality(
@@ -187,7 +189,9 @@ pub unsafe extern "C" fn delotet_options_quality(options: *const DelotetOptions)
 }
 
 /// Sets the effort to optimise the smallest dihedral angles: 0, the default, is none, 1 is as much as pays, larger numbers take longer and
-/// find more. Modes as for delotet_options_set_size(). Errors: INVALID_ARGUMENT (NULL).
+/// find more. Modes as for delotet_options_set_size(). In DELOTET_MODE_CONSTRAINED facets and segments are then unions of faces and edges, but
+/// the mesh need not be Delaunay; together with delotet_options_set_exact_form() delotet_tetrahedralize() fails there with INVALID_ARGUMENT.
+/// Errors: INVALID_ARGUMENT (NULL).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_optimize(

@@ -160,8 +160,8 @@ pub enum DelotetWarningKind {
     LostValue = 10,
 }
 
-/// Stages of a run. The numbers are fixed. The stages run in this order, except that DELOTET_PHASE_PRESERVE comes before
-/// DELOTET_PHASE_AUDIT.
+/// Stages of a run. The numbers are fixed. The stages run in this order, except that DELOTET_PHASE_PRESERVE and DELOTET_PHASE_REFINE come
+/// before DELOTET_PHASE_ROUND, and DELOTET_PHASE_OPTIMIZE before DELOTET_PHASE_AUDIT.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DelotetPhase {
@@ -185,6 +185,10 @@ pub enum DelotetPhase {
     Write = 8,
     /// Keeping the surface as it is (DELOTET_MODE_PRESERVE).
     Preserve = 9,
+    /// Points by size and shape (delotet_options_set_size(), delotet_options_set_quality()).
+    Refine = 10,
+    /// Optimisation (delotet_options_set_optimize()).
+    Optimize = 11,
 }
 
 impl From<Status> for DelotetStatus {
@@ -277,6 +281,8 @@ impl From<Phase> for DelotetPhase {
             Phase::Audit => DelotetPhase::Audit,
             Phase::Write => DelotetPhase::Write,
             Phase::Preserve => DelotetPhase::Preserve,
+            Phase::Refine => DelotetPhase::Refine,
+            Phase::Optimize => DelotetPhase::Optimize,
         }
     }
 }
@@ -384,6 +390,8 @@ static PHASE_NAMES: &[(u32, &str)] = &[
     (7, "DELOTET_PHASE_AUDIT\0"),
     (8, "DELOTET_PHASE_WRITE\0"),
     (9, "DELOTET_PHASE_PRESERVE\0"),
+    (10, "DELOTET_PHASE_REFINE\0"),
+    (11, "DELOTET_PHASE_OPTIMIZE\0"),
 ];
 
 /// The name of a number, zero-terminated.

@@ -239,21 +239,29 @@ pub struct DelotetSubsegmentsView {
 }
 records!(DelotetSubsegmentsView, DelotetSubsegment, Subsegment);
 
-/// A Steiner point and where it lies: on an input edge, or inside (DELOTET_MODE_PRESERVE), exactly at its double coordinates.
+/// A Steiner point and where it lies: on an input edge, on an input facet, or inside, exactly at its double coordinates.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct DelotetSteinerPoint {
-    /// Input points a and b, the ends of the input edge; the point lies on it at exactly a + t (b - a). Both are DELOTET_INVALID_INDEX for
-    /// a point inside.
+    /// Input points a and b, the ends of the input edge; the point lies on it at exactly a + t (b - a). On a facet, two points of its plane:
+    /// see `third`. Both are DELOTET_INVALID_INDEX for a point inside.
     pub ends: [u32; 2],
     /// The parameter t; 0 for a point inside. The few parameters that one double cannot hold have further terms in
     /// delotet_mesh_steiner_terms().
     pub t: f64,
-    /// The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only or the point lies inside.
+    /// The input segment it lies on, or DELOTET_INVALID_INDEX if the edge belongs to facets only or the point lies on no edge.
     pub segment: u32,
-    /// True if its coordinates are exactly a + t (b - a), and for a point inside. False if they were rounded, or moved to keep every
+    /// True if its coordinates are its exact position, and for a point inside. False if they were rounded, or moved to keep every
     /// tetrahedron positive.
     pub exact: bool,
+    /// For a point on a facet, input point c, a third one of its plane: the point lies at exactly a + t (b - a) + u (c - a). There `ends`
+    /// and `third` are DELOTET_INVALID_INDEX if its coordinates lie in the plane themselves and are its position. DELOTET_INVALID_INDEX
+    /// elsewhere.
+    pub third: u32,
+    /// The input facet it lies on (inside, not on an edge), or DELOTET_INVALID_INDEX.
+    pub facet: u32,
+    /// The second parameter of a point on a facet; 0 elsewhere.
+    pub u: f64,
 }
 
 /// Borrowed Steiner points; NULL and 0 if there are none.
@@ -427,7 +435,17 @@ pub(super) use same_layout;
 same_layout!(DelotetSegment, Segment, ends = ends, marker = marker);
 same_layout!(DelotetSubface, Subface, corners = corners, facet = facet, marker = marker, tets = tets);
 same_layout!(DelotetSubsegment, Subsegment, ends = ends, segment = segment, marker = marker);
-same_layout!(DelotetSteinerPoint, SteinerPoint, ends = ends, t = t, segment = segment, exact = exact);
+same_layout!(
+    DelotetSteinerPoint,
+    SteinerPoint,
+    ends = ends,
+    t = t,
+    segment = segment,
+    exact = exact,
+    third = third,
+    facet = facet,
+    u = u
+);
 same_layout!(DelotetSteinerTerm, SteinerTerm, steiner = steiner, value = value);
 same_layout!(DelotetFacetFlip, FacetFlip, old_ends = old, new_ends = new, facets = facets);
 same_layout!(DelotetFace, Face, corners = corners, tets = tets, subface = subface, marker = marker);

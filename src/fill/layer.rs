@@ -46,6 +46,9 @@ impl Fill<'_, '_> {
                 }
                 done += 1;
                 self.part.step()?;
+                if self.is_wasting() {
+                    return Ok(());
+                }
                 if let Some(code) = self.wall(&mut search, apex.wall)? {
                     self.attempt(apex.at, code >> 2, Limits { apart: APART, at_walls: true })?;
                 }

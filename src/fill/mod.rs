@@ -15,10 +15,10 @@
 //! tried is floating-point.
 mod layer;
 mod near;
-mod place;
+pub(crate) mod place;
 mod volumes;
 
-use crate::control::Part;
+use crate::control::{Control, Part};
 use crate::elementary::quotient;
 use crate::error::{Error, Status};
 use crate::fallible;
@@ -36,7 +36,7 @@ use std::collections::BinaryHeap;
 
 /// Circumradius over size above which a tetrahedron is too large: points have about this distance. With 0.8 there are 403,000 tetrahedra and
 /// half as many below 30°.
-const LARGE: f64 = 0.95;
+pub const LARGE: f64 = 0.95;
 /// Least distance of a new point over the size: where one comes for the size, and where for the shape. With 0.6 for the size there are 365,000
 /// tetrahedra, 0.6 % below 30°; with 0.8 they are 290,000, and 2.1 %. For the shape 0.4 and 0.6 change 40 tetrahedra.
 const APART: f64 = 0.7;
@@ -72,6 +72,15 @@ pub struct Fill<'a, 'b> {
     next: Option<u32>,
 }
 
+/// What is asked for besides sizes.
+#[derive(Clone, Copy, Debug)]
+pub struct Shape {
+    /// Circumradius over shortest edge that is good enough.
+    pub ratio: f64,
+    /// The mesh is constrained Delaunay and stays so.
+    pub delaunay: bool,
+}
+
 /// Fills a mesh with points inside.
 ///
 /// # Errors
@@ -81,17 +90,44 @@ pub fn fill<'a>(
     points: &'a mut Points,
     inside: &'a mut Inside,
     size: &'a mut Size,
-    ratio: f64,
+    shape: Shape,
     part: Part<'a>,
 ) -> Result<(), Error> {
     let mut fill = Fill::new(mesh, points, inside, size, part);
-    fill.ratio = ratio;
-    fill.estimate()?;
+    fill.ratio = shape.ratio;
+    fill.insert.squeeze = !shape.delaunay;
     fill.layer()?;
     part.progress(0.3)?;
     fill.run()?;
     fill.give_back();
     part.progress(1.0)
+}
+
+/// Refuses sizes that ask for more points than a mesh can have, before it has filled the memory.
+///
+/// # Errors
+/// `TooLarge`, what a size function returns, and what ends the run.
+pub fn estimate(mesh: &Mesh, points: &Points, size: &Size, control: &Control) -> Result<(), Error> {
+    let mut sum = 0.0;
+    for t in mesh.all().filter(|&t| mesh.is_live(t) && mesh.region(t) != NONE) {
+        control.step()?;
+        let at = mesh.verts(t).map(|v| points.xyz(v));
+        let middle = [0, 1, 2].map(|k| at.iter().map(|p| p[k]).sum::<f64>() / 4.0);
+        let size = size.at(points, &middle, mesh.region(t), &mesh.verts(t))?.length;
+        // Regular tetrahedra have √2/12 of the cube of their edge, and six of them come with a point.
+        let over = |x: Option<f64>| x.and_then(|x| quotient(x, size));
+        let count = over(over(over(Some(volume(at) * 2f64.sqrt())))).unwrap_or(f64::MAX);
+        sum = if count < MOST_POINTS { sum + count } else { count };
+        if sum >= MOST_POINTS {
+            return Err(Error::new(
+                Status::TooLarge,
+                format_args!(
+                    "the sizes ask for more than {sum:.1e} points, a mesh can have {MOST_POINTS:.1e}: choose larger sizes"
+                ),
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Splits what is above its bound on volume, unless the surface is too coarse for it.
@@ -135,6 +171,9 @@ impl Fill<'_, '_> {
         }
         while let Some((_, Reverse(t), since)) = self.queue.pop() {
             self.part.step()?;
+            if self.is_wasting() {
+                break;
+            }
             if !self.mesh.is_live(t) || self.mesh.changed(t) != since {
                 continue;
             }
@@ -147,27 +186,9 @@ impl Fill<'_, '_> {
         Ok(())
     }
 
-    /// Refuses sizes that ask for more points than a mesh can have, before it has filled the memory.
-    fn estimate(&self) -> Result<(), Error> {
-        let mut sum = 0.0;
-        for t in self.mesh.all().filter(|&t| self.mesh.is_live(t) && self.mesh.region(t) != NONE) {
-            self.part.step()?;
-            let size = self.wanted_in(t)?.length;
-            let volume = volume(self.mesh.verts(t).map(|v| self.points.xyz(v)));
-            // Regular tetrahedra have √2/12 of the cube of their edge, and six of them come with a point.
-            let over = |x: Option<f64>| x.and_then(|x| quotient(x, size));
-            let count = over(over(over(Some(volume * 2f64.sqrt())))).unwrap_or(f64::MAX);
-            sum = if count < MOST_POINTS { sum + count } else { count };
-            if sum >= MOST_POINTS {
-                return Err(Error::new(
-                    Status::TooLarge,
-                    format_args!(
-                        "the sizes ask for more than {sum:.1e} points, a mesh can have {MOST_POINTS:.1e}: choose larger sizes"
-                    ),
-                ));
-            }
-        }
-        Ok(())
+    /// Whether most work is for vertices that are refused, where the mesh stays Delaunay: others will have to split what is in the way.
+    fn is_wasting(&self) -> bool {
+        !self.insert.squeeze && self.insert.is_wasting()
     }
 
     /// Takes note of a tetrahedron if it is to be split.
@@ -274,7 +295,7 @@ impl Fill<'_, '_> {
         }
         self.next = None;
         self.size.set(p, wanted)?;
-        self.part.steiner(self.inside.list.len() as u64, usize::MAX / 200)?;
+        self.part.steiner(self.inside.total(), usize::MAX / 200)?;
         Ok(Attempt::Done)
     }
 
@@ -303,7 +324,7 @@ impl Fill<'_, '_> {
 }
 
 /// The lowest and the highest coordinates.
-fn bounding_box(points: &Points) -> [[f64; 3]; 2] {
+pub fn bounding_box(points: &Points) -> [[f64; 3]; 2] {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for p in points.coordinates() {
         for k in 0..3 {

@@ -10,7 +10,7 @@ const MOST_STEPS: usize = 2000;
 const BITS: i32 = 16;
 
 /// No coordinate is larger than a fraction of this, 2^300.
-const FARTHEST: f64 = f64::from_bits((300 + 1023) << 52);
+pub(crate) const FARTHEST: f64 = f64::from_bits((300 + 1023) << 52);
 /// Doubles of this size are whole numbers.
 const WHOLE: f64 = (1u64 << 53) as f64;
 
@@ -59,7 +59,7 @@ pub(super) fn locate(mesh: &Mesh, points: &Points, p: u32, start: u32) -> Found 
 }
 
 /// The circumcentre and circumradius of a tetrahedron; the radius is infinite if it is flat.
-pub(super) fn circumcentre([o, p, q, r]: [&[f64; 3]; 4]) -> ([f64; 3], f64) {
+pub fn circumcentre([o, p, q, r]: [&[f64; 3]; 4]) -> ([f64; 3], f64) {
     let [u, v, w] = [sub(p, o), sub(q, o), sub(r, o)];
     let [vw, wu, uv] = [cross(&v, &w), cross(&w, &u), cross(&u, &v)];
     let det = 2.0 * dot(&u, &vw);
@@ -74,7 +74,7 @@ pub(super) fn circumcentre([o, p, q, r]: [&[f64; 3]; 4]) -> ([f64; 3], f64) {
 }
 
 /// The point on a grid that is fine compared with a distance; `None` if it is out of range.
-pub(super) fn snapped(at: [f64; 3], near: f64) -> Option<[f64; 3]> {
+pub fn snapped(at: [f64; 3], near: f64) -> Option<[f64; 3]> {
     if !near.is_finite() || near <= 0.0 {
         return None;
     }

@@ -3,10 +3,11 @@
 //! First line: the numbers of Steiner points (the last points of `.node`), of faces (those of `.face`) and of facet flips; 1 if the convex
 //! hull was kept, otherwise 0; the numbers of tetrahedra replaced by rounding and of unmeshed faces and edges; and what the mesh
 //! guarantees: 0 constrained Delaunay, 1 Delaunay, 2 the surface kept, 3 the outer boundary kept, 4 the faces of a given
-//! mesh kept. Then a line per Steiner point: the two
+//! mesh kept, 5 conforming. Then a line per Steiner point: the two
 //! ends `a` and `b` of its edge (input points), the input segment or -1, and the parameter `t` with any further terms of it: exactly, the
-//! point is `a + t (b − a)`. Then a line per face: its input facet. Then a line per flip, in order: the old edge, the new edge, the two
-//! facets. Then a line per replaced tetrahedron, ascending: its number. Then a line per piece of a facet that bounds no tetrahedron: its
+//! point is `a + t (b − a)`. For a point on a facet: `f`, the facet, points `a`, `b` and `c` of its plane, `t` and `u`: exactly, it is
+//! `a + t (b − a) + u (c − a)`; or -1 three times if its doubles are its position. Then a line per face: its input facet. Then a line per
+//! flip, in order: the old edge, the new edge, the two facets. Then a line per replaced tetrahedron, ascending: its number. Then a line per piece of a facet that bounds no tetrahedron: its
 //! corners, its facet, its marker; and one per piece of an edge that no tetrahedron has: its ends, its segment or -1, its marker.
 //! If points were left out of the mesh, the first line ends with one more number, the number of input points. The lines about unmeshed
 //! pieces then use the input's indices. At the end of the file come the number of old points and a line for each with its new index or -1,
@@ -24,12 +25,13 @@ use std::iter::Peekable;
 use std::slice::Iter;
 
 /// What the numbers of the last field of the first line stand for.
-const GUARANTEES: [Guarantee; 5] = [
+const GUARANTEES: [Guarantee; 6] = [
     Guarantee::ConstrainedDelaunay,
     Guarantee::Delaunay,
     Guarantee::Preserved,
     Guarantee::PreservedOuter,
     Guarantee::Given,
+    Guarantee::Conforming,
 ];
 
 /// Writes the file.
@@ -104,6 +106,16 @@ fn steiner_point(
     i: usize,
     terms: &mut Peekable<Iter<'_, SteinerTerm>>,
 ) -> io::Result<()> {
+    if point.facet != INVALID {
+        out.put(b"f ")?;
+        out.int(or_none(point.facet))?;
+        for v in [point.ends[0], point.ends[1], point.third] {
+            out.blank_int(or_none(v))?;
+        }
+        out.blank_float(point.t)?;
+        out.blank_float(point.u)?;
+        return out.put(b"\n");
+    }
     out.int(point.ends[0])?;
     out.blank_int(point.ends[1])?;
     out.blank_int(or_none(point.segment))?;
@@ -227,16 +239,32 @@ fn read_steiner_point(
     terms: &mut Vec<SteinerTerm>,
 ) -> Result<(), Error> {
     let mut line = lines.expect("a Steiner point")?;
+    if line.skip(b"f") {
+        return read_facet_point(&mut line, points);
+    }
     let ends = [index(&mut line)?, index(&mut line)?];
     let segment = index(&mut line)?;
     // Points inside lie at their doubles.
     let exact = ends == [INVALID; 2];
     let steiner = points.len() as u32;
-    fallible::push(points, SteinerPoint { ends, t: line.float("a parameter")?, segment, exact })?;
+    let t = line.float("a parameter")?;
+    fallible::push(points, SteinerPoint { ends, t, segment, exact, ..SteinerPoint::INSIDE })?;
     while let Some(token) = line.token() {
         let value = float(token).ok_or_else(|| bad(line.number(), "a term is no number"))?;
         fallible::push(terms, SteinerTerm { steiner, value })?;
     }
+    Ok(())
+}
+
+/// The rest of the line of a point on a facet: the facet, its frame, and its parameters.
+fn read_facet_point(line: &mut Line<'_>, points: &mut Vec<SteinerPoint>) -> Result<(), Error> {
+    let facet = index(line)?;
+    let ends = [index(line)?, index(line)?];
+    let third = index(line)?;
+    let (t, u) = (line.float("a parameter")?, line.float("a second parameter")?);
+    // Without a frame it lies at its doubles.
+    let exact = third == INVALID;
+    fallible::push(points, SteinerPoint { ends, t, exact, third, facet, u, ..SteinerPoint::INSIDE })?;
     Ok(())
 }
 

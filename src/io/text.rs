@@ -134,6 +134,16 @@ impl<'a> Line<'a> {
         (!token.is_empty()).then_some(token)
     }
 
+    /// Skips the next token if it is this one.
+    pub fn skip(&mut self, token: &[u8]) -> bool {
+        let before = self.rest;
+        let is_it = self.token() == Some(token);
+        if !is_it {
+            self.rest = before;
+        }
+        is_it
+    }
+
     /// The next token, which must exist.
     pub fn expect(&mut self, what: &str) -> Result<&'a [u8], Error> {
         self.token().ok_or_else(|| bad(self.number, format_args!("the line ends where {what} was expected")))

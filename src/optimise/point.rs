@@ -80,7 +80,7 @@ impl Optimise<'_> {
     pub(super) fn add(&mut self, t: u32) -> Result<bool, Error> {
         // Points of the optimisation are never needed.
         let most = self.part.steiner_limit(usize::MAX / 200);
-        if self.budget == 0 || self.inside.list.len() as u64 >= most {
+        if self.budget == 0 || self.inside.total() >= most {
             return Ok(false);
         }
         let verts = self.mesh.verts(t);

@@ -66,8 +66,8 @@ impl Dropped {
 }
 
 impl TetMesh {
-    /// Drops every point that belongs to no tetrahedron and is no end of a remaining Steiner point's edge, together with the unmeshed
-    /// pieces.
+    /// Drops every point that belongs to no tetrahedron and is no end of a remaining Steiner point's edge, nor of its facet's frame, together
+    /// with the unmeshed pieces.
     pub(crate) fn drop_unmeshed_points(&mut self) -> Result<(), Error> {
         let (count, inputs) = (self.points.len(), self.input_point_count as usize);
         let mut keep = fallible::filled(false, count)?;
@@ -75,8 +75,8 @@ impl TetMesh {
             keep[v as usize] = true;
         }
         for (i, point) in self.steiner.iter().enumerate() {
-            if keep[inputs + i] && !point.is_inside() {
-                point.ends.iter().for_each(|&end| keep[end as usize] = true);
+            if keep[inputs + i] {
+                point.parents().for_each(|v| keep[v as usize] = true);
             }
         }
         for (i, _) in self.point_alias.iter().enumerate().filter(|&(i, &alias)| i != alias as usize) {
@@ -140,8 +140,8 @@ impl TetMesh {
                 fallible::push(&mut dropped.points, self.points[inputs + i])?;
             }
         }
-        for point in steiner.iter_mut().filter(|point| !point.is_inside()) {
-            point.ends = point.ends.map(|end| new_index[end as usize]);
+        for v in steiner.iter_mut().flat_map(SteinerPoint::parents_mut) {
+            *v = new_index[*v as usize];
         }
         (self.steiner, self.steiner_terms) = (steiner, terms);
         Ok(())
@@ -195,9 +195,9 @@ impl TetMesh {
                 }
                 false => (dropped.steiner[theirs], dropped.points[theirs], &dropped.steiner_terms, theirs),
             };
-            if is_kept && !point.is_inside() {
-                for end in &mut point.ends {
-                    *end = old_index.get(*end as usize).copied().ok_or_else(misfit)?;
+            if is_kept {
+                for v in point.parents_mut() {
+                    *v = old_index.get(*v as usize).copied().ok_or_else(misfit)?;
                 }
             }
             ours += usize::from(is_kept);

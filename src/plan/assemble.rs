@@ -112,6 +112,76 @@ pub(super) fn preserved(
     Ok(out)
 }
 
+/// What the output of a refined mesh is made from, besides the mesh.
+#[derive(Clone, Copy)]
+pub(super) struct Parts<'a> {
+    /// The points on segments and facets, by vertex, ascending.
+    pub steiner: &'a [(u32, SteinerPoint)],
+    /// The points inside.
+    pub inside: &'a [u32],
+    /// Slots of tetrahedra that replace others.
+    pub replaced: &'a [u32],
+    /// Vertices without a valid position.
+    pub crowded: &'a [u32],
+    /// A facet of each patch.
+    pub facet_of: &'a [u32],
+    /// Subfaces around which everything was carved, and their facets.
+    pub unmeshed: &'a [([u32; 3], u32)],
+    /// Positions in doubles.
+    pub xyz: &'a [[f64; 3]],
+}
+
+/// The output mesh of a carved domain whose surface may have been refined: input points, points on the surface, points inside.
+pub(super) fn refined(
+    engine: &Engine,
+    origin: Origin,
+    mesh: &Mesh,
+    parts: Parts,
+    control: &Control,
+) -> Result<TetMesh, Error> {
+    let Origin { plc, surface, segments, .. } = origin;
+    let mut out = without_elements(origin)?;
+    let mut number_of: Vec<u32> = fallible::reserved(parts.xyz.len())?;
+    fallible::append(&mut number_of, &engine.input_of)?;
+    fallible::resize(&mut number_of, parts.xyz.len(), INVALID)?;
+    let count = parts.steiner.len() + parts.inside.len();
+    out.points.try_reserve(plc.points.len() + count)?;
+    fallible::append(&mut out.points, &plc.points)?;
+    for v in parts.steiner.iter().map(|x| x.0).chain(parts.inside.iter().copied()) {
+        number_of[v as usize] = out.points.len() as u32;
+        fallible::push(&mut out.points, parts.xyz[v as usize].map(|x| scale(x, -engine.scale)))?;
+    }
+    let point_of = |v: u32| number_of[v as usize];
+    out.steiner.try_reserve(count)?;
+    for (i, (v, point)) in parts.steiner.iter().enumerate() {
+        control.step()?;
+        fallible::push(&mut out.steiner, *point)?;
+        if let Some(exact) = segments.fine.get(&(v - segments.first_steiner)) {
+            push_terms(exact, point.t, i as u32, &mut out)?;
+        }
+    }
+    fallible::resize(&mut out.steiner, count, SteinerPoint::INSIDE)?;
+    fallible::extend(&mut out.crowded, parts.crowded.iter().map(|&v| point_of(v)))?;
+    let number = tets(mesh, &mut out, point_of, control)?;
+    fallible::extend(&mut out.replaced, parts.replaced.iter().map(|&t| number[t as usize]))?;
+    out.replaced.sort_unstable();
+    subsegments(plc, surface, segments, &mut out, point_of, control)?;
+    let mut list = fallible::reserved(parts.unmeshed.len())?;
+    for code in mesh.subfaces() {
+        control.step()?;
+        let facet = parts.facet_of.get(mesh.subface(code) as usize).copied();
+        let facet = facet.ok_or_else(|| Error::internal("a subface has no facet"))?;
+        fallible::push(&mut list, (mesh.face(code), facet))?;
+    }
+    faces(mesh, plc, list.into_iter(), &number, &mut out, point_of, control)?;
+    for &(corners, facet) in parts.unmeshed {
+        let marker = plc.facet_marker(facet as usize);
+        let corners = corners.map(point_of);
+        fallible::push(&mut out.unmeshed_subfaces, Subface { corners, facet, marker, tets: [INVALID; 2] })?;
+    }
+    Ok(out)
+}
+
 /// The surface's segment that a Steiner point lies on, in the order of both, and whether its ends are reversed.
 fn segment_of(
     engine: &Engine,
@@ -148,6 +218,7 @@ fn settled(
                 t,
                 segment: parent.map_or(INVALID, |(found, _)| surface.segment_parent[found]),
                 exact: point.exact && returned,
+                ..SteinerPoint::INSIDE
             },
         )?;
         let Some(exact) = segments.fine.get(&index) else { continue };
@@ -274,6 +345,7 @@ fn steiner(
                 t,
                 segment: surface.segment_parent[s as usize],
                 exact: exact && returned,
+                ..SteinerPoint::INSIDE
             },
         )?;
         let Some(exact) = segments.fine.get(&(i as u32)) else { continue };

@@ -15,31 +15,27 @@ use crate::kernel::edge_key;
 use crate::kernel::Mesh;
 use crate::options::{Mode, Options};
 use crate::output::{Statistics, SteinerPoint, TetMesh};
-use crate::plan::assemble::Origin;
-use crate::plc::near::Home;
 use crate::plc::surface::Surface;
 use crate::plc::{Plc, Prepared};
 use crate::predicates::{scale, Points};
 use crate::progress::{Observer, Phase};
-use crate::rounding::round;
 use crate::segments::recovery::{Recovery, Segments};
 use crate::warning::Warnings;
 use crate::INVALID;
 use std::time::Instant;
 
 mod assemble;
+mod constrain;
 mod crowding;
 pub mod given;
 mod merge;
 mod preserve;
 mod promise;
 mod refine;
+mod refined;
 mod unmeshed;
 mod unrounded;
 mod warn;
-
-use crowding::crowding;
-use preserve::D2;
 
 /// Makes a tetrahedral mesh of a PLC.
 ///
@@ -264,7 +260,10 @@ impl Run<'_> {
         // Filling has its own account.
         let refined = refine::refines(options);
         let counts = |point: &&SteinerPoint| !(refined && point.is_inside());
-        self.control.steiner(mesh.steiner.iter().filter(counts).count() as u64, mesh.subsegments.len())?;
+        if !(refined && options.mode == Mode::Constrained) {
+            self.control
+                .steiner(mesh.steiner.iter().filter(counts).count() as u64, mesh.subsegments.len())?;
+        }
         self.audit(plc, options, &mut mesh)?;
         unmeshed::set_apart(&mut mesh, self.control)?;
         self.warnings.append(&self.seeds);
@@ -416,101 +415,6 @@ impl Run<'_> {
         self.note_peak(engine);
         self.lap(Phase::Delaunay);
         Ok(())
-    }
-
-    fn constrain(
-        &mut self,
-        plc: &Plc,
-        surface: &Surface,
-        options: &Options,
-        mut recovered: Recovered,
-        engine: &mut Engine,
-    ) -> Result<TetMesh, Error> {
-        let mut careful = fallible::filled(0u8, surface.segments.len())?;
-        let mut fewest: Option<usize> = None;
-        let mut any_diagonals = true;
-        loop {
-            let subfaces = match self.recover_facets(surface, &recovered, engine) {
-                // An element lies so close to a polygon that it crosses its new triangles. It does not cross the surface's triangles, which
-                // were checked.
-                Err(e)
-                    if matches!(e.status, Status::SelfIntersection | Status::Internal)
-                        && !recovered.polygons.facets.is_empty() =>
-                {
-                    any_diagonals = false;
-                    let first = recovered.segments.first_steiner;
-                    recovered =
-                        self.recover_anew(surface, options, engine, first, &careful, any_diagonals)?;
-                    continue;
-                }
-                subfaces => subfaces?,
-            };
-            let segments = &mut recovered.segments;
-            let regions = self.find_regions(plc, surface, options, engine)?;
-            self.control.progress(Phase::Round, 0.0)?;
-            let rounded = round(
-                &mut engine.mesh,
-                &mut engine.points,
-                segments,
-                engine.scale,
-                !options.exact_form,
-                self.control,
-            )?;
-            self.lap(Phase::Round);
-            // At least once, and as long as each attempt leaves at most half as many; not if other points might be needed on edges made by
-            // merging.
-            let hopeful = surface.edges_beside.is_empty()
-                && fewest.is_none_or(|fewest| 2 * rounded.crowded.len() <= fewest);
-            if !rounded.crowded.is_empty() && hopeful {
-                // The exact mesh is valid but has no counterpart in doubles: other parameters on those segments make another
-                // exact mesh.
-                fewest = Some(rounded.crowded.len());
-                for &v in &rounded.crowded {
-                    careful[segments.steiner_segment[(v - segments.first_steiner) as usize] as usize] += 1;
-                }
-                let first = segments.first_steiner;
-                recovered = self.recover_anew(surface, options, engine, first, &careful, any_diagonals)?;
-                continue;
-            }
-            if !rounded.crowded.is_empty() && !options.exact_form {
-                let place = |&v: &u32| {
-                    let segment = segments.steiner_segment[(v - segments.first_steiner) as usize];
-                    let ends = segments.ends[segment as usize].map(|v| engine.input_of[v as usize]);
-                    (Home::Edge(ends), *engine.points.xyz(v))
-                };
-                let places = fallible::collect(rounded.crowded.iter().map(place))?;
-                drop((rounded, regions));
-                let mut subfaces = subfaces;
-                if !recovered.polygons.facets.is_empty() {
-                    // What will be kept are the surface's own triangles.
-                    let first = recovered.segments.first_steiner;
-                    recovered = self.recover_anew(surface, options, engine, first, &careful, false)?;
-                    subfaces = self.recover_facets(surface, &recovered, engine)?;
-                }
-                let engine = engine.take();
-                let patch = fallible::copied(&surface.triangle_patch)?;
-                let segments = recovered.segments;
-                let d2 = D2 { engine, segments, subfaces, patch, inside: Vec::new(), attempt: 0 };
-                return self.without_boundary_points(plc, surface, options, d2).map_err(|other| {
-                    if other.status != Status::Rounding {
-                        return other;
-                    }
-                    let hint = "; nor is there room in any mesh without points on the surface";
-                    crowding(surface, &places, hint, options.max_defects, self.control)
-                });
-            }
-            let origin = Origin { plc, surface, segments, regions: &regions };
-            let mut mesh = assemble::mesh(engine, origin, &subfaces, &rounded, self.control)?;
-            mesh.hull_kept = options.keep_hull;
-            self.seeds = warn::about_seeds(plc, &regions, options);
-            self.statistics.missing_segments = segments.missing;
-            self.statistics.steiner = segments.steiner_t.len() as u64;
-            self.statistics.steiner_moved = rounded.moved;
-            self.statistics.replaced = rounded.replaced.len() as u64;
-            self.statistics.steiner_exact = mesh.steiner.iter().filter(|s| s.exact).count() as u64;
-            self.lap(Phase::Round);
-            return Ok(mesh);
-        }
     }
 
     /// Begins segment recovery again, with other parameters on segments where rounding failed.

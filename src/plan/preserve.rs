@@ -16,7 +16,7 @@ use crate::output::{Guarantee, TetMesh};
 use crate::plan::assemble::Origin;
 use crate::plan::crowding::crowding;
 use crate::plan::promise::promise;
-use crate::plan::refine::{refines, Input};
+use crate::plan::refine::Input;
 use crate::plan::{assemble, in_terms_of_input, warn, Engine, Recovered, Run};
 use crate::plc::near::Home;
 use crate::plc::patch::Patches;
@@ -194,7 +194,6 @@ impl Run<'_> {
         };
         let control = self.control;
         let whole = control.whole(Phase::Preserve);
-        let share = if refines(options) { 0.3 } else { 1.0 };
         let mut freed = from_constrained(
             &mut mesh,
             &mut engine.points,
@@ -202,7 +201,7 @@ impl Run<'_> {
             &target,
             Inside::of(inside),
             &mut self.statistics.preserve,
-            whole.part(0.0, share),
+            whole,
         )
         .map_err(|failure| match failure {
             Failure::Other(error) => error,
@@ -219,7 +218,7 @@ impl Run<'_> {
             }
         })?;
         let input = Input { plc, surface, regions: &regions };
-        self.refine(options, &mut engine, &mut mesh, &mut freed, input, whole.part(share, 1.0))?;
+        self.refine(options, &mut engine, &mut mesh, &mut freed, input)?;
         self.statistics.missing_segments = segments.missing;
         self.statistics.steiner = freed.settled.len() as u64;
         self.statistics.steiner_moved = freed.settled.iter().filter(|point| point.moved).count() as u64;

@@ -1,10 +1,9 @@
 //! Points inside by size and shape, then optimisation ([`Options::size`], [`Options::quality`], [`Options::optimize`]).
-use crate::control::Part;
 use crate::domain::Domain;
 use crate::elementary::{exponent, power_of_two};
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::fill::{bound_volumes, fill, LEAST_RATIO, RATIO};
+use crate::fill::{bound_volumes, estimate, fill, Shape, LEAST_RATIO, RATIO};
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, Mesh};
 use crate::optimise::optimise;
@@ -13,8 +12,11 @@ use crate::output::Region;
 use crate::plan::{Engine, Run};
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
+use crate::preserve::inside::Inside;
 use crate::preserve::Freed;
+use crate::progress::Phase;
 use crate::size::{scaled, Bounds, Given, Size};
+use rustc_hash::FxHashSet;
 
 /// What a mesh is made from.
 #[derive(Clone, Copy)]
@@ -52,15 +54,15 @@ pub(super) fn check(plc: &Plc, options: &Options) -> Result<(), Error> {
         return refuse(format_args!("gradation: {gradation} is not above 0 and at most 1"));
     }
     plc.sizes.check(plc.points.len())?;
-    if !refines(options) || options.mode == Mode::Preserve {
-        return Ok(());
+    if refines(options) && options.mode == Mode::Delaunay {
+        return refuse(format_args!("size, quality, optimize: not offered in mode delaunay"));
     }
-    match options.mode {
-        Mode::Delaunay => refuse(format_args!("size, quality, optimize: not offered in mode delaunay")),
-        _ => refuse(format_args!(
-            "size, quality, optimize: not offered in mode cdt yet, only in mode preserve"
-        )),
+    if options.optimize > 0 && options.exact_form && options.mode == Mode::Constrained {
+        return refuse(format_args!(
+            "optimize: not offered with exact_form, whose tetrahedra need not be positive"
+        ));
     }
+    Ok(())
 }
 
 impl Run<'_> {
@@ -72,44 +74,95 @@ impl Run<'_> {
         mesh: &mut Mesh,
         freed: &mut Freed,
         input: Input,
-        part: Part,
     ) -> Result<(), Error> {
         if !refines(options) {
             return Ok(());
         }
         // What fails from here on fails for good: other ways to the surface would lead to the same.
         self.is_refining = true;
-        part.steiner(freed.inside.list.len() as u64, usize::MAX / 200)?;
-        let Freed { inside, isolated, .. } = freed;
-        if !isolated.is_empty() {
-            mesh.mark_subsegments(|v| {
-                let bit = |(e, &[i, j]): (usize, &[u8; 2])| {
-                    u16::from(isolated.contains(&edge_key(v[i as usize], v[j as usize]))) << e
-                };
-                Ok(EDGE.iter().enumerate().map(bit).fold(0, |all, bit| all | bit))
-            })?;
-        }
-        let bounds = if fills(options) { bounds(options, engine, input)? } else { Bounds::default() };
+        self.lap(Phase::Preserve);
+        let Freed { inside, isolated, settled, .. } = freed;
+        inside.elsewhere = settled.len() as u64;
+        mark_isolated(mesh, isolated)?;
+        let interior = Interior { mesh, inside, isolated };
+        self.fill_and_optimise(options, engine, interior, input)?;
+        self.is_refining = false;
+        Ok(())
+    }
+
+    /// Points inside between walls that stay, and optimisation, as the options say.
+    pub(super) fn fill_and_optimise(
+        &mut self,
+        options: &Options,
+        engine: &mut Engine,
+        interior: Interior,
+        input: Input,
+    ) -> Result<(), Error> {
+        let Interior { mesh, inside, isolated } = interior;
+        let mut limits = Bounds::default();
         if fills(options) {
+            let part = self.control.whole(Phase::Refine);
+            part.progress(0.0)?;
+            part.steiner(inside.total(), usize::MAX / 200)?;
+            limits = bounds(options, engine, input)?;
             let given = given(options, engine, input)?;
             let mut size = Size::new(mesh, &engine.points, isolated, given, options.gradation, &part)?;
-            let ratio = options.quality.unwrap_or(RATIO);
-            fill(mesh, &mut engine.points, inside, &mut size, ratio, part.part(0.0, 0.4))?;
-            if !bounds.is_empty() {
-                bound_volumes(mesh, &mut engine.points, inside, &mut size, &bounds, part.part(0.4, 0.45))?;
+            estimate(mesh, &engine.points, &size, &part)?;
+            let shape = Shape { ratio: options.quality.unwrap_or(RATIO), delaunay: false };
+            fill(mesh, &mut engine.points, inside, &mut size, shape, part.part(0.0, 0.8))?;
+            if !limits.is_empty() {
+                bound_volumes(mesh, &mut engine.points, inside, &mut size, &limits, part.part(0.8, 1.0))?;
             }
+            self.lap(Phase::Refine);
         }
+        let interior = Interior { mesh, inside, isolated };
+        self.optimise(options, engine, interior, &limits)
+    }
+
+    /// Optimisation, as the options say.
+    pub(super) fn optimise(
+        &mut self,
+        options: &Options,
+        engine: &mut Engine,
+        interior: Interior,
+        bounds: &Bounds,
+    ) -> Result<(), Error> {
+        let Interior { mesh, inside, isolated } = interior;
         if options.optimize > 0 {
-            let effort = options.optimize;
-            optimise(mesh, &mut engine.points, inside, isolated, &bounds, effort, part.part(0.45, 1.0))?;
+            let part = self.control.whole(Phase::Optimize);
+            part.progress(0.0)?;
+            optimise(mesh, &mut engine.points, inside, isolated, bounds, options.optimize, part)?;
+            self.lap(Phase::Optimize);
         }
-        self.is_refining = false;
         Ok(())
     }
 }
 
+/// What is inside of the walls.
+pub(super) struct Interior<'a> {
+    /// Carved, with isolated edges marked as subsegments.
+    pub mesh: &'a mut Mesh,
+    pub inside: &'a mut Inside,
+    /// Edges on no wall that stay.
+    pub isolated: &'a FxHashSet<[u32; 2]>,
+}
+
+/// Marks these edges, and no others, as subsegments.
+pub(super) fn mark_isolated(mesh: &mut Mesh, isolated: &FxHashSet<[u32; 2]>) -> Result<(), Error> {
+    mesh.clear_subsegments();
+    if isolated.is_empty() {
+        return Ok(());
+    }
+    mesh.mark_subsegments(|v| {
+        let bit = |(e, &[i, j]): (usize, &[u8; 2])| {
+            u16::from(isolated.contains(&edge_key(v[i as usize], v[j as usize]))) << e
+        };
+        Ok(EDGE.iter().enumerate().map(bit).fold(0, |all, bit| all | bit))
+    })
+}
+
 /// What the caller wants, in the engine's lengths.
-fn given<'a>(options: &'a Options, engine: &Engine, input: Input) -> Result<Given<'a>, Error> {
+pub(super) fn given<'a>(options: &'a Options, engine: &Engine, input: Input) -> Result<Given<'a>, Error> {
     let scaled = |x: f64| scaled(x, engine.scale);
     let least = |x: Option<f64>, y: Option<f64>| x.into_iter().chain(y).reduce(f64::min);
     let of_volume = |volume: f64| scaled(edge_of(volume));
@@ -128,7 +181,7 @@ fn given<'a>(options: &'a Options, engine: &Engine, input: Input) -> Result<Give
 }
 
 /// The largest volumes, in the engine's lengths.
-fn bounds(options: &Options, engine: &Engine, input: Input) -> Result<Bounds, Error> {
+pub(super) fn bounds(options: &Options, engine: &Engine, input: Input) -> Result<Bounds, Error> {
     let scaled = |volume: f64| scaled(volume, 3 * engine.scale);
     let regions = input.regions.regions.iter().map(|region| region.max_volume.map(scaled));
     Ok(Bounds { all: options.max_volume.map(scaled), of_region: fallible::collect(regions)? })
@@ -202,6 +255,11 @@ mod tests {
             assert_eq!(status(Options { gradation: x, ..base() }), Some(Status::InvalidArgument));
         }
         assert_eq!(status(Options { size: Some(0.5), quality: Some(2.0), ..base() }), None);
-        assert_eq!(status(Options { size: Some(0.5), ..Options::default() }), Some(Status::InvalidArgument));
+        assert_eq!(status(Options { size: Some(0.5), ..Options::default() }), None);
+        let mode = Mode::Delaunay;
+        assert_eq!(
+            status(Options { size: Some(0.5), mode, ..Options::default() }),
+            Some(Status::InvalidArgument)
+        );
     }
 }

@@ -129,7 +129,7 @@ fn open_edges(mesh: &TetMesh, control: &Control) -> Result<Vec<[u32; 2]>, Error>
         once.into_iter().filter(|x| x.1).map(|([a, b], _)| {
             let added =
                 |v: u32| v.checked_sub(mesh.input_point_count).and_then(|i| mesh.steiner.get(i as usize));
-            let parent = added(a).or(added(b)).filter(|point| !point.is_inside());
+            let parent = added(a).or(added(b)).filter(|point| point.is_on_edge());
             parent.map_or([a, b], |point| edge_key(point.ends[0], point.ends[1]))
         }),
     )?;

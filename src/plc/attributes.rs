@@ -58,7 +58,7 @@ pub fn continue_attributes(plc: &Plc, mesh: &TetMesh) -> Result<Vec<f64>, Error>
     let mut known: Vec<bool> = fallible::filled(true, mesh.points.len())?;
     let mut inside: Vec<u32> = Vec::new();
     for (i, steiner) in mesh.steiner.iter().enumerate() {
-        if steiner.is_inside() {
+        if !steiner.is_on_edge() {
             if let Some(known) = known.get_mut(inputs + i) {
                 *known = false;
                 fallible::push(&mut inside, (inputs + i) as u32)?;

@@ -25,6 +25,7 @@ mod wide;
 pub use expansion::Expansion;
 pub(crate) use insphere::Glance;
 pub use points::Points;
+pub use position::Position;
 pub use range::{far_from_most, in_range, is_parameter, range_scale, scale, to_range};
 
 /// The sign of a determinant.

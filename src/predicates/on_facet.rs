@@ -10,6 +10,7 @@
 //!
 //! Source: the correction is the iterative refinement of a linear system's solution by its residual (Wilkinson 1963).
 
+use crate::elementary::{power_of_two, quotient};
 use crate::error::Error;
 use crate::predicates::located::{Implicit, Located};
 use crate::predicates::{orient3d, range, Points, Sign};
@@ -26,6 +27,9 @@ const LARGEST_CHANGE: f64 = 1.0 / 128.0;
 /// of 2^-46 times the size of frames of heights from 1 to 2^-30 times their length; without corrections in 299 to none of 300, the
 /// fewer the thinner the frame.
 const MORE_BITS: [i32; 4] = [0, 4, 16, 40];
+
+/// The second and third weight of the middle of a triangle.
+const MIDDLE: [f64; 2] = [1.0 / 3.0; 2];
 
 /// A position that has been found.
 struct Chosen {
@@ -45,12 +49,12 @@ impl Chosen {
 struct Basis([[f64; 2]; 2]);
 
 impl Basis {
-    /// The coordinates of a vector; not finite if the directions are parallel.
-    fn coordinates(&self, d: [f64; 2]) -> [f64; 2] {
+    /// The coordinates of a vector; `None` if the directions are as good as parallel.
+    fn coordinates(&self, d: [f64; 2]) -> Option<[f64; 2]> {
         let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
         let [e, f] = self.0;
         let det = cross(e, f);
-        [cross(d, f) / det, cross(e, d) / det]
+        Some([quotient(cross(d, f), det)?, quotient(cross(e, d), det)?])
     }
 }
 
@@ -91,24 +95,25 @@ impl Place<'_> {
         let edges = Basis([self.difference(&y, &x), self.difference(&z, &x)]);
         let axes = Basis([self.difference(&a, &o), self.difference(&b, &o)]);
         let wanted = Located { xyz: wanted, implicit: None };
-        let weights = inner_weights(edges.coordinates(self.difference(&wanted, &x)));
-        let steps = axes.0.map(|e| step(edges.coordinates(e)));
+        let weights = inner_weights(edges.coordinates(self.difference(&wanted, &x)).unwrap_or(MIDDLE));
+        let [first, second] = axes.0;
+        let steps = [step(edges.coordinates(first)?)?, step(edges.coordinates(second)?)?];
         // From a point to the one with these weights.
         let way = |from: &Located| {
             let (d, [e, f]) = (self.difference(&x, from), edges.0);
             [0, 1].map(|k| d[k] + weights[1] * e[k] + weights[2] * f[k])
         };
-        let mut parameters = axes.coordinates(way(&o));
+        let mut parameters = axes.coordinates(way(&o))?;
         for more in MORE_BITS {
             for (parameter, step) in parameters.iter_mut().zip(steps) {
-                let step = range::scale(step, -more);
-                *parameter = (*parameter / step).round() * step;
+                let step = power_of_two((step - more).clamp(-1000, 1000));
+                *parameter = quotient(*parameter, step)?.round() * step;
             }
             let chosen = self.at(parameters)?;
             if self.contains(&chosen.located()) {
                 return Some(self.in_doubles(chosen));
             }
-            let correction = axes.coordinates(way(&chosen.located()));
+            let correction = axes.coordinates(way(&chosen.located()))?;
             parameters = [0, 1].map(|k| parameters[k] + correction[k]);
         }
         None
@@ -144,22 +149,17 @@ impl Place<'_> {
 
 /// Weights of a triangle's corners, none of them small, from those of its second and third corner.
 fn inner_weights([second, third]: [f64; 2]) -> [f64; 3] {
-    // What is not a number gets the least weight.
-    let inner = |w: f64| if w > LEAST_WEIGHT { w.min(1.0) } else { LEAST_WEIGHT };
+    let inner = |w: f64| w.clamp(LEAST_WEIGHT, 1.0);
     let weights = [inner(1.0 - second - third), inner(second), inner(third)];
     let sum: f64 = weights.iter().sum();
     weights.map(|w| w / sum)
 }
 
-/// The largest power of two to whose multiples a parameter may be rounded, from what the weights of the second and third corner change by
+/// The exponent of the largest power of two to whose multiples a parameter may be rounded, from what the weights of the second and third corner change by
 /// with it. (Rounding changes a parameter by half of that at most, and there are two.)
-fn step([second, third]: [f64; 2]) -> f64 {
+fn step([second, third]: [f64; 2]) -> Option<i32> {
     let change = second.abs().max(third.abs()).max((second + third).abs());
-    let exact = LARGEST_CHANGE / change;
-    match range::highest_exponent(exact) {
-        Some(exponent) if exact.is_finite() => range::scale(1.0, exponent),
-        _ => f64::NAN,
-    }
+    range::highest_exponent(quotient(LARGEST_CHANGE, change)?)
 }
 
 impl Points {
@@ -173,10 +173,6 @@ impl Points {
     /// # Errors
     /// `Internal` unless the frame's points are explicit and not collinear and there is such a triangle in its plane; `OutOfMemory`,
     /// `TooLarge`.
-    #[cfg_attr(
-        not(any(test, feature = "internals")),
-        expect(dead_code, reason = "refinement puts points on facets")
-    )]
     pub fn push_in_triangle(
         &mut self,
         frame: [u32; 3],

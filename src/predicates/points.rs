@@ -230,10 +230,6 @@ impl Points {
     /// # Errors
     /// `Internal` unless the three points are explicit and not collinear, the parameters `[u, v]` are multiples of `2^-800` of magnitudes
     /// up to `2^415`, and the point is in the exact range; `OutOfMemory`, `TooLarge`.
-    #[cfg_attr(
-        not(any(test, feature = "internals")),
-        expect(dead_code, reason = "refinement puts points on facets")
-    )]
     pub fn push_on_facet(&mut self, frame: [u32; 3], parameters: [f64; 2]) -> Result<u32, Error> {
         let place = self.is_frame(frame).then(|| self.on_facet(frame, parameters)).flatten();
         let Some((p, implicit)) = place else {
@@ -459,6 +455,23 @@ impl Points {
             located::widen(&mut spread, &self.located(ids));
         }
         spread
+    }
+
+    /// Removes the last point.
+    pub fn pop(&mut self) {
+        if self.xyz.pop().is_none() || self.xyz.len() < self.first_implicit as usize {
+            return;
+        }
+        if let Some(slot) = self.slots.pop().filter(|&slot| slot != NONE) {
+            // Positions that no point has any more may stay behind others.
+            if slot as usize + 1 == self.implicit.len() {
+                self.implicit.pop();
+            }
+        }
+        if self.slots.is_empty() {
+            self.first_implicit = NONE;
+            self.implicit.clear();
+        }
     }
 
     /// Removes all points but the first `n`. (The static bounds stay valid, though they could be tighter.)

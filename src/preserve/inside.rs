@@ -11,6 +11,8 @@ pub struct Inside {
     /// Vertex ids.
     pub list: Vec<u32>,
     spare: Vec<u32>,
+    /// How many points were added elsewhere: a limit counts them all.
+    pub elsewhere: u64,
 }
 
 impl Inside {
@@ -24,7 +26,13 @@ impl Inside {
     /// # Errors
     /// `OutOfMemory`.
     pub fn copied(&self) -> Result<Inside, Error> {
-        Ok(Inside { list: fallible::copied(&self.list)?, spare: fallible::copied(&self.spare)? })
+        let list = fallible::copied(&self.list)?;
+        Ok(Inside { list, spare: fallible::copied(&self.spare)?, elsewhere: self.elsewhere })
+    }
+
+    /// How many points were added in all.
+    pub fn total(&self) -> u64 {
+        self.list.len() as u64 + self.elsewhere
     }
 
     /// A new point. (Its coordinates must be in the exact range.)

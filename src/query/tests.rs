@@ -232,8 +232,8 @@ fn point_data_continues_to_steiner_points() {
         points: vec![[0.0; 3], [4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]],
         input_point_count: 2,
         steiner: vec![
-            SteinerPoint { ends: [0, 1], t: 0.25, segment: 0, exact: true },
-            SteinerPoint { ends: [1, 0], t: 0.5, segment: INVALID, exact: true },
+            SteinerPoint { ends: [0, 1], t: 0.25, segment: 0, exact: true, ..SteinerPoint::INSIDE },
+            SteinerPoint { ends: [1, 0], t: 0.5, segment: INVALID, exact: true, ..SteinerPoint::INSIDE },
         ],
         ..TetMesh::default()
     };

@@ -53,7 +53,7 @@ pub struct Segments {
     pub pieces: Vec<Subsegment>,
     /// Piece with the given ends.
     pub piece_of: FxHashMap<[u32; 2], u32>,
-    /// Segment of each Steiner point, in order of insertion.
+    /// Segment of each Steiner point, in order of insertion; `NONE` for points that refinement put elsewhere.
     pub steiner_segment: Vec<u32>,
     /// Parameter of each Steiner point, or the double nearest to it.
     pub steiner_t: Vec<f64>,
@@ -98,7 +98,9 @@ impl Segments {
     /// `OutOfMemory`, and what ends the run.
     pub fn steiner_by_segment(&self, control: &Control) -> Result<Vec<(u32, f64, u32)>, Error> {
         let points = self.steiner_segment.iter().zip(&self.steiner_t).zip(self.first_steiner..);
-        let mut list = fallible::collect(points.map(|((&s, &t), v)| (s, t, v)))?;
+        let points = points.map(|((&s, &t), v)| (s, t, v)).filter(|x| x.0 != NONE);
+        let mut list = fallible::reserved(self.steiner_t.len())?;
+        fallible::extend(&mut list, points)?;
         let order = |x: &(u32, f64, u32), y: &(u32, f64, u32)| {
             x.0.cmp(&y.0).then_with(|| self.order(x.0, [x.2, y.2], [x.1, y.1]))
         };
@@ -136,6 +138,9 @@ impl Segments {
     pub fn neighbors_on_segment(&self, v: u32) -> Option<[f64; 2]> {
         let index = v.checked_sub(self.first_steiner)? as usize;
         let (segment, t) = (*self.steiner_segment.get(index)?, self.steiner_t[index]);
+        if segment == NONE {
+            return None;
+        }
         let mut room = [0.0f64, 1.0];
         for (&s, &other) in self.steiner_segment.iter().zip(&self.steiner_t) {
             if s == segment && other < t {
@@ -242,6 +247,10 @@ impl Segments {
     pub fn add_steiner(&mut self, piece: u32, v: u32, t: f64) -> Result<(), Error> {
         let sub = self.pieces[piece as usize];
         let second = self.pieces.len() as u32;
+        // Points between are on no segment.
+        let index = (v - self.first_steiner) as usize;
+        fallible::resize(&mut self.steiner_segment, index, NONE)?;
+        fallible::resize(&mut self.steiner_t, index, 0.0)?;
         fallible::push(&mut self.steiner_segment, sub.segment)?;
         fallible::push(&mut self.steiner_t, t)?;
         self.piece_of.remove(&edge_key(sub.ends[0], sub.ends[1]));
@@ -252,7 +261,11 @@ impl Segments {
         Ok(())
     }
 
-    fn bits(&mut self, points: &Points, segment: u32) -> Result<u32, Error> {
+    /// The largest n such that all multiples of 2^-n are parameters of points in doubles; at most 60.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn bits(&mut self, points: &Points, segment: u32) -> Result<u32, Error> {
         if self.exact_bits.is_empty() {
             fallible::resize(&mut self.exact_bits, self.ends.len(), u8::MAX)?;
         }

@@ -28,7 +28,13 @@ pub(super) fn small_mesh() -> (TetMesh, Plc) {
             Subsegment { ends: [0, 1], segment: INVALID, marker: 0 },
         ],
         replaced: vec![1],
-        steiner: vec![SteinerPoint { ends: [0, 1], t: 0.25, segment: INVALID, exact: true }],
+        steiner: vec![SteinerPoint {
+            ends: [0, 1],
+            t: 0.25,
+            segment: INVALID,
+            exact: true,
+            ..SteinerPoint::INSIDE
+        }],
         statistics: Statistics { steiner: 1, steiner_exact: 1, ..Statistics::default() },
         ..TetMesh::default()
     };

@@ -4,8 +4,7 @@
 //! vertex stays in it, or the vertex is not where it should be.
 use crate::error::Error;
 use crate::fallible;
-use crate::kernel::edge_key;
-use crate::ops::insert::scene::{edges, Scene};
+use crate::ops::insert::scene::Scene;
 use crate::ops::insert::{misplaced, Insert, Outcome};
 use crate::predicates::Sign;
 
@@ -21,10 +20,10 @@ pub struct Face {
 /// A face of the cavity at a subsegment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Beside {
-    /// The number of the subsegment.
-    subsegment: usize,
+    /// The subsegment.
+    key: u64,
     /// The number of the face.
-    face: usize,
+    face: u32,
     /// Its vertex opposite.
     apex: u32,
 }
@@ -148,7 +147,7 @@ impl Insert {
                 return scene.widest(&self.tets);
             }
             if scene.mesh.subsegment_bits(t) != 0 {
-                fallible::extend(&mut self.subsegments, scene.subsegments(t))?;
+                fallible::extend(&mut self.subsegments, scene.subsegments(t).map(packed))?;
             }
         }
         if self.subsegments.is_empty() {
@@ -157,16 +156,17 @@ impl Insert {
         scene.control.sort(&mut self.subsegments)?;
         self.subsegments.dedup();
         self.find_beside(scene)?;
-        let mut groups = self.beside.chunk_by(|x, y| x.subsegment == y.subsegment).peekable();
+        let mut groups = self.beside.chunk_by(|x, y| x.key == y.key).peekable();
         let mut obstacle = None;
-        for (i, &edge) in self.subsegments.iter().enumerate() {
+        for &key in &self.subsegments {
             scene.control.step()?;
-            let Some(group) = groups.next_if(|group| group[0].subsegment == i) else {
+            let edge = unpacked(key);
+            let Some(group) = groups.next_if(|group| group[0].key == key) else {
                 self.give_up(scene, &edge)?;
                 return Ok(Some(edge));
             };
             if let ([x, y], false) = (group, self.is_on_rim(edge)) {
-                let [a, b, c] = self.faces[x.face].corners;
+                let [a, b, c] = self.faces[x.face as usize].corners;
                 if scene.points.insphere_perturbed(scene.p, a, b, c, y.apex) == Sign::Positive {
                     obstacle = obstacle.or(Some(edge));
                 }
@@ -178,12 +178,15 @@ impl Insert {
     /// Finds the cavity's faces at its subsegments, in the order of these.
     fn find_beside(&mut self, scene: Scene) -> Result<(), Error> {
         self.beside.clear();
-        for (face, &Face { corners, .. }) in self.faces.iter().enumerate() {
+        for (face, &Face { corners, tet }) in (0..).zip(&self.faces) {
             scene.control.step()?;
-            for (k, [a, b]) in edges(corners).into_iter().enumerate() {
-                if let Ok(subsegment) = self.subsegments.binary_search(&edge_key(a, b)) {
-                    let beside = Beside { subsegment, face, apex: corners[(k + 2) % 3] };
-                    fallible::push(&mut self.beside, beside)?;
+            if scene.mesh.subsegment_bits(tet) == 0 {
+                continue;
+            }
+            for [a, b] in scene.subsegments(tet) {
+                let apex = corners.into_iter().find(|&v| v != a && v != b);
+                if let (true, true, Some(apex)) = (corners.contains(&a), corners.contains(&b), apex) {
+                    fallible::push(&mut self.beside, Beside { key: packed([a, b]), face, apex })?;
                 }
             }
         }
@@ -196,4 +199,14 @@ impl Insert {
         let last = self.tets.iter().rev().find(at).ok_or_else(misplaced)?;
         Ok(fallible::push(&mut self.bad, *last)?)
     }
+}
+
+/// An edge's key as one number, in the same order: that sorts faster.
+pub(super) fn packed([a, b]: [u32; 2]) -> u64 {
+    u64::from(a) << 32 | u64::from(b)
+}
+
+/// The key again.
+pub(super) fn unpacked(key: u64) -> [u32; 2] {
+    [(key >> 32) as u32, key as u32]
 }

@@ -6,7 +6,7 @@ use crate::check::{audit, audit_promise, Promise};
 use crate::control::{Control, Part};
 use crate::error::{DefectKind, Element, Error, Status};
 use crate::fallible;
-use crate::fill::{bound_volumes, fill, RATIO};
+use crate::fill::{bound_volumes, estimate, fill, Shape, RATIO};
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, Mesh, NONE};
 use crate::optimise::optimise;
@@ -194,14 +194,16 @@ impl<'a> Work<'a> {
         if !wishes && !refines(options) {
             return Ok(());
         }
-        part.steiner(self.inside.list.len() as u64, usize::MAX / 200)?;
+        part.steiner(self.inside.total(), usize::MAX / 200)?;
         let bounds = if wishes || fills(options) { self.bounds(options)? } else { Bounds::default() };
         if wishes || fills(options) {
             let given = self.wanted(sizes, options)?;
             let Work { mesh, points, inside, isolated, .. } = self;
             let mut size = Size::new(mesh, points, isolated, given, options.gradation, &part)?;
             let ratio = options.quality.unwrap_or(RATIO);
-            fill(mesh, points, inside, &mut size, ratio, part.part(0.0, 0.4))?;
+            estimate(mesh, points, &size, &part)?;
+            let shape = Shape { ratio, delaunay: false };
+            fill(mesh, points, inside, &mut size, shape, part.part(0.0, 0.4))?;
             if !bounds.is_empty() {
                 bound_volumes(mesh, points, inside, &mut size, &bounds, part.part(0.4, 0.45))?;
             }
