@@ -133,11 +133,12 @@ fn mesh_valid(plc: &Plc, keep_hull: bool) -> Result<TetMesh, TestCaseError> {
     }
 }
 
-/// The same 32 cases each; others, and more, by the environment variable `PROPTEST_CASES`.
+/// The same 32 cases each, in debug builds the first 8 of them; others, and more, by the environment variable `PROPTEST_CASES`.
 fn config() -> ProptestConfig {
     let default = ProptestConfig::default();
     let search = std::env::var_os("PROPTEST_CASES").is_some();
-    let (cases, rng_seed) = if search { (default.cases, default.rng_seed) } else { (32, RngSeed::Fixed(1)) };
+    let few = if cfg!(debug_assertions) { 8 } else { 32 };
+    let (cases, rng_seed) = if search { (default.cases, default.rng_seed) } else { (few, RngSeed::Fixed(1)) };
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..default }
 }
 

@@ -23,6 +23,8 @@ mod glibc {
     };
     use std::path::{Path, PathBuf};
     use std::process::Command;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::sync::Mutex;
 
     #[link(name = "m")]
     extern "C" {
@@ -220,18 +222,27 @@ mod glibc {
         const SIGFPE: i32 = 8;
         assert_eq!(run(&["--divide", "0"]).status.signal(), Some(SIGFPE), "nothing is trapped here");
         let (extremes, files) = (extremes(), files());
-        let mut faults = Vec::new();
         let names = extremes.iter().map(|input| input.0.to_string());
-        let names = names.chain(files.iter().map(|path| path.display().to_string()));
-        let mut count = 0;
-        for (number, name) in names.enumerate() {
+        let names: Vec<String> = names.chain(files.iter().map(|path| path.display().to_string())).collect();
+        let (next, faults) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+        let work = || loop {
+            let number = next.fetch_add(1, Ordering::SeqCst);
+            let Some(name) = names.get(number) else { break };
             let output = run(&["--child", &number.to_string()]);
-            count += 1;
             if !output.status.success() {
                 let text = String::from_utf8_lossy(&output.stderr).into_owned();
-                faults.push(format!("{name}: {} {text}", output.status));
+                faults.lock().unwrap().push((number, format!("{name}: {} {text}", output.status)));
             }
-        }
+        };
+        std::thread::scope(|scope| {
+            for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+                scope.spawn(work);
+            }
+        });
+        let mut faults = faults.into_inner().unwrap();
+        faults.sort_unstable();
+        let faults: Vec<String> = faults.into_iter().map(|fault| fault.1).collect();
+        let count = names.len();
         assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
         println!("{count} inputs, no trap");
     }
