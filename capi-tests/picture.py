@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""A mesh in section, as a PNG: whole tetrahedra at the cut, coloured by region. Needs only Python's standard library, and no display.
+"""A mesh in section, as a PNG: whole tetrahedra at the cut, coloured by region or value. Needs only Python's standard library, and no display.
 
     delotet mesh capi-tests/data/nested.off -o nested.ele
     python3 capi-tests/picture.py nested.ele -o capi-tests/data/cut.png
 
 Reads STEM.ele and STEM.node. Tetrahedra whose centre lies beyond the cutting plane are left out. Faces of the boundary are light, faces
-exposed by the cut are in full colour. `--turn`, `--tilt`: the position of the eye in degrees; `--normal`, `--at`: the plane in the frame of
+exposed by the cut are in full colour. `--values FILE`: a number for each point, one to a line; faces are coloured by the mean of their
+corners, from blue for the smallest in the mesh to red for the largest. `--turn`, `--tilt`: the position of the eye in degrees; `--normal`, `--at`: the plane in the frame of
 the model, with `--at` as a fraction of its extent along the normal; the side that the normal points to is removed.
 """
 import argparse
@@ -17,6 +18,8 @@ from pathlib import Path
 # Per region, in the order of attributes: light for the boundary, full for the cut.
 COLOURS = [((214, 222, 235), (74, 122, 189)), ((250, 226, 190), (232, 150, 44)), ((214, 234, 214), (86, 160, 100)),
            ((236, 214, 228), (176, 84, 140)), ((226, 220, 210), (140, 120, 96))]
+# From the smallest value to the largest.
+SCALE = [(52, 84, 164), (74, 152, 200), (150, 206, 190), (240, 232, 160), (244, 168, 84), (206, 72, 52)]
 EDGE = (38, 44, 56)
 SAMPLES = 3  # per pixel and axis
 
@@ -122,8 +125,16 @@ def paint(image, depth, width, height, corners, colour, line):
             w += wx
 
 
-def render(points, faces, view, size):
+def on_scale(fraction):
+    """The colour at a fraction of the way along the scale."""
+    place = min(1.0, max(0.0, fraction)) * (len(SCALE) - 1)
+    i = min(int(place), len(SCALE) - 2)
+    return tuple(a + (place - i) * (b - a) for a, b in zip(SCALE[i], SCALE[i + 1]))
+
+
+def render(points, faces, view, size, values=None):
     """Rows of RGB bytes."""
+    least, most = (min(values), max(values)) if values else (0.0, 0.0)
     right, up, eye = view
     width, height = size[0] * SAMPLES, size[1] * SAMPLES
     used = sorted({v for face, _, _ in faces for v in face})
@@ -142,7 +153,10 @@ def render(points, faces, view, size):
         if dot(normal, eye) <= 0:
             continue
         light = 0.68 + 0.34 * max(0.0, dot(normal, lamp))
-        colour = tuple(min(255, int(light * part)) for part in COLOURS[region % len(COLOURS)][bare])
+        base = COLOURS[region % len(COLOURS)][bare]
+        if values:
+            base = on_scale((sum(values[v] for v in face) / 3 - least) / ((most - least) or 1.0))
+        colour = tuple(min(255, int(light * part)) for part in base)
         paint(image, depth, width, height, [screen[v] for v in face], colour, 0.42 * SAMPLES)
     return shrink(image, width, size)
 
@@ -183,12 +197,16 @@ def main():
     parser.add_argument('--tilt', type=float, default=24)
     parser.add_argument('--normal', type=float, nargs=3, default=[0.0, -1.0, 0.0])
     parser.add_argument('--at', type=float, default=0.5)
+    parser.add_argument('--values', type=Path)
     args = parser.parse_args()
     points, tets, regions = read(args.mesh)
+    values = [float(word) for word in args.values.read_text().split()] if args.values else None
+    if values and len(values) != len(points):
+        parser.error(f'{len(values)} values for {len(points)} points')
     faces = visible_faces(points, tets, regions, unit(tuple(args.normal)), args.at)
     if not faces:
         parser.error('the cut leaves nothing')
-    args.output.write_bytes(png(render(points, faces, camera(args.turn, args.tilt), args.size), args.size))
+    args.output.write_bytes(png(render(points, faces, camera(args.turn, args.tilt), args.size, values), args.size))
 
 
 if __name__ == '__main__':

@@ -1,9 +1,10 @@
 // An adaptive loop: solve, estimate, refine. The Poisson equation in the unit cube, whose solution is a narrow peak inside. After each
 // solution its second derivatives are recovered, sizes that spread the error evenly follow from them, and delotet::refine makes the next
 // mesh. The surface stays coarse: nothing happens there. The error must fall at the best order that linear elements allow: in the energy
-// norm with the number of points to the power -1/3, in the L2 norm to the power -2/3.
+// norm with the number of points to the power -1/3, in the L2 norm to the power -2/3: adaptive [<mesh.ele> <values.txt>].
 #include "elements.hpp"
 #include "lattice.hpp"
+#include "values.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -94,7 +95,7 @@ static std::vector<double> lengths(const delotet::Mesh &mesh, const std::vector<
     return h;
 }
 
-int main()
+int main(int argc, char **argv)
 {
     const delotet::Options options = delotet::Options().mode(delotet::Mode::preserve).quality(2).optimize(1);
     delotet::Mesh mesh = delotet::tetrahedralize(cube(5), options);
@@ -121,6 +122,10 @@ int main()
         }
         std::printf("\n");
         good = good && found.found;
+        if (step == known && argc > 2) {
+            mesh.write(delotet::Plc(std::vector<delotet::Point>()), argv[1]);
+            write_values(argv[2], found.u);
+        }
         if (step < steps)
             mesh = delotet::refine(mesh, delotet::MeshSizes().points(lengths(mesh, found.u, 3 * now[0])), options);
     }

@@ -1,7 +1,8 @@
 // Heat in two materials with a size per region: a slab 0 < x < 1 of conductivity 1 and a slab 1 < x < 2 of conductivity 10, temperature 0
 // at x = 0 and 1 at x = 2, the sides insulated. The steady temperature is linear in each slab. The interface is made of faces of the mesh,
-// so linear elements reproduce the solution however fine either side is: heat [<file for the mesh>].
+// so linear elements reproduce the solution however fine either side is: heat [<mesh.ele> <values.txt>].
 #include "elements.hpp"
+#include "values.hpp"
 
 #include <array>
 #include <cstdio>
@@ -69,8 +70,6 @@ int main(int argc, char **argv)
     const auto points = mesh.points();
     const auto tets = mesh.tets();
     const auto materials = mesh.tet_attributes();
-    if (argc > 1)
-        mesh.write(plc, argv[1]);
 
     // The ends have known temperatures. Insulated sides need nothing.
     std::vector<double> fixed(points.size(), unknown);
@@ -80,6 +79,10 @@ int main(int argc, char **argv)
                 fixed[corner] = face.marker == hot;
     const auto of_tet = [&](std::size_t t) { return conductivity[materials[t] == 2]; };
     const Solution found = solve(mesh, fixed, of_tet, [](const delotet::Point &) { return 0.0; }, 1e-12);
+    if (argc > 2) {
+        mesh.write(plc, argv[1]);
+        write_values(argv[2], found.u);
+    }
     double error = 0;
     for (std::size_t i = 0; i < points.size(); i++)
         error = std::fmax(error, std::fabs(found.u[i] - solution(points[i])));
