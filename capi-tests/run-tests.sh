@@ -51,6 +51,7 @@ for change in turn shift jitter; do
   step "our models, $change" python3 capi-tests/turned_models.py --bin $bin --change $change --seeds 2
 done
 step "quality agrees with an independent tool" python3 capi-tests/quality_agreement.py --bin $bin
+step "small angles end in proportion" python3 capi-tests/small_angles.py --bin $bin
 step "picture of a mesh cut open" picture
 step "figures that are the same everywhere" python3 capi-tests/preserve_figures.py classics --tetgen --check --bin $bin
 step "figures: a page is rewritten" page
