@@ -39,8 +39,9 @@ def timed(command, limit):
     return seconds if done.returncode == 0 else None
 
 
-def measured(surface, mesh, size, reference=None):
-    against = ["--reference", reference] if reference else ["--kept", mesh]
+def measured(surface, mesh, size, reference=None, kept=False):
+    """What the independent tool finds. The reference tells which side of each triangle is inside; the mesh itself does if the surface is kept."""
+    against = ["--kept" if kept else "--reference", reference] if reference else ["--kept", mesh]
     command = [sys.executable, TOOL, surface, mesh, *against, "--json"] + (["--size", repr(size)] if size else [])
     done = subprocess.run(command, capture_output=True, text=True)
     return json.loads(done.stdout) if done.returncode == 0 else {"fault": done.stderr.strip().splitlines()[-1:]}
@@ -48,10 +49,11 @@ def measured(surface, mesh, size, reference=None):
 
 def diagonal(binary, surface, folder):
     """Of the model's box."""
-    path = os.path.join(folder, "box.off")
+    # A format that holds whatever the others hold, also seeds of holes and regions.
+    path = os.path.join(folder, "box.poly")
     subprocess.run([binary, "convert", surface, "-o", path], check=True, capture_output=True)
-    lines = [line.split() for line in open(path) if line.strip() and not line.startswith(("#", "OFF"))]
-    points = [list(map(float, line[:3])) for line in lines[1:1 + int(lines[0][0])]]
+    lines = [line for line in (line.split("#")[0].split() for line in open(path)) if line]
+    points = [list(map(float, line[1:4])) for line in lines[1:1 + int(lines[0][0])]]
     return sum((max(column) - min(column)) ** 2 for column in zip(*points)) ** 0.5
 
 
@@ -79,6 +81,16 @@ def total(tool, rows):
           f"eta's first percentile, median model: {statistics.median(f['eta_p1'] for f in found):.3f}")
 
 
+def need_numpy(script):
+    """Goes on in the system's Python if this one is without numpy and scipy; ends if that one is too."""
+    try:
+        import scipy.spatial
+    except ImportError:
+        if os.path.realpath(sys.executable) != os.path.realpath(SYSTEM) and os.path.exists(SYSTEM):
+            os.execv(SYSTEM, [SYSTEM, os.path.abspath(script), *sys.argv[1:]])
+        sys.exit("the independent tool needs numpy and scipy")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", required=True)
@@ -93,13 +105,7 @@ def main():
     if not os.path.exists(TOOL) or not os.path.isdir(MODELS):
         print("NOT RUN: no models or no independent tool in ../shared")
         return 0
-    try:
-        import scipy.spatial
-    except ImportError:
-        if os.path.realpath(sys.executable) != os.path.realpath(SYSTEM) and os.path.exists(SYSTEM):
-            os.execv(SYSTEM, [SYSTEM, os.path.abspath(__file__), *sys.argv[1:]])
-        print("the independent tool needs numpy and scipy")
-        return 1
+    need_numpy(__file__)
     binary, ours, theirs = os.path.abspath(args.bin), [], []
     for name in args.models or SETS[args.set]:
         with tempfile.TemporaryDirectory() as folder:
