@@ -57,7 +57,7 @@ def command():
     """The command that runs now, as somebody else would write it: without what concerns this run and this folder alone."""
     words, given = [], iter(sys.argv[1:])
     for word in given:
-        if word in ("--page", "--tsv", "--keep", "--folder"):
+        if word in ("--page", "--tsv", "--keep", "--folder", "--mmg"):
             next(given, None)
         elif word == "--bin":
             next(given, None)
