@@ -605,6 +605,7 @@ fn parts_of_the_input_have_sizes() {
         assert!(none < count, "{options:?}: {count}");
     };
     more(&["--facet-size", "0=0.5"]);
+    more(&["--facet-area", "0=0.1"]);
     more(&["--region", "0,0,0,-2.5", "--region-size", "-2.5=0.5", "--region-size", "7=1"]);
     let sizes: String = (0..648).map(|i| if i % 2 == 0 { "0.4\n" } else { "0\n" }).collect();
     std::fs::write(dir.join("sizes.txt"), &sizes).unwrap();
@@ -633,6 +634,7 @@ fn nonsense_for_sizes_is_refused_with_2() {
         &["--optimize=-1"],
         &["--facet-size", "3"],
         &["--facet-size", "3=0"],
+        &["--facet-area", "3=0"],
         &["--segment-size", "1.5=1"],
         &["--region-size", "x=1"],
     ] {
@@ -736,6 +738,9 @@ fn a_mesh_is_refined_and_improved() {
         let fine = text(dir.join("fine.node")).split_whitespace().next().unwrap().parse::<usize>().unwrap();
         assert!(fine > points, "{name}: {fine}");
     }
+    done(&["refine", "r.ele", "-o", "fine.ele", "--facet-area", "0=0.01"]);
+    let fine = text(dir.join("fine.node")).split_whitespace().next().unwrap().parse::<usize>().unwrap();
+    assert!(fine > points, "{fine}");
     std::fs::write(dir.join("few.txt"), "1\n2\n").unwrap();
     failed(&["refine", "r.ele", "-o", "x.vtu", "--sizes", "few.txt"], 1, "2 sizes; the mesh has");
     failed(&["refine", "r.ele", "-o", "x.vtu", "--sizes", "none.txt"], 1, "no such file");

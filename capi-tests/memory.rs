@@ -634,6 +634,8 @@ fn build(plc: &mut *mut DelotetPlc, hash: &mut Hash) -> Result<(), DelotetStatus
         step(status, &mut error)?;
         let status = delotet_plc_set_facet_size(plc, 3, 0.25, &mut error);
         step(status, &mut error)?;
+        let status = delotet_plc_set_facet_area(plc, 3, 0.25, &mut error);
+        step(status, &mut error)?;
         let status = delotet_plc_set_segment_size(plc, 9, 0.25, &mut error);
         step(status, &mut error)?;
         let status = delotet_plc_set_region_size(plc, 3.0, 0.25, &mut error);

@@ -229,8 +229,8 @@ pub struct Bounds {
 
 /// What is wanted is below two to this power, so sums of a few do not overflow. Coordinates are far below.
 const LARGEST_EXPONENT: i32 = 1000;
-/// Rounding of the caller's own calculation of a volume stays below this.
-const BELOW: f64 = 1.0 - 1e-9;
+/// Rounding of the caller's own calculation of a volume or area stays below this.
+pub const BELOW: f64 = 1.0 - 1e-9;
 
 impl Bounds {
     /// Whether there is none.

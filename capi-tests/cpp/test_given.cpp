@@ -62,6 +62,7 @@ static void sizes()
     CHECK(none < count(delotet::MeshSizes().points(std::vector<double>{0.5, infinity, infinity, infinity, infinity, infinity})));
     CHECK(none < count(delotet::MeshSizes().tets(std::vector<double>{0.5, infinity})));
     CHECK(none < count(delotet::MeshSizes().facet(0, 0.5)) && none < count(delotet::MeshSizes().region(1, 0.5)));
+    CHECK(none < count(delotet::MeshSizes().facet_area(0, 0.1)));
     delotet::MeshSizes wanted;
     wanted.points(std::vector<double>(6, 0.5)).segment(3, 0.5).facet(0, 0.5).facet(0, infinity).region(1, 1);
     delotet::Error error;

@@ -65,7 +65,10 @@ static void parts_of_the_input()
     CHECK(plc.point_sizes().size() == 8 && plc.point_sizes()[6] == 7 && plc.point_sizes()[7] == infinity);
     CHECK(plc.facet_size(4) == 0.5 && plc.segment_size(-2) == 0.25 && plc.region_size(1.5) == 8);
     CHECK(plc.facet_size(5) == infinity && plc.segment_size(4) == infinity && plc.region_size(1) == infinity);
+    CHECK(plc.set_facet_area(4, 2).facet_area(4) == 2 && plc.facet_size(4) == 0.5 && plc.facet_area(5) == infinity);
     delotet::Error error;
+    CHECK(plc.set_facet_area(4, -1, error) == DELOTET_STATUS_INVALID_ARGUMENT && plc.facet_area(4) == 2);
+    CHECK(delotet::Plc(cube().set_facet_area(1, 3)).facet_area(1) == 3);
     CHECK(plc.set_point_sizes(std::vector<double>(7, 1), error) == DELOTET_STATUS_INVALID_ARGUMENT);
     CHECK(plc.set_facet_size(4, 0, error) == DELOTET_STATUS_INVALID_ARGUMENT && plc.facet_size(4) == 0.5);
     CHECK(plc.set_segment_size(-2, -1, error) == DELOTET_STATUS_INVALID_ARGUMENT);

@@ -2270,6 +2270,24 @@ enum DelotetStatus delotet_plc_set_facet_size(struct DelotetPlc *plc,
 DELOTET_API double delotet_plc_facet_size(const struct DelotetPlc *plc, int32_t marker);
 
 /**
+ * Sets the largest area wanted of a subface of the facets with a marker, in squared units of the coordinates, replacing an earlier one. As a
+ * length it is the edge of the equilateral triangle of this area; of length and area the smaller counts. Where the surface is refined
+ * (DELOTET_MODE_CONSTRAINED), no subface is above it where nothing forces it. `area`: positive; infinite removes it. As a wish for filling:
+ * see delotet_plc_set_point_sizes(). Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_facet_area(struct DelotetPlc *plc,
+                                              int32_t marker,
+                                              double area,
+                                              struct DelotetError **out_error);
+
+/**
+ * The largest area wanted at the facets with a marker; infinite if there is none, and for NULL.
+ */
+DELOTET_API double delotet_plc_facet_area(const struct DelotetPlc *plc, int32_t marker);
+
+/**
  * Sets the edge length wanted at the segments with a marker; otherwise as delotet_plc_set_facet_size().
  */
 DELOTET_API
@@ -2642,6 +2660,17 @@ enum DelotetStatus delotet_mesh_sizes_set_facet(struct DelotetMeshSizes *sizes,
                                                 int32_t marker,
                                                 double length,
                                                 struct DelotetError **out_error);
+
+/**
+ * Sets the area wanted of the subfaces with a marker, replacing an earlier one: the edge of the equilateral triangle of this area is wanted
+ * there, unless the length is smaller. (Subfaces stay.) `area`: positive; infinite removes it. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_mesh_sizes_set_facet_area(struct DelotetMeshSizes *sizes,
+                                                     int32_t marker,
+                                                     double area,
+                                                     struct DelotetError **out_error);
 
 /**
  * Sets the edge length wanted at the subsegments with a marker; otherwise as delotet_mesh_sizes_set_facet().

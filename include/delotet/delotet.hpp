@@ -1098,6 +1098,12 @@ class Plc {
         return detail::run(
             error, [&](DelotetError **e) { return delotet_plc_set_facet_size(get(), marker, size, e); });
     }
+    /// The largest area wanted of a subface of the facets with a marker; infinite removes it.
+    Status set_facet_area(Marker marker, double area, Error &error) noexcept
+    {
+        return detail::run(
+            error, [&](DelotetError **e) { return delotet_plc_set_facet_area(get(), marker, area, e); });
+    }
     /// The edge length wanted at the segments with a marker; infinite removes it.
     Status set_segment_size(Marker marker, double size, Error &error) noexcept
     {
@@ -1313,6 +1319,11 @@ class Plc {
         return chain([&](Error &e) { return set_facet_size(marker, size, e); });
     }
     Plc &&set_facet_size(Marker marker, double size) && { return std::move(set_facet_size(marker, size)); }
+    Plc &set_facet_area(Marker marker, double area) &
+    {
+        return chain([&](Error &e) { return set_facet_area(marker, area, e); });
+    }
+    Plc &&set_facet_area(Marker marker, double area) && { return std::move(set_facet_area(marker, area)); }
     Plc &set_segment_size(Marker marker, double size) &
     {
         return chain([&](Error &e) { return set_segment_size(marker, size, e); });
@@ -1391,6 +1402,8 @@ class Plc {
     double facet_size(Marker marker) const noexcept { return delotet_plc_facet_size(get(), marker); }
     double segment_size(Marker marker) const noexcept { return delotet_plc_segment_size(get(), marker); }
     double region_size(double attribute) const noexcept { return delotet_plc_region_size(get(), attribute); }
+    /// The largest area wanted of a subface, infinite if there is none, at facets with a marker.
+    double facet_area(Marker marker) const noexcept { return delotet_plc_facet_area(get(), marker); }
     Records<Segment> segments() const & noexcept { return detail::records(delotet_plc_segments(get())); }
     void segments() const && = delete;
     Span<const Point> holes() const & noexcept { return detail::points_of(delotet_plc_holes(get())); }
@@ -1477,6 +1490,12 @@ class MeshSizes {
         return change(
             error, [&](DelotetError **e) { return delotet_mesh_sizes_set_facet(get(), marker, length, e); });
     }
+    /// The area wanted of the subfaces with a marker: as a length, the edge of the equilateral triangle of this area.
+    Status facet_area(Marker marker, double area, Error &error) noexcept
+    {
+        return change(
+            error, [&](DelotetError **e) { return delotet_mesh_sizes_set_facet_area(get(), marker, area, e); });
+    }
     /// At the subsegments with a marker.
     Status segment(Marker marker, double length, Error &error) noexcept
     {
@@ -1506,6 +1525,11 @@ class MeshSizes {
         return chain([&](Error &e) { return facet(marker, length, e); });
     }
     MeshSizes &&facet(Marker marker, double length) && { return std::move(facet(marker, length)); }
+    MeshSizes &facet_area(Marker marker, double area) &
+    {
+        return chain([&](Error &e) { return facet_area(marker, area, e); });
+    }
+    MeshSizes &&facet_area(Marker marker, double area) && { return std::move(facet_area(marker, area)); }
     MeshSizes &segment(Marker marker, double length) &
     {
         return chain([&](Error &e) { return segment(marker, length, e); });

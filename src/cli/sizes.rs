@@ -28,6 +28,9 @@ pub struct SizeArgs {
     /// The edge length wanted at the facets with a marker (may be repeated)
     #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
     pub facet_size: Vec<MarkerSize>,
+    /// The largest area wanted of the pieces of the facets with a marker (may be repeated)
+    #[arg(long, value_name = "MARKER=AREA", allow_hyphen_values = true, value_parser = marker_size)]
+    pub facet_area: Vec<MarkerSize>,
     /// The edge length wanted at the segments with a marker (may be repeated)
     #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
     pub segment_size: Vec<MarkerSize>,
@@ -60,6 +63,9 @@ pub struct MeshSizeArgs {
     /// The edge length wanted at the kept faces with a marker (may be repeated)
     #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
     pub facet_size: Vec<MarkerSize>,
+    /// The area of a face that fits the edge length wanted at the kept faces with a marker (may be repeated)
+    #[arg(long, value_name = "MARKER=AREA", allow_hyphen_values = true, value_parser = marker_size)]
+    pub facet_area: Vec<MarkerSize>,
     /// The edge length wanted at the kept edges with a marker (may be repeated)
     #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
     pub segment_size: Vec<MarkerSize>,
@@ -71,6 +77,9 @@ impl MeshSizeArgs {
         let mut wanted = MeshSizes::default();
         for size in &self.facet_size {
             wanted.parts.set_facets(size.marker, size.size)?;
+        }
+        for area in &self.facet_area {
+            wanted.parts.set_facet_areas(area.marker, area.size)?;
         }
         for size in &self.segment_size {
             wanted.parts.set_segments(size.marker, size.size)?;
@@ -97,7 +106,8 @@ impl MeshSizeArgs {
 
     /// Whether nothing is wanted.
     pub fn is_empty(&self) -> bool {
-        let lists = self.region_size.is_empty() && self.facet_size.is_empty() && self.segment_size.is_empty();
+        let facets = self.facet_size.is_empty() && self.facet_area.is_empty();
+        let lists = facets && self.region_size.is_empty() && self.segment_size.is_empty();
         let bounds = self.size.is_none() && self.max_volume.is_none() && self.quality.is_none();
         lists && bounds && self.sizes.is_none()
     }
@@ -108,6 +118,9 @@ impl SizeArgs {
     pub fn add_to(&self, plc: &mut Plc) -> Result<(), Failure> {
         for wanted in &self.facet_size {
             plc.sizes.set_facets(wanted.marker, wanted.size)?;
+        }
+        for wanted in &self.facet_area {
+            plc.sizes.set_facet_areas(wanted.marker, wanted.size)?;
         }
         for wanted in &self.segment_size {
             plc.sizes.set_segments(wanted.marker, wanted.size)?;
@@ -128,6 +141,7 @@ impl SizeArgs {
             (self.gradation.is_some(), "--gradation"),
             (!self.region_size.is_empty(), "--region-size"),
             (!self.facet_size.is_empty(), "--facet-size"),
+            (!self.facet_area.is_empty(), "--facet-area"),
             (!self.segment_size.is_empty(), "--segment-size"),
             (self.size_file.is_some(), "--size-file"),
         ];

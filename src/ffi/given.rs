@@ -281,6 +281,20 @@ pub unsafe extern "C" fn delotet_mesh_sizes_set_facet(
     unsafe { guard(out_error, || get_mut(sizes, "sizes")?.sizes.parts.set_facets(marker, length)) }
 }
 
+/// Sets the area wanted of the subfaces with a marker, replacing an earlier one: the edge of the equilateral triangle of this area is wanted
+/// there, unless the length is smaller. (Subfaces stay.) `area`: positive; infinite removes it. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_mesh_sizes_set_facet_area(
+    sizes: *mut DelotetMeshSizes,
+    marker: i32,
+    area: f64,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes sizes that nothing else uses.
+    unsafe { guard(out_error, || get_mut(sizes, "sizes")?.sizes.parts.set_facet_areas(marker, area)) }
+}
+
 /// Sets the edge length wanted at the subsegments with a marker; otherwise as delotet_mesh_sizes_set_facet().
 #[no_mangle]
 #[must_use]

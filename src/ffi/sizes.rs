@@ -299,6 +299,29 @@ pub unsafe extern "C" fn delotet_plc_facet_size(plc: *const DelotetPlc, marker: 
     unsafe { read(plc, f64::INFINITY, |plc| or_none(plc.plc.sizes.of_facet(marker))) }
 }
 
+/// Sets the largest area wanted of a subface of the facets with a marker, in squared units of the coordinates, replacing an earlier one. As a
+/// length it is the edge of the equilateral triangle of this area; of length and area the smaller counts. Where the surface is refined
+/// (DELOTET_MODE_CONSTRAINED), no subface is above it where nothing forces it. `area`: positive; infinite removes it. As a wish for filling:
+/// see delotet_plc_set_point_sizes(). Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_plc_set_facet_area(
+    plc: *mut DelotetPlc,
+    marker: i32,
+    area: f64,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes a PLC that nothing else uses.
+    unsafe { guard(out_error, || get_mut(plc, "plc")?.plc.sizes.set_facet_areas(marker, area)) }
+}
+
+/// The largest area wanted at the facets with a marker; infinite if there is none, and for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_plc_facet_area(plc: *const DelotetPlc, marker: i32) -> f64 {
+    // SAFETY: the caller passes NULL or a PLC that nothing changes meanwhile.
+    unsafe { read(plc, f64::INFINITY, |plc| or_none(plc.plc.sizes.area_of_facet(marker))) }
+}
+
 /// Sets the edge length wanted at the segments with a marker; otherwise as delotet_plc_set_facet_size().
 #[no_mangle]
 #[must_use]

@@ -190,7 +190,7 @@ pub(super) fn bounds(options: &Options, engine: &Engine, input: Input) -> Result
 /// The lengths wanted at points, facets and segments, by vertex; empty if there are none.
 fn at_vertices(engine: &Engine, Input { plc, surface, .. }: Input) -> Result<Vec<f64>, Error> {
     let sizes = &plc.sizes;
-    if sizes.points.is_empty() && sizes.facets.is_empty() && sizes.segments.is_empty() {
+    if sizes.points.is_empty() && !sizes.on_facets() && sizes.segments.is_empty() {
         return Ok(Vec::new());
     }
     let mut out = fallible::filled(f64::INFINITY, engine.points.len())?;
@@ -202,7 +202,7 @@ fn at_vertices(engine: &Engine, Input { plc, surface, .. }: Input) -> Result<Vec
     };
     (0u32..).zip(&sizes.points).for_each(|(point, &size)| lower(point, size));
     for (corners, &facet) in surface.triangles.iter().zip(&surface.triangle_facet) {
-        if let Some(size) = sizes.of_facet(plc.facet_marker(facet as usize)) {
+        if let Some(size) = sizes.edge_of_facet(plc.facet_marker(facet as usize)) {
             corners.iter().for_each(|&v| lower(v, size));
         }
     }

@@ -18,12 +18,12 @@ use crate::predicates::{scale, Points, Position};
 use crate::preserve::carve;
 use crate::preserve::inside::Inside;
 use crate::progress::Phase;
-use crate::refine::facet::Frames;
+use crate::refine::facet::{Frames, Wish, Wishes};
 use crate::refine::{refine, Ball, Goal, Model, OnFacet, What};
 use crate::rounding::Rounded;
 use crate::segments::placement::Subsegment;
 use crate::segments::recovery::Segments;
-use crate::size::{distance, Bounds, Size};
+use crate::size::{distance, scaled, Bounds, Size};
 use crate::INVALID;
 use rustc_hash::FxHashSet;
 
@@ -157,11 +157,12 @@ impl Run<'_> {
             let ratio = options.quality.unwrap_or(RATIO);
             estimate(&mesh, &engine.points, &size, &part)?;
             let frames = frames(engine, input.surface, polygons, control)?;
+            let wishes = wishes(engine, input, subfaces, control)?;
             let Engine { points, .. } = engine;
             let inside = &mut refined.inside;
             let mut model = Model { mesh: &mut mesh, points, segments, inside, frames: &frames };
             let bounds = &refined.bounds;
-            let mut goal = Goal { size: &mut size, ratio, bounds, kept: &keeps.balls };
+            let mut goal = Goal { size: &mut size, ratio, bounds, wishes: &wishes, kept: &keeps.balls };
             refined.on_facets = refine(&mut model, &mut goal, What::Walls, part.part(0.0, 0.2))?;
             let added = model.points.len() - model.segments.first_steiner as usize;
             model.inside.elsewhere = (added - model.inside.list.len()) as u64;
@@ -169,6 +170,10 @@ impl Run<'_> {
             fill(model.mesh, model.points, model.inside, goal.size, shape, part.part(0.2, 0.6))?;
             let more = refine(&mut model, &mut goal, What::Tetrahedra, part.part(0.6, 1.0))?;
             fallible::append(&mut refined.on_facets, &more)?;
+            if wishes.bound_areas() {
+                let more = refine(&mut model, &mut goal, What::Areas, part.part(1.0, 1.0))?;
+                fallible::append(&mut refined.on_facets, &more)?;
+            }
             let count = engine.points.len() - segments.first_steiner as usize;
             fallible::resize(&mut segments.steiner_segment, count, NONE)?;
             fallible::resize(&mut segments.steiner_t, count, 0.0)?;
@@ -244,6 +249,24 @@ fn frames(
     let single = polygons.corners.iter().copied().zip(surface.patch_count..);
     let single = single.filter(|(corners, _)| explicit(corners));
     Frames::new(&engine.points, own.chain(single), control)
+}
+
+/// What is wanted on the facets of each patch.
+fn wishes(engine: &Engine, input: Input, subfaces: &Subfaces, control: &Control) -> Result<Wishes, Error> {
+    let (mut out, sizes) = (Wishes::default(), &input.plc.sizes);
+    if !sizes.on_facets() {
+        return Ok(out);
+    }
+    for (&patch, &facet) in subfaces.patch.iter().zip(&subfaces.facet) {
+        control.step()?;
+        let marker = input.plc.facet_marker(facet as usize);
+        if let Some(edge) = sizes.edge_of_facet(marker) {
+            let area =
+                sizes.area_of_facet(marker).map_or(f64::INFINITY, |area| scaled(area, 2 * engine.scale));
+            out.lower(patch, Wish { length: scaled(edge, engine.scale), area })?;
+        }
+    }
+    Ok(out)
 }
 
 /// Marks the pieces of segments as subsegments.

@@ -1,13 +1,13 @@
-//! Edge lengths wanted in parts of the input. They are wishes for filling and refinement; the smallest of all counts.
+//! Edge lengths, and areas of facets, wanted in parts of the input. They are wishes for filling and refinement; the smallest of all counts.
 use crate::error::{Error, Status};
 use crate::fallible;
 
-/// The edge length wanted on facets or segments with a marker.
+/// The edge length wanted on facets or segments with a marker, or the area wanted on facets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MarkerSize {
     /// The marker.
     pub marker: i32,
-    /// The length: positive and finite.
+    /// The length, in a list of areas the area: positive and finite.
     pub size: f64,
 }
 
@@ -28,6 +28,9 @@ pub struct Sizes {
     pub points: Vec<f64>,
     /// By the marker of facets, at most one per marker, in the order of markers ([`Sizes::set_facets`] maintains this).
     pub facets: Vec<MarkerSize>,
+    /// The largest area wanted of a subface, by the marker of facets, likewise. As a length it is the edge of the equilateral triangle of this
+    /// area; of length and area the smaller counts. Where the surface is refined, no subface is above it where nothing forces it.
+    pub facet_areas: Vec<MarkerSize>,
     /// By the marker of segments, likewise.
     pub segments: Vec<MarkerSize>,
     /// By the attribute of regions, at most one per attribute.
@@ -39,15 +42,17 @@ impl Sizes {
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
             && self.facets.is_empty()
+            && self.facet_areas.is_empty()
             && self.segments.is_empty()
             && self.regions.is_empty()
     }
 
     pub(super) fn try_clone(&self) -> Result<Sizes, Error> {
-        let Sizes { points, facets, segments, regions } = self;
+        let Sizes { points, facets, facet_areas, segments, regions } = self;
         Ok(Sizes {
             points: fallible::copied(points)?,
             facets: fallible::copied(facets)?,
+            facet_areas: fallible::copied(facet_areas)?,
             segments: fallible::copied(segments)?,
             regions: fallible::copied(regions)?,
         })
@@ -59,6 +64,14 @@ impl Sizes {
     /// [`Status::InvalidArgument`] unless the length is positive, [`Status::OutOfMemory`].
     pub fn set_facets(&mut self, marker: i32, size: f64) -> Result<(), Error> {
         set_marker(&mut self.facets, marker, size)
+    }
+
+    /// Sets the largest area wanted of a subface of facets with a marker; an infinite one is no wish.
+    ///
+    /// # Errors
+    /// As [`Sizes::set_facets`].
+    pub fn set_facet_areas(&mut self, marker: i32, area: f64) -> Result<(), Error> {
+        set_marker(&mut self.facet_areas, marker, area)
     }
 
     /// Sets the length wanted on segments with a marker; an infinite one is no wish.
@@ -109,7 +122,8 @@ impl Sizes {
                 format_args!("the size {size} of point {i} is not positive"),
             ));
         }
-        for (what, list) in [("facets", &self.facets), ("segments", &self.segments)] {
+        let lists = [("facets", &self.facets), ("facets", &self.facet_areas), ("segments", &self.segments)];
+        for (what, list) in lists {
             if !list.is_sorted_by(|x, y| x.marker < y.marker) {
                 return Err(Error::new(
                     Status::InvalidArgument,
@@ -117,7 +131,7 @@ impl Sizes {
                 ));
             }
         }
-        let markers = self.facets.iter().chain(&self.segments).map(|s| s.size);
+        let markers = self.facets.iter().chain(&self.facet_areas).chain(&self.segments).map(|s| s.size);
         markers.chain(self.regions.iter().map(|s| s.size)).try_for_each(positive)
     }
 
@@ -126,10 +140,32 @@ impl Sizes {
         of_marker(&self.facets, marker)
     }
 
+    /// The area wanted on facets with a marker.
+    pub(crate) fn area_of_facet(&self, marker: i32) -> Option<f64> {
+        of_marker(&self.facet_areas, marker)
+    }
+
+    /// The smaller of the length wanted on facets with a marker and the edge of the area.
+    pub(crate) fn edge_of_facet(&self, marker: i32) -> Option<f64> {
+        let edge = self.area_of_facet(marker).map(edge_of_area);
+        self.of_facet(marker).into_iter().chain(edge).reduce(f64::min)
+    }
+
+    /// Whether anything is wanted on facets.
+    pub(crate) fn on_facets(&self) -> bool {
+        !self.facets.is_empty() || !self.facet_areas.is_empty()
+    }
+
     /// The length wanted on segments with a marker.
     pub(crate) fn of_segment(&self, marker: i32) -> Option<f64> {
         of_marker(&self.segments, marker)
     }
+}
+
+/// The edge of the equilateral triangle of an area.
+fn edge_of_area(area: f64) -> f64 {
+    // 4 times a large one would overflow.
+    2.0 / 3f64.sqrt().sqrt() * area.sqrt()
 }
 
 fn positive(size: f64) -> Result<(), Error> {
@@ -172,6 +208,27 @@ mod tests {
         assert_eq!(sizes.regions.len(), 2);
         assert!(!sizes.is_empty() && Sizes::default().is_empty());
         sizes.check(7).unwrap();
+    }
+
+    #[test]
+    fn of_length_and_area_the_smaller_counts() {
+        let mut sizes = Sizes::default();
+        let edge = 3f64.sqrt() / 4.0;
+        sizes.set_facet_areas(2, 4.0 * edge).unwrap();
+        assert_eq!((sizes.of_facet(2), sizes.area_of_facet(2)), (None, Some(4.0 * edge)));
+        assert!((sizes.edge_of_facet(2).unwrap() - 2.0).abs() < 1e-15 && sizes.on_facets());
+        sizes.set_facets(2, 1.5).unwrap();
+        assert_eq!(sizes.edge_of_facet(2), Some(1.5));
+        sizes.set_facet_areas(2, edge).unwrap();
+        assert!((sizes.edge_of_facet(2).unwrap() - 1.0).abs() < 1e-15);
+        for area in [0.0, -1.0, f64::NAN] {
+            assert_eq!(sizes.set_facet_areas(2, area).unwrap_err().status, Status::InvalidArgument);
+        }
+        sizes.set_facet_areas(2, f64::MAX).unwrap();
+        assert_eq!(sizes.edge_of_facet(2), Some(1.5));
+        assert_eq!(sizes.edge_of_facet(3), None);
+        sizes.facet_areas[0].size = -1.0;
+        assert!(sizes.check(0).is_err());
     }
 
     #[test]

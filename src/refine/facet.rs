@@ -2,7 +2,7 @@
 //!
 //! On the way from the wall to its circumcentre there may be a subsegment: that is split instead. The point's parameters have few bits
 //! ([`Points::push_in_triangle`]); which wall it is put into is decided in floating-point arithmetic, that it lies strictly inside by exact signs.
-use super::{encroached, nearest, Attempt, Need, OnFacet, Refine, Target, What, MOST_STEPS};
+use super::{encroached, nearest, over, Attempt, Need, OnFacet, Refine, Target, What, MOST_STEPS};
 use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
@@ -10,7 +10,7 @@ use crate::fill::place::FARTHEST;
 use crate::kernel::{face_key, NONE};
 use crate::ops::insert::{Opening, Outcome};
 use crate::predicates::Points;
-use crate::size::distance;
+use crate::size::{distance, Wanted, BELOW};
 use crate::vector::{cross, dot, sub};
 
 /// Of each patch the triangle that is its frame: three explicit points of its plane, not collinear.
@@ -46,6 +46,57 @@ impl Frames {
     /// That of a patch; `None` if it has no triangle.
     pub fn of(&self, patch: u32) -> Option<[u32; 3]> {
         self.0.get(patch as usize).copied().filter(|frame| frame[0] != NONE)
+    }
+}
+
+/// What is wanted on a facet, in the engine's lengths; infinite if nothing is.
+#[derive(Clone, Copy, Debug)]
+pub struct Wish {
+    /// The edge length.
+    pub length: f64,
+    /// The largest area of a subface.
+    pub area: f64,
+}
+
+impl Wish {
+    const NONE: Wish = Wish { length: f64::INFINITY, area: f64::INFINITY };
+
+    /// How many times its bound a triangle is.
+    pub(super) fn excess(&self, [x, y, z]: [&[f64; 3]; 3]) -> f64 {
+        if self.area.is_infinite() {
+            return 0.0;
+        }
+        let n = cross(&sub(y, x), &sub(z, x));
+        over(0.5 * dot(&n, &n).sqrt(), BELOW * self.area)
+    }
+}
+
+/// What is wanted on the facets of each patch; empty if nothing is.
+#[derive(Debug, Default)]
+pub struct Wishes(Vec<Wish>);
+
+impl Wishes {
+    /// Lowers what is wanted on the facets of a patch.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn lower(&mut self, patch: u32, wish: Wish) -> Result<(), Error> {
+        if self.0.len() <= patch as usize {
+            fallible::resize(&mut self.0, patch as usize + 1, Wish::NONE)?;
+        }
+        let known = &mut self.0[patch as usize];
+        *known = Wish { length: known.length.min(wish.length), area: known.area.min(wish.area) };
+        Ok(())
+    }
+
+    /// That of a patch.
+    pub fn of(&self, patch: u32) -> Wish {
+        self.0.get(patch as usize).copied().unwrap_or(Wish::NONE)
+    }
+
+    /// Whether areas are bounded.
+    pub fn bound_areas(&self) -> bool {
+        self.0.iter().any(|wish| wish.area.is_finite())
     }
 }
 
@@ -107,6 +158,8 @@ impl Refine<'_, '_> {
         let floor = self.floor.at(self.points, &at, self.mesh.face(code).into_iter());
         let others = self.least_from_others(need, floor);
         let patch = self.mesh.subface(code);
+        let most = self.wishes.of(patch).length;
+        let wanted = Wanted { length: wanted.length.min(most), wish: wanted.wish.min(most) };
         let Refine { mesh, points, insert, .. } = self;
         let mut attempt = Attempt::Refused;
         let accept = |opening: Opening| {

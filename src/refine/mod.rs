@@ -34,7 +34,7 @@ use crate::preserve::inside::Inside;
 use crate::segments::recovery::Segments;
 use crate::size::{distance, Bounds, Size};
 use crate::vector::{dot, sub};
-use facet::Frames;
+use facet::{Frames, Wishes};
 use floor::Floor;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
@@ -89,6 +89,8 @@ pub struct Goal<'a, 'b> {
     pub ratio: f64,
     /// The largest volumes.
     pub bounds: &'a Bounds,
+    /// What is wanted on facets.
+    pub wishes: &'a Wishes,
     /// Where the surface stays as it is.
     pub kept: &'a [Ball],
 }
@@ -178,6 +180,7 @@ struct Refine<'a, 'b> {
     size: &'a mut Size<'b>,
     ratio: f64,
     bounds: &'a Bounds,
+    wishes: &'a Wishes,
     kept: &'a [Ball],
     part: Part<'a>,
     insert: Insert,
@@ -201,6 +204,8 @@ pub enum What {
     Walls,
     /// Tetrahedra.
     Tetrahedra,
+    /// Walls that are above the bound on their area: a point on a facet may make a triangle that is larger than those before.
+    Areas,
 }
 
 /// Refines a mesh; returns the points on facets, in ascending order.
@@ -227,6 +232,7 @@ pub fn refine<'a>(
         size: goal.size,
         ratio: goal.ratio,
         bounds: goal.bounds,
+        wishes: goal.wishes,
         kept: goal.kept,
         part,
         insert: Insert::default(),
@@ -258,14 +264,15 @@ impl Refine<'_, '_> {
                 continue;
             }
             let (target, need) = match self.what {
-                What::Walls => (Target::Wall(code), self.excess_of_wall(code)?.need()),
+                What::Walls | What::Areas => (Target::Wall(code), self.excess_of_wall(code)?.need()),
                 What::Tetrahedra => (Target::Centre(t), self.excess(t)?.need()),
             };
             // What is refused again and again will not get better.
             if self.insert.is_wasting() || !need.large && self.budget == 0 {
                 continue;
             }
-            let middle = need.middle.map(|least| (Target::Middle(t), Need { least, ..need }));
+            let middle = need.middle.filter(|_| self.what != What::Areas);
+            let middle = middle.map(|least| (Target::Middle(t), Need { least, ..need }));
             let done = self.split(target, need)?
                 || middle.map_or(Ok(false), |(target, need)| self.split(target, need))?;
             if done {
@@ -314,18 +321,19 @@ impl Refine<'_, '_> {
     fn excess_of_wall(&self, code: u32) -> Result<Excess, Error> {
         let v = self.mesh.face(code);
         let at = v.map(|v| self.points.xyz(v));
+        let wish = self.wishes.of(self.mesh.subface(code));
+        let area = wish.excess(at);
         let radius = facet::circumcircle(at).map_or(f64::INFINITY, |circle| circle.1);
         let middle = [0, 1, 2].map(|k| at.iter().map(|p| p[k]).sum::<f64>() / 3.0);
-        let size = self.size.at(self.points, &middle, self.mesh.region(code >> 2), &v)?.length;
+        let size =
+            self.size.at(self.points, &middle, self.mesh.region(code >> 2), &v)?.length.min(wish.length);
         let volume = 0.0;
         let shortest = (0..3).map(|k| distance(at[k], at[(k + 1) % 3])).fold(f64::INFINITY, f64::min);
-        Ok(Excess {
-            large: over(radius, LARGE * size),
-            thin: over(radius, self.ratio * shortest),
-            volume,
-            size,
-            shortest,
-        })
+        let [large, thin] = match self.what {
+            What::Areas => [area, 0.0],
+            _ => [over(radius, LARGE * size).max(area), over(radius, self.ratio * shortest)],
+        };
+        Ok(Excess { large, thin, volume, size, shortest })
     }
 
     /// What is wrong with a tetrahedron.
@@ -519,7 +527,7 @@ impl Refine<'_, '_> {
     fn least_from_others(&self, need: Need, floor: f64) -> f64 {
         match self.what {
             What::Walls => floor,
-            What::Tetrahedra => need.least.max(floor),
+            What::Tetrahedra | What::Areas => need.least.max(floor),
         }
     }
 

@@ -3,7 +3,8 @@ use crate::options::Options;
 use crate::plc::{Facet, Plc};
 use crate::progress::Silent;
 use crate::query::quality::TetQuality;
-use crate::size::volume;
+use crate::size::{distance, volume};
+use crate::vector::{cross, dot, sub};
 use crate::{check_guarantee, check_mesh, tetrahedralize, Guarantee, RegionSeed, Segment, Status, TetMesh};
 
 /// A box of six squares.
@@ -269,5 +270,38 @@ fn a_limit_counts_all_points() {
         }
         assert!(outcome(surface + 1, 0).is_err());
         assert!(outcome(2 * all.len() as u64, optimize).is_ok());
+    }
+}
+
+/// Where facets have an area or a length, all of their subfaces have it, also far from the edges, and others are larger.
+#[test]
+fn subfaces_are_as_small_as_their_facets_ask() {
+    let mut plc = Plc::default();
+    cuboid(&mut plc, [0.0; 3], [8.0, 8.0, 2.0]);
+    plc.facets[4].marker = 3;
+    assert!(plc.facets[4].polygons[0].iter().all(|&v| plc.points[v as usize][2] == 0.0));
+    let largest = |plc: &Plc, optimize, of: &dyn Fn(&[[f64; 3]; 3]) -> f64| {
+        let made = mesh(plc, &Options { optimize, gradation: 1.0, ..shaped(2.0) });
+        [3, 0].map(|marker| {
+            let own = made.subfaces.iter().filter(|face| face.marker == marker);
+            own.map(|face| of(&face.corners.map(|v| made.points[v as usize]))).fold(0.0, f64::max)
+        })
+    };
+    let area = |[x, y, z]: &[[f64; 3]; 3]| {
+        let n = cross(&sub(y, x), &sub(z, x));
+        0.5 * dot(&n, &n).sqrt()
+    };
+    let edge = |[x, y, z]: &[[f64; 3]; 3]| distance(x, y).max(distance(y, z)).max(distance(z, x));
+    for optimize in [0, 1] {
+        plc.sizes.set_facet_areas(3, 0.125).unwrap();
+        let [own, others] = largest(&plc, optimize, &area);
+        assert!(own <= 0.125 && others > 0.25, "{own} {others}");
+        plc.sizes.set_facet_areas(3, f64::INFINITY).unwrap();
+        plc.sizes.set_facets(3, 0.5).unwrap();
+        let [own, others] = largest(&plc, optimize, &edge);
+        // No circumradius is above 0.95 of the length.
+        assert!(own <= 0.95 && others > 1.0, "{own} {others}");
+        plc.sizes.set_facets(3, f64::INFINITY).unwrap();
+        assert!(largest(&plc, optimize, &edge)[0] > 1.0);
     }
 }

@@ -245,7 +245,7 @@ impl<'a> Work<'a> {
     /// The lengths wanted at points, in tetrahedra, on subfaces and subsegments, by vertex; empty if there are none. Of those in tetrahedra
     /// a vertex gets the smallest around it.
     fn at_vertices(&self, MeshSizes { parts, tets }: &MeshSizes) -> Result<Vec<f64>, Error> {
-        let none = parts.points.is_empty() && parts.facets.is_empty() && parts.segments.is_empty();
+        let none = parts.points.is_empty() && !parts.on_facets() && parts.segments.is_empty();
         if none && tets.is_empty() {
             return Ok(Vec::new());
         }
@@ -259,7 +259,7 @@ impl<'a> Work<'a> {
             corners.iter().for_each(|&v| lower(v, size));
         }
         for face in &self.given.subfaces {
-            if let Some(size) = parts.of_facet(face.marker) {
+            if let Some(size) = parts.edge_of_facet(face.marker) {
                 face.corners.iter().for_each(|&v| lower(v, size));
             }
         }

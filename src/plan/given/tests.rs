@@ -392,7 +392,7 @@ fn refining_keeps_what_is_kept() {
         };
         let none = MeshSizes::default();
         let some = || Options { size: Some(0.3), ..Options::default() };
-        let runs: [(MeshSizes, Options); 8] = [
+        let runs: [(MeshSizes, Options); 9] = [
             (none.clone(), some()),
             (none.clone(), Options { max_volume: Some(0.004), ..Options::default() }),
             (none.clone(), Options { quality: Some(1.6), optimize: 1, ..Options::default() }),
@@ -403,6 +403,7 @@ fn refining_keeps_what_is_kept() {
             (MeshSizes { tets, ..MeshSizes::default() }, Options { gradation: 0.5, ..Options::default() }),
             (parts(&|s| s.points = points.clone()), Options::default()),
             (parts(&|s| s.set_facets(2, 0.1).unwrap()), Options::default()),
+            (parts(&|s| s.set_facet_areas(2, 0.004).unwrap()), Options::default()),
             (
                 parts(&|s| {
                     s.set_segments(5, 0.1).unwrap();
