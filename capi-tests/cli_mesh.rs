@@ -311,6 +311,7 @@ fn limits_end_with_3_and_leave_nothing_behind() {
     let mut cases = vec![
         (["p.node", "--time-limit", "0.001"], "the time limit of 0.001 s"),
         (["prism.off", "--steiner-limit", "0"], "the limit of 0 Steiner points"),
+        (["prism.off", "--tetrahedra-limit", "2"], "the limit of 2 tetrahedra"),
     ];
     if cfg!(target_os = "linux") {
         cases.push((["p.node", "--memory-limit", "20M"], "the memory limit of 20.0 MB"));
@@ -321,7 +322,16 @@ fn limits_end_with_3_and_leave_nothing_behind() {
         assert!(error_line(&output).contains(message), "{}", error_line(&output));
         assert_eq!(std::fs::read_dir(&dir).unwrap().count(), files, "{option}");
     }
-    let wide = ["--time-limit", "1e6", "--memory-limit", "1.5Gi", "--steiner-limit", "1000"];
+    let wide = [
+        "--time-limit",
+        "1e6",
+        "--memory-limit",
+        "1.5Gi",
+        "--steiner-limit",
+        "1000",
+        "--tetrahedra-limit",
+        "99",
+    ];
     let output = delotet(&[&["mesh", "prism.off", "-o", "m.vtu"], &wide[..]].concat(), &dir);
     assert_eq!(output.status.code(), Some(0), "{}", error_line(&output));
     for wrong in
@@ -749,6 +759,11 @@ fn a_mesh_is_refined_and_improved() {
     failed(&["improve", "r.ele", "-o", "r.vtu.none"], 2, "unknown file format");
     failed(&["improve", "r.ele", "-o", "r.ele"], 2, "");
     failed(&["refine", "r.ele", "-o", "x.vtu", "--size", "0.1", "--steiner-limit", "3"], 3, "Steiner");
+    failed(
+        &["refine", "r.ele", "-o", "x.vtu", "--size", "0.1", "--tetrahedra-limit", "200"],
+        3,
+        "200 tetrahedra",
+    );
     failed(&["refine", "r.ele", "-o", "x.vtu", "--size", "0"], 2, "");
     std::fs::write(
         dir.join("flat.mesh"),

@@ -308,6 +308,10 @@ const STATUSES: &[StatusRow] = &[
         let limits = Limits { memory: Some(1 << 20), ..Limits::default() };
         status(controlled(limits, &mut Silent, |control| control.room(1 << 30)))
     } },
+    StatusRow { status: DelotetStatus::TetrahedraLimit, run: || {
+        let options = Options { tetrahedra_limit: Some(0), ..Options::default() };
+        status(tetrahedralize(&tetrahedron(), &options, &mut Silent))
+    } },
     StatusRow { status: DelotetStatus::OutOfMemory, run: || {
         let file = "OFF 2000 0 0\n".to_string() + &"0 0 0\n".repeat(2000);
         REFUSED.set(16 << 10);

@@ -1,7 +1,7 @@
 //! What may end a run before it is done, and what a run says meanwhile: one object, handed down to every stage.
 //!
-//! A caller may cancel (by a [`CancelToken`] from any thread, or by the return value of its [`Observer`]) and may limit time, memory and
-//! Steiner points ([`Limits`]). Each has a status of its own. Progress and log go through the same object, so that progress never falls
+//! A caller may cancel (by a [`CancelToken`] from any thread, or by the return value of its [`Observer`]) and may limit time, memory,
+//! Steiner points and tetrahedra ([`Limits`]). Each has a status of its own. Progress and log go through the same object, so that progress never falls
 //! whatever a stage repeats.
 //!
 //! Every loop that may run long calls [`Control::step`] once per turn. A step is a counter; every [`INTERVAL`] steps it *looks*: at the
@@ -99,6 +99,8 @@ pub struct Limits<'a> {
     pub memory: Option<u64>,
     /// Steiner points.
     pub steiner: Option<u64>,
+    /// Tetrahedra.
+    pub tetrahedra: Option<u64>,
 }
 
 /// Limits, progress and log of a run. See the module.
@@ -297,6 +299,29 @@ impl<'a> Control<'a> {
     /// How many Steiner points there may be.
     pub fn steiner_limit(&self, segments: usize) -> u64 {
         self.limits.steiner.unwrap_or(100_000 + 100 * segments as u64)
+    }
+
+    /// To be called when there are `count` tetrahedra.
+    ///
+    /// # Errors
+    /// [`Status::TetrahedraLimit`] if there are more than the caller allows.
+    pub fn tetrahedra(&self, count: usize) -> Result<(), Error> {
+        match self.limits.tetrahedra {
+            Some(limit) if count as u64 > limit => {
+                let phase = self.now.get().map_or("start", |now| now.0.name());
+                let message = format_args!(
+                    "the limit of {limit} tetrahedra was reached in phase {phase}, more are needed; \
+                     allow more, or ask for larger sizes"
+                );
+                Err(Error::new(Status::TetrahedraLimit, message))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// How many tetrahedra there may be.
+    pub fn tetrahedra_limit(&self) -> Option<u64> {
+        self.limits.tetrahedra
     }
 
     /// Sorts a list, a long one in parts with a look after each: the middle element goes to its place until the parts are short.

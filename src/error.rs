@@ -40,6 +40,8 @@ pub enum Status {
     TimeLimit = 34,
     /// The caller's limit on memory was reached.
     MemoryLimit = 35,
+    /// The caller's limit on tetrahedra was reached.
+    TetrahedraLimit = 36,
     /// Memory ran out.
     OutOfMemory = 40,
     /// More elements than 32-bit indices can address.
@@ -57,8 +59,8 @@ pub enum Status {
 impl Status {
     /// Whether nothing else may be tried after this failure: the run was ended by the caller or by a limit of the caller or the machine.
     pub(crate) fn is_final(self) -> bool {
-        use Status::{Cancelled, MemoryLimit, OutOfMemory, TimeLimit, TooLarge};
-        matches!(self, Cancelled | TimeLimit | MemoryLimit | OutOfMemory | TooLarge)
+        use Status::{Cancelled, MemoryLimit, OutOfMemory, TetrahedraLimit, TimeLimit, TooLarge};
+        matches!(self, Cancelled | TimeLimit | MemoryLimit | TetrahedraLimit | OutOfMemory | TooLarge)
     }
 }
 

@@ -135,6 +135,9 @@ pub struct Options {
     /// [`Mode::Preserve`] removes again count where it starts from the constrained Delaunay tetrahedralization. Default: None, which means
     /// 100,000 plus 100 per segment, many times what any model has needed; points of filling count only against a limit that is given.
     pub steiner_limit: Option<u64>,
+    /// Fail with [`Status::TetrahedraLimit`] once the mesh has more tetrahedra than this: while it is filled, refined or optimised, or in the
+    /// end. Default: None (no limit).
+    pub tetrahedra_limit: Option<u64>,
     /// Fail with [`Status::TimeLimit`] after this time, counted from the call. Default: None (no limit).
     pub time_limit: Option<Duration>,
     /// Fail with [`Status::MemoryLimit`] before the resident memory of the process has grown by more than this
@@ -193,6 +196,7 @@ impl Options {
             time: self.time_limit,
             memory: self.memory_limit,
             steiner: self.steiner_limit,
+            tetrahedra: self.tetrahedra_limit,
         }
     }
 
@@ -216,6 +220,7 @@ impl Default for Options {
             max_defects: 1000,
             threads: 1,
             steiner_limit: None,
+            tetrahedra_limit: None,
             time_limit: None,
             memory_limit: None,
             cancel: None,

@@ -68,6 +68,9 @@ int main()
           DELOTET_STATUS_STEINER_LIMIT);
     const delotet::Mesh limited = delotet::tetrahedralize(prism, delotet::Options().steiner_limit(100));
     CHECK(limited.points().size() > prism.points().size());
+    CHECK(status_of(prism, delotet::Options().tetrahedra_limit(limited.tets().size() - 1)) ==
+          DELOTET_STATUS_TETRAHEDRA_LIMIT);
+    CHECK(status_of(prism, delotet::Options().tetrahedra_limit(limited.tets().size())) == DELOTET_STATUS_OK);
 
     // The options keep what a token needs.
     delotet::Options orphan;

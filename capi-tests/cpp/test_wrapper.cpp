@@ -141,7 +141,8 @@ static void options()
     CHECK(options.mode() == delotet::Mode::delaunay && options.threads() == 2 && options.max_defects() == 5);
     CHECK(options.validate() && !options.points_sorted() && options.keep_hull() && options.merge_facets() == 0);
     CHECK(options.steiner_limit() == 17 && options.exact_form() && options.preserve() == delotet::Preserve::outer);
-    options.steiner_limit(UINT64_MAX).exact_form(false);
+    CHECK(options.tetrahedra_limit() == UINT64_MAX && options.tetrahedra_limit(9).tetrahedra_limit() == 9);
+    options.steiner_limit(UINT64_MAX).tetrahedra_limit(UINT64_MAX).exact_form(false);
     const delotet::Mesh mesh = delotet::tetrahedralize(delotet::Plc(random_points(500)), options);
     CHECK(mesh.points().size() == 500 && mesh.subfaces().empty());
     delotet::Options moved = std::move(options);

@@ -157,6 +157,10 @@ typedef enum DelotetStatus {
      */
     DELOTET_STATUS_MEMORY_LIMIT = 35,
     /**
+     * The caller's limit on tetrahedra was reached.
+     */
+    DELOTET_STATUS_TETRAHEDRA_LIMIT = 36,
+    /**
      * Memory ran out.
      */
     DELOTET_STATUS_OUT_OF_MEMORY = 40,
@@ -1794,6 +1798,21 @@ enum DelotetStatus delotet_options_set_memory_limit(struct DelotetOptions *optio
 DELOTET_API uint64_t delotet_options_memory_limit(const struct DelotetOptions *options);
 
 /**
+ * Fail with DELOTET_STATUS_TETRAHEDRA_LIMIT once the mesh has more tetrahedra than this: while it is filled, refined or optimised, or in the
+ * end. UINT64_MAX, the default: no limit. Errors: INVALID_ARGUMENT (NULL).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_tetrahedra_limit(struct DelotetOptions *options,
+                                                        uint64_t limit,
+                                                        struct DelotetError **out_error);
+
+/**
+ * The limit on tetrahedra, UINT64_MAX if there is none, as set by delotet_options_set_tetrahedra_limit().
+ */
+DELOTET_API uint64_t delotet_options_tetrahedra_limit(const struct DelotetOptions *options);
+
+/**
  * Creates a PLC with these points and nothing else.
  * `xyz`: #points by 3 doubles, x y z per point; copied; may be NULL if `point_count` is 0. Finiteness is checked later, by
  * delotet_plc_check() and delotet_tetrahedralize().
@@ -2596,7 +2615,8 @@ enum DelotetStatus delotet_mesh_read(const char *path,
  * delotet_mesh_free(). NULL on failure. It does not refer to the other handles. Attributes of points are interpolated at new ones.
  * The same mesh, sizes and options give the same result, bit for bit.
  * Errors: INVALID_ARGUMENT (also for sizes of another mesh), CHECK_FAILED (the mesh has no valid doubles, as with
- * delotet_options_set_exact_form()), COORDINATE_RANGE, CANCELLED, STEINER_LIMIT, TIME_LIMIT, MEMORY_LIMIT, TOO_LARGE, OUT_OF_MEMORY, INTERNAL.
+ * delotet_options_set_exact_form()), COORDINATE_RANGE, CANCELLED, STEINER_LIMIT, TETRAHEDRA_LIMIT, TIME_LIMIT,
+ * MEMORY_LIMIT, TOO_LARGE, OUT_OF_MEMORY, INTERNAL.
  */
 DELOTET_API
 DELOTET_MUST_USE

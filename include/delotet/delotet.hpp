@@ -635,6 +635,12 @@ class Options {
         return change(error, [&](DelotetError **e) { return delotet_options_set_steiner_limit(get(), limit, e); });
     }
     std::uint64_t steiner_limit() const noexcept { return delotet_options_steiner_limit(get()); }
+    /// `limit`: UINT64_MAX for none.
+    Status tetrahedra_limit(std::uint64_t limit, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_tetrahedra_limit(get(), limit, e); });
+    }
+    std::uint64_t tetrahedra_limit() const noexcept { return delotet_options_tetrahedra_limit(get()); }
     /// `seconds`: 0 for no limit.
     Status time_limit(double seconds, Error &error) noexcept
     {
@@ -754,6 +760,11 @@ class Options {
         return chain([&](Error &e) { return steiner_limit(limit, e); });
     }
     Options &&steiner_limit(std::uint64_t limit) && { return std::move(steiner_limit(limit)); }
+    Options &tetrahedra_limit(std::uint64_t limit) &
+    {
+        return chain([&](Error &e) { return tetrahedra_limit(limit, e); });
+    }
+    Options &&tetrahedra_limit(std::uint64_t limit) && { return std::move(tetrahedra_limit(limit)); }
     Options &time_limit(double seconds) &
     {
         return chain([&](Error &e) { return time_limit(seconds, e); });

@@ -111,6 +111,9 @@ pub struct LimitArgs {
     /// Stop if more Steiner points than this are needed
     #[arg(long, value_name = "N")]
     pub steiner_limit: Option<u64>,
+    /// Stop if the mesh has more tetrahedra than this
+    #[arg(long, value_name = "N")]
+    pub tetrahedra_limit: Option<u64>,
 }
 
 /// How a mesh is written.

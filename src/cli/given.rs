@@ -54,6 +54,7 @@ fn limited(limits: &LimitArgs) -> Options {
         time_limit: limits.time_limit,
         memory_limit: limits.memory_limit,
         steiner_limit: limits.steiner_limit,
+        tetrahedra_limit: limits.tetrahedra_limit,
         ..Options::default()
     }
 }

@@ -137,6 +137,7 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         time_limit: args.limits.time_limit,
         memory_limit: args.limits.memory_limit,
         steiner_limit: args.limits.steiner_limit,
+        tetrahedra_limit: args.limits.tetrahedra_limit,
         // A report lists everything, but memory stays bounded.
         max_defects: if args.say.report.is_some() { 10_000_000 } else { 1000 },
         ..defaults

@@ -75,7 +75,7 @@ impl From<Error> for Failure {
         let code = match error.status {
             Status::InvalidArgument | Status::Unsupported => 2,
             Status::Cancelled | Status::SteinerLimit | Status::TimeLimit | Status::MemoryLimit => 3,
-            Status::OutOfMemory | Status::TooLarge => 3,
+            Status::TetrahedraLimit | Status::OutOfMemory | Status::TooLarge => 3,
             Status::Rounding | Status::CheckFailed | Status::Internal => 4,
             _ => 1,
         };

@@ -184,7 +184,7 @@ fn tables_count_where_the_system_tells_nothing() {
 }
 
 #[test]
-fn steiner_points_have_a_limit_of_their_own() {
+fn steiner_points_and_tetrahedra_have_limits_of_their_own() {
     let limits = Limits { steiner: Some(7), ..Limits::default() };
     controlled(limits, &mut Silent, |control| {
         control.steiner(7, 0).unwrap();
@@ -194,6 +194,14 @@ fn steiner_points_have_a_limit_of_their_own() {
         // Another way to the mesh may take fewer.
         control.look().unwrap();
     });
+    let limits = Limits { tetrahedra: Some(7), ..Limits::default() };
+    controlled(limits, &mut Silent, |control| {
+        control.tetrahedra(7).unwrap();
+        let error = control.tetrahedra(8).unwrap_err();
+        assert_eq!(error.status, Status::TetrahedraLimit);
+        assert!(error.message.contains("limit of 7 tetrahedra was reached in phase start"), "{error}");
+    });
+    Control::free().tetrahedra(usize::MAX).unwrap();
     Control::free().steiner(100_000, 0).unwrap();
     assert_eq!(Control::free().steiner(100_201, 2).unwrap_err().status, Status::SteinerLimit);
 }

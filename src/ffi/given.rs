@@ -157,7 +157,8 @@ pub unsafe extern "C" fn delotet_mesh_read(
 /// delotet_mesh_free(). NULL on failure. It does not refer to the other handles. Attributes of points are interpolated at new ones.
 /// The same mesh, sizes and options give the same result, bit for bit.
 /// Errors: INVALID_ARGUMENT (also for sizes of another mesh), CHECK_FAILED (the mesh has no valid doubles, as with
-/// delotet_options_set_exact_form()), COORDINATE_RANGE, CANCELLED, STEINER_LIMIT, TIME_LIMIT, MEMORY_LIMIT, TOO_LARGE, OUT_OF_MEMORY, INTERNAL.
+/// delotet_options_set_exact_form()), COORDINATE_RANGE, CANCELLED, STEINER_LIMIT, TETRAHEDRA_LIMIT, TIME_LIMIT,
+/// MEMORY_LIMIT, TOO_LARGE, OUT_OF_MEMORY, INTERNAL.
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_mesh_refine(

@@ -193,6 +193,31 @@ pub unsafe extern "C" fn delotet_options_memory_limit(options: *const DelotetOpt
     unsafe { setting(options, |options| options.memory_limit.unwrap_or(0)) }
 }
 
+/// Fail with DELOTET_STATUS_TETRAHEDRA_LIMIT once the mesh has more tetrahedra than this: while it is filled, refined or optimised, or in the
+/// end. UINT64_MAX, the default: no limit. Errors: INVALID_ARGUMENT (NULL).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_options_set_tetrahedra_limit(
+    options: *mut DelotetOptions,
+    limit: u64,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |options| {
+            options.options.tetrahedra_limit = (limit != u64::MAX).then_some(limit);
+            Ok(())
+        })
+    }
+}
+
+/// The limit on tetrahedra, UINT64_MAX if there is none, as set by delotet_options_set_tetrahedra_limit().
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_tetrahedra_limit(options: *const DelotetOptions) -> u64 {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.tetrahedra_limit.unwrap_or(u64::MAX)) }
+}
+
 /// A limit given in seconds, 0 for none.
 pub(super) fn time_limit(seconds: f64) -> Result<Option<Duration>, Error> {
     if !seconds.is_finite() || seconds < 0.0 {

@@ -45,6 +45,8 @@ pub enum DelotetStatus {
     TimeLimit = 34,
     /// The caller's limit on memory was reached.
     MemoryLimit = 35,
+    /// The caller's limit on tetrahedra was reached.
+    TetrahedraLimit = 36,
     /// Memory ran out.
     OutOfMemory = 40,
     /// More elements than 32-bit indices can address.
@@ -210,6 +212,7 @@ impl From<Status> for DelotetStatus {
             Status::Rounding => DelotetStatus::Rounding,
             Status::TimeLimit => DelotetStatus::TimeLimit,
             Status::MemoryLimit => DelotetStatus::MemoryLimit,
+            Status::TetrahedraLimit => DelotetStatus::TetrahedraLimit,
             Status::OutOfMemory => DelotetStatus::OutOfMemory,
             Status::TooLarge => DelotetStatus::TooLarge,
             Status::File => DelotetStatus::File,
@@ -321,6 +324,7 @@ static STATUS_NAMES: &[(u32, &str)] = &[
     (33, "DELOTET_STATUS_ROUNDING\0"),
     (34, "DELOTET_STATUS_TIME_LIMIT\0"),
     (35, "DELOTET_STATUS_MEMORY_LIMIT\0"),
+    (36, "DELOTET_STATUS_TETRAHEDRA_LIMIT\0"),
     (40, "DELOTET_STATUS_OUT_OF_MEMORY\0"),
     (41, "DELOTET_STATUS_TOO_LARGE\0"),
     (50, "DELOTET_STATUS_FILE\0"),

@@ -22,6 +22,7 @@ use crate::control::{Control, Part};
 use crate::elementary::quotient;
 use crate::error::{Error, Status};
 use crate::fallible;
+use crate::kernel::budget::Budget;
 use crate::kernel::{Mesh, NONE};
 use crate::ops::insert::{Face, Insert};
 use crate::ops::shape::sine;
@@ -70,6 +71,7 @@ pub struct Fill<'a, 'b> {
     queue: BinaryHeap<Entry>,
     /// A vertex that is not in the mesh: the next point.
     next: Option<u32>,
+    budget: Budget,
 }
 
 /// What is asked for besides sizes.
@@ -84,7 +86,7 @@ pub struct Shape {
 /// Fills a mesh with points inside.
 ///
 /// # Errors
-/// `OutOfMemory`, `TooLarge`, `SteinerLimit`, and what ends the run.
+/// `OutOfMemory`, `TooLarge`, `SteinerLimit`, `TetrahedraLimit`, and what ends the run.
 pub fn fill<'a>(
     mesh: &'a mut Mesh,
     points: &'a mut Points,
@@ -158,7 +160,8 @@ impl<'a, 'b> Fill<'a, 'b> {
     ) -> Fill<'a, 'b> {
         let (insert, queue) = (Insert::squeezing(), BinaryHeap::new());
         let corners = bounding_box(points);
-        Fill { mesh, points, inside, size, ratio: RATIO, part, insert, corners, queue, next: None }
+        let budget = Budget::default();
+        Fill { mesh, points, inside, size, ratio: RATIO, part, insert, corners, queue, next: None, budget }
     }
 }
 
@@ -296,6 +299,7 @@ impl Fill<'_, '_> {
         self.next = None;
         self.size.set(p, wanted)?;
         self.part.steiner(self.inside.total(), usize::MAX / 200)?;
+        self.budget.check(self.mesh, &self.part)?;
         Ok(Attempt::Done)
     }
 

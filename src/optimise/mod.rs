@@ -13,6 +13,7 @@ use crate::control::Part;
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
+use crate::kernel::budget::Budget;
 use crate::kernel::{Mesh, GHOST, NONE};
 use crate::ops::faces::{Faces, Site};
 use crate::ops::reshape::{Aim, Effort, Reshape};
@@ -115,6 +116,7 @@ struct Optimise<'a> {
     coming: Coming,
     /// How many more points may come.
     budget: usize,
+    tets: Budget,
     /// A vertex that is not in the mesh: the next point.
     next: Option<u32>,
 }
@@ -122,7 +124,7 @@ struct Optimise<'a> {
 /// Optimises a mesh; larger efforts take longer and find more.
 ///
 /// # Errors
-/// `OutOfMemory`, and what ends the run.
+/// `OutOfMemory`, `TetrahedraLimit`, and what ends the run.
 pub fn optimise(
     mesh: &mut Mesh,
     points: &mut Points,
@@ -169,6 +171,7 @@ impl<'a> Optimise<'a> {
             faces: Faces::default(),
             coming: Coming::default(),
             budget: 0,
+            tets: Budget::default(),
             next: None,
         })
     }
@@ -182,6 +185,7 @@ impl Optimise<'_> {
         let most = 1 + PASSES * effort.min(100) as usize;
         let mut missing = f64::INFINITY;
         self.budget = LEAST_BUDGET + effort.min(100) as usize * self.mesh.live_count() / TETRAHEDRA_A_POINT;
+        self.tets.check(self.mesh, control)?;
         self.smooth_all(GOOD)?;
         for pass in 0..most {
             self.part.progress(0.9 * pass as f64 / most as f64)?;
@@ -283,6 +287,7 @@ impl Optimise<'_> {
 
     /// Notes that tetrahedra are new.
     fn renew(&mut self, fresh: &[u32]) -> Result<(), Error> {
+        self.tets.check(self.mesh, &self.part)?;
         self.clock += 1;
         for &t in fresh {
             self.push(t)?;

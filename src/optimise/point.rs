@@ -80,7 +80,8 @@ impl Optimise<'_> {
     pub(super) fn add(&mut self, t: u32) -> Result<bool, Error> {
         // Points of the optimisation are never needed.
         let most = self.part.steiner_limit(usize::MAX / 200);
-        if self.budget == 0 || self.inside.total() >= most {
+        let full = self.inside.total() >= most || self.tets.room(self.mesh) < 2 * MOST + 2;
+        if self.budget == 0 || full {
             return Ok(false);
         }
         let verts = self.mesh.verts(t);

@@ -257,6 +257,7 @@ impl Run<'_> {
                 }
             }
         };
+        self.control.tetrahedra(mesh.tets.len())?;
         // Filling has its own account.
         let refined = refine::refines(options);
         let counts = |point: &&SteinerPoint| !(refined && point.is_inside());

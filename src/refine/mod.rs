@@ -27,6 +27,7 @@ use crate::fallible;
 use crate::fill::place::{circumcentre, snapped};
 use crate::fill::{bounding_box, LARGE};
 use crate::kernel::around::{EdgeRing, StarSearch};
+use crate::kernel::budget::Budget;
 use crate::kernel::{Mesh, NONE};
 use crate::ops::insert::{Insert, Opening, Outcome};
 use crate::predicates::{Points, Sign};
@@ -193,6 +194,7 @@ struct Refine<'a, 'b> {
     /// How many more points may come for a shape.
     budget: usize,
     what: What,
+    tets: Budget,
     queue: BinaryHeap<Entry>,
     on_facets: Vec<OnFacet>,
 }
@@ -211,7 +213,7 @@ pub enum What {
 /// Refines a mesh; returns the points on facets, in ascending order.
 ///
 /// # Errors
-/// `OutOfMemory`, `TooLarge`, `SteinerLimit`, what a size function returns, and what ends the run.
+/// `OutOfMemory`, `TooLarge`, `SteinerLimit`, `TetrahedraLimit`, what a size function returns, and what ends the run.
 pub fn refine<'a>(
     model: &'a mut Model,
     goal: &'a mut Goal,
@@ -243,6 +245,7 @@ pub fn refine<'a>(
         near: Refused::default(),
         budget: LEAST_BUDGET + POINTS_A_POINT * inputs,
         what,
+        tets: Budget::default(),
         queue: BinaryHeap::new(),
         on_facets: Vec::new(),
     };
@@ -466,8 +469,10 @@ impl Refine<'_, '_> {
     }
 
     /// Takes account of a new point.
-    fn count(&self) -> Result<(), Error> {
-        self.part.steiner(self.points.len() as u64 - u64::from(self.segments.first_steiner), usize::MAX / 200)
+    fn count(&mut self) -> Result<(), Error> {
+        let count = self.points.len() as u64 - u64::from(self.segments.first_steiner);
+        self.part.steiner(count, usize::MAX / 200)?;
+        self.tets.check(self.mesh, &self.part)
     }
 
     /// Walks to a vertex that is not in the mesh, through faces that have it on their other side.

@@ -1,5 +1,5 @@
 use crate::fill::tests::grid_box;
-use crate::options::Options;
+use crate::options::{Mode, Options};
 use crate::plc::{Facet, Plc};
 use crate::progress::Silent;
 use crate::query::quality::TetQuality;
@@ -303,5 +303,32 @@ fn subfaces_are_as_small_as_their_facets_ask() {
         assert!(own <= 0.95 && others > 1.0, "{own} {others}");
         plc.sizes.set_facets(3, f64::INFINITY).unwrap();
         assert!(largest(&plc, optimize, &edge)[0] > 1.0);
+    }
+}
+
+/// A limit on tetrahedra allows as many as there come, and no less; what would be too many ends early.
+#[test]
+fn a_limit_counts_all_tetrahedra() {
+    for (mode, optimize) in
+        [(Mode::Constrained, 0), (Mode::Preserve, 0), (Mode::Constrained, 1), (Mode::Preserve, 1)]
+    {
+        let outcome = |limit| {
+            let options =
+                Options { size: Some(0.25), tetrahedra_limit: Some(limit), optimize, mode, ..shaped(1.5) };
+            tetrahedralize(&unit_cube(), &options, &mut Silent)
+        };
+        let all = outcome(u64::MAX).unwrap();
+        let count = all.tets.len() as u64;
+        assert!(count > 50, "{count}");
+        for limit in (0..2 * count).step_by(1 + count as usize / 8).chain([count - 1, count]) {
+            match outcome(limit) {
+                Ok(mesh) => assert!(mesh.tets.len() as u64 <= limit),
+                Err(error) => assert_eq!(error.status, Status::TetrahedraLimit),
+            }
+        }
+        assert!(outcome(count / 2).unwrap_err().message.contains("reached in phase refine"));
+        if optimize == 0 {
+            assert!(outcome(count).unwrap().tets == all.tets && outcome(count - 1).is_err());
+        }
     }
 }

@@ -77,7 +77,7 @@ pub fn mesh_from_arrays_with(
 ///
 /// # Errors
 /// As [`mesh_from_arrays`] for a mesh that was changed; [`Status::InvalidArgument`] for sizes that nothing can have;
-/// [`Status::SteinerLimit`], [`Status::TooLarge`], and what ends the run.
+/// [`Status::SteinerLimit`], [`Status::TetrahedraLimit`], [`Status::TooLarge`], and what ends the run.
 pub fn refine(
     mesh: &TetMesh,
     sizes: &MeshSizes,

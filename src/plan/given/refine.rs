@@ -71,6 +71,7 @@ pub(super) fn refined(
     work.run(sizes, options, control.whole(Phase::Preserve))?;
     statistics.peak_bytes = work.mesh.bytes() as u64;
     let mut out = work.out(control)?;
+    control.tetrahedra(out.tets.len())?;
     book(Phase::Preserve, &mut statistics);
     control.progress(Phase::Audit, 0.0)?;
     audit_kept(mesh, &work.stays, &out, options.max_defects, control)?;

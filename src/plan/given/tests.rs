@@ -512,6 +512,10 @@ fn nonsense_is_refused() {
     assert_eq!(run(none(), tiny), Err(Status::TooLarge));
     let few = Options { size: Some(0.1), steiner_limit: Some(10), ..Options::default() };
     assert_eq!(run(none(), few), Err(Status::SteinerLimit));
+    let few = Options { size: Some(0.1), tetrahedra_limit: Some(100), ..Options::default() };
+    assert_eq!(run(none(), few), Err(Status::TetrahedraLimit));
+    let few = Options { tetrahedra_limit: Some(1), ..Options::default() };
+    assert_eq!(run(none(), few), Err(Status::TetrahedraLimit));
     // Nothing is wanted: the same mesh.
     let same = refine(&mesh, &none(), &Options::default(), &mut Silent).unwrap();
     assert_eq!(TetMesh { statistics: mesh.statistics.clone(), ..same }, mesh);
