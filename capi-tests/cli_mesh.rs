@@ -599,6 +599,7 @@ fn a_kept_surface_is_filled_by_size_and_shape() {
     assert!(none < coarse && coarse < fine, "{none}, {coarse}, {fine}");
     assert!(none < points_of_nested(&["--quality", "--optimize"], &dir));
     assert!(none < points_of_nested(&["--quality=1.5", "--optimize=0"], &dir));
+    assert!(none < points_of_nested(&["--quality=1.5", "--optimize=0.001s"], &dir));
     assert!(none < points_of_nested(&["--max-volume", "0.5"], &dir));
     assert!(
         points_of_nested(&["--quality", "--gradation", "1"], &dir)
@@ -642,6 +643,8 @@ fn nonsense_for_sizes_is_refused_with_2() {
         &["--quality=1"],
         &["--quality=inf"],
         &["--optimize=-1"],
+        &["--optimize=0s"],
+        &["--optimize=1.5"],
         &["--facet-size", "3"],
         &["--facet-size", "3=0"],
         &["--facet-area", "3=0"],
@@ -738,6 +741,8 @@ fn a_mesh_is_refined_and_improved() {
         assert!(told.contains("8 in") && told.contains("volume 1.000000"), "{told}");
         done(&["refine", output, "-o", "again.ele", "--quality", "--optimize", "--quiet"]);
     }
+    done(&["improve", "r.ele", "-o", "i.vtu", "--optimize=0.01s"]);
+    done(&["refine", "r.ele", "-o", "i.vtu", "--optimize=0.01s"]);
     // One size per point, or per tetrahedron.
     let tets = text(dir.join("r.ele")).split_whitespace().next().unwrap().parse::<usize>().unwrap();
     for (name, count) in [("points.mtr", points), ("tets.txt", tets)] {

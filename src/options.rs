@@ -175,6 +175,10 @@ pub struct Options {
     /// [`Mode::Constrained`] the mesh is then conforming, no longer Delaunay ([`Guarantee::Conforming`](crate::Guarantee::Conforming));
     /// refused there together with [`Options::exact_form`]. Default: 0.
     pub optimize: u32,
+    /// Optimise for so many seconds instead, as with the largest effort: until nothing is gained any more, or the time is over. What the mesh is
+    /// then is the result, which so depends on the machine and its load. They count from the beginning of the optimisation, and are no limit:
+    /// [`Options::time_limit`] ends the run. Positive and finite. Default: None (the effort counts).
+    pub optimize_seconds: Option<f64>,
     /// The points are already in a spatially coherent order: skip sorting. Default: false.
     pub points_sorted: bool,
 }
@@ -232,6 +236,7 @@ impl Default for Options {
             size_function: None,
             quality: None,
             optimize: 0,
+            optimize_seconds: None,
             points_sorted: false,
         }
     }

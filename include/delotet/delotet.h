@@ -2235,6 +2235,23 @@ enum DelotetStatus delotet_options_set_optimize(struct DelotetOptions *options,
 DELOTET_API uint32_t delotet_options_optimize(const struct DelotetOptions *options);
 
 /**
+ * Optimise for so many seconds instead of by an effort, as with the largest effort: until nothing is gained any more, or the time is over. What
+ * the mesh is then is the result, which so depends on the machine and its load. They count from the beginning of the optimisation; limits
+ * (delotet_options_set_time_limit()) still end the call. Otherwise as delotet_options_set_optimize(). 0, the default: the effort counts.
+ * Errors: INVALID_ARGUMENT (negative or not finite).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_optimize_seconds(struct DelotetOptions *options,
+                                                        double seconds,
+                                                        struct DelotetError **out_error);
+
+/**
+ * The seconds of optimisation, 0 if the effort counts, as set by delotet_options_set_optimize_seconds().
+ */
+DELOTET_API double delotet_options_optimize_seconds(const struct DelotetOptions *options);
+
+/**
  * Sets the function that gives the edge length wanted at a point; `user_data` is passed to it unchanged. It is one size among the others:
  * see delotet_options_set_size(), also for modes. NULL, the default: none. Errors: INVALID_ARGUMENT (options is NULL).
  */
@@ -2627,8 +2644,8 @@ enum DelotetStatus delotet_mesh_refine(const struct DelotetMesh *mesh,
                                        struct DelotetError **out_error);
 
 /**
- * Improves the dihedral angles of a mesh, with the effort of delotet_options_set_optimize(), but at least 1. The worst tetrahedron never
- * gets worse. Kept is what delotet_mesh_refine() keeps: points inside of earlier runs may move and go, and new ones may come.
+ * Improves the dihedral angles of a mesh, with the effort of delotet_options_set_optimize(), but at least 1, or for the seconds of
+ * delotet_options_set_optimize_seconds(). The worst tetrahedron never gets worse. Kept is what delotet_mesh_refine() keeps: points inside of earlier runs may move and go, and new ones may come.
  * `options`, `out_mesh`, errors: as for delotet_mesh_refine(); of the options those about sizes and shapes do not count.
  */
 DELOTET_API

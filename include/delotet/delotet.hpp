@@ -708,6 +708,13 @@ class Options {
         return change(error, [&](DelotetError **e) { return delotet_options_set_optimize(get(), effort, e); });
     }
     std::uint32_t optimize() const noexcept { return delotet_options_optimize(get()); }
+    /// `seconds`: 0 for none: the effort counts.
+    Status optimize_seconds(double seconds, Error &error) noexcept
+    {
+        return change(
+            error, [&](DelotetError **e) { return delotet_options_set_optimize_seconds(get(), seconds, e); });
+    }
+    double optimize_seconds() const noexcept { return delotet_options_optimize_seconds(get()); }
     /// The function is asked on the thread that makes the mesh; nullptr removes it.
     Status size_function(SizeFunction size, Error &error) noexcept
     {
@@ -820,6 +827,11 @@ class Options {
         return chain([&](Error &e) { return optimize(effort, e); });
     }
     Options &&optimize(std::uint32_t effort) && { return std::move(optimize(effort)); }
+    Options &optimize_seconds(double seconds) &
+    {
+        return chain([&](Error &e) { return optimize_seconds(seconds, e); });
+    }
+    Options &&optimize_seconds(double seconds) && { return std::move(optimize_seconds(seconds)); }
     /// `size` may throw: the run is then cancelled and rethrows the exception.
     Options &size_function(SizeFunction size) &
     {

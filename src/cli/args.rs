@@ -1,5 +1,5 @@
 //! The arguments.
-use super::sizes::{MeshSizeArgs, SizeArgs};
+use super::sizes::{extent, Extent, MeshSizeArgs, SizeArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use delotet::io::RegionName;
 use std::path::PathBuf;
@@ -162,9 +162,9 @@ pub struct RefineArgs {
     pub output: PathBuf,
     #[command(flatten)]
     pub sizes: MeshSizeArgs,
-    /// Optimise the smallest dihedral angles; larger efforts take longer
-    #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1")]
-    pub optimize: Option<u32>,
+    /// Optimise the smallest dihedral angles; larger efforts take longer. Or for some seconds, as in 10s
+    #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1", value_parser = extent)]
+    pub optimize: Option<Extent>,
     #[command(flatten)]
     pub given: GivenArgs,
 }
@@ -176,9 +176,9 @@ pub struct ImproveArgs {
     /// The improved mesh: .vtu .vtk .msh .inp .mesh, or .ele (with .node .face .edge .neigh beside it)
     #[arg(short, long)]
     pub output: PathBuf,
-    /// The effort: larger ones take longer
-    #[arg(long, value_name = "EFFORT", require_equals = true, num_args = 0..=1, default_value_t = 1, default_missing_value = "1")]
-    pub optimize: u32,
+    /// The effort: larger ones take longer. Or some seconds, as in 10s
+    #[arg(long, value_name = "EFFORT", require_equals = true, num_args = 0..=1, default_value = "1", default_missing_value = "1", value_parser = extent)]
+    pub optimize: Extent,
     #[command(flatten)]
     pub given: GivenArgs,
 }

@@ -2,6 +2,7 @@
 use super::args::{GivenArgs, ImproveArgs, LimitArgs, RefineArgs};
 use super::mesh::{reported, tell_unused_in, told, write_options};
 use super::observer::Console;
+use super::sizes::Extent;
 use super::{page, paths, Failure};
 use delotet::io::{self, MeshFile, WriteOptions};
 use delotet::query::PointData;
@@ -29,7 +30,8 @@ pub fn refine(args: &RefineArgs) -> Result<(), Failure> {
         max_volume: args.sizes.max_volume,
         gradation: args.sizes.gradation.unwrap_or(defaults.gradation),
         quality: args.sizes.quality,
-        optimize: args.optimize.unwrap_or(0),
+        optimize: args.optimize.map_or(0, Extent::effort),
+        optimize_seconds: args.optimize.and_then(Extent::seconds),
         ..limited(&args.given.limits)
     };
     if !args.given.say.quiet && args.sizes.is_empty() && args.optimize.is_none() {
@@ -45,7 +47,11 @@ pub fn refine(args: &RefineArgs) -> Result<(), Failure> {
 pub fn improve(args: &ImproveArgs) -> Result<(), Failure> {
     let inputs = io::array_sources(&args.input)?;
     let job = Job { input: &args.input, output: &args.output, args: &args.given, inputs };
-    let options = Options { optimize: args.optimize, ..limited(&args.given.limits) };
+    let options = Options {
+        optimize: args.optimize.effort(),
+        optimize_seconds: args.optimize.seconds(),
+        ..limited(&args.given.limits)
+    };
     job.run(options, |mesh, options, control| Ok(delotet::improve_with(mesh, options, control)?))
 }
 

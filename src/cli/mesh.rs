@@ -3,6 +3,7 @@ use super::args::{MeshArgs, ModeArg, MshVersionArg, PreserveArg, SayArgs, WriteA
 use super::observer::Console;
 use super::page::{self, Page};
 use super::quality::Quality;
+use super::sizes::Extent;
 use super::{paths, report, summary, Failure};
 use delotet::io::{Format, MshVersion, UnusedOption, WriteOptions};
 use delotet::{controlled, Control, Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
@@ -132,7 +133,8 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         max_volume: args.sizes.max_volume,
         gradation: args.sizes.gradation.unwrap_or(defaults.gradation),
         quality: args.sizes.quality.map(|ratio| ratio.unwrap_or(default_ratio)),
-        optimize: args.sizes.optimize.unwrap_or(defaults.optimize),
+        optimize: args.sizes.optimize.map_or(defaults.optimize, Extent::effort),
+        optimize_seconds: args.sizes.optimize.and_then(Extent::seconds),
         threads: args.threads,
         time_limit: args.limits.time_limit,
         memory_limit: args.limits.memory_limit,

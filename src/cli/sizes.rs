@@ -19,9 +19,9 @@ pub struct SizeArgs {
     /// Fill with points, for circumradii of at most RATIO (1.414; with --mode preserve 2) shortest edges where the surface allows it
     #[arg(long, value_name = "RATIO", num_args = 0..=1, require_equals = true, value_parser = ratio)]
     pub quality: Option<Option<f64>>,
-    /// Optimise the smallest dihedral angles; larger efforts take longer
-    #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1")]
-    pub optimize: Option<u32>,
+    /// Optimise the smallest dihedral angles; larger efforts take longer. Or for some seconds, as in 10s
+    #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1", value_parser = extent)]
+    pub optimize: Option<Extent>,
     /// The edge length wanted in the regions with an attribute (may be repeated)
     #[arg(long, value_name = "ATTRIBUTE=LENGTH", allow_hyphen_values = true, value_parser = region_size)]
     pub region_size: Vec<RegionSize>,
@@ -206,6 +206,37 @@ fn positive(text: &str) -> Result<f64, String> {
     value.ok_or_else(|| "expected a finite number above 0".to_string())
 }
 
+/// How long to optimise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent {
+    Effort(u32),
+    Seconds(f64),
+}
+
+impl Extent {
+    pub fn effort(self) -> u32 {
+        match self {
+            Extent::Effort(effort) => effort,
+            Extent::Seconds(_) => 0,
+        }
+    }
+
+    pub fn seconds(self) -> Option<f64> {
+        match self {
+            Extent::Effort(_) => None,
+            Extent::Seconds(seconds) => Some(seconds),
+        }
+    }
+}
+
+pub fn extent(text: &str) -> Result<Extent, String> {
+    let extent = match text.strip_suffix('s') {
+        Some(seconds) => positive(seconds).ok().map(Extent::Seconds),
+        None => text.parse().ok().map(Extent::Effort),
+    };
+    extent.ok_or_else(|| "expected a number that is an effort, or seconds above 0, as in 10s".to_string())
+}
+
 fn slope(text: &str) -> Result<f64, String> {
     let value = text.trim().parse::<f64>().ok().filter(|&value| value > 0.0 && value <= 1.0);
     value.ok_or_else(|| "expected a number above 0, at most 1".to_string())
@@ -280,6 +311,16 @@ mod tests {
         assert!(
             ratio("1.2").is_ok() && ratio("1.1").is_err() && ratio("inf").is_err() && ratio("nan").is_err()
         );
+    }
+
+    #[test]
+    fn efforts_are_numbers_or_seconds() {
+        assert_eq!(extent("3"), Ok(Extent::Effort(3)));
+        assert_eq!(extent("0"), Ok(Extent::Effort(0)));
+        assert_eq!(extent("2.5s"), Ok(Extent::Seconds(2.5)));
+        for text in ["", "s", "-1", "1.5", "0s", "-1s", "nans", "infs", "1m", "1 s s"] {
+            assert!(extent(text).is_err(), "{text}");
+        }
     }
 
     #[test]

@@ -215,6 +215,34 @@ pub unsafe extern "C" fn delotet_options_optimize(options: *const DelotetOptions
     unsafe { setting(options, |options| options.optimize) }
 }
 
+/// Optimise for so many seconds instead of by an effort, as with the largest effort: until nothing is gained any more, or the time is over. What
+/// the mesh is then is the result, which so depends on the machine and its load. They count from the beginning of the optimisation; limits
+/// (delotet_options_set_time_limit()) still end the call. Otherwise as delotet_options_set_optimize(). 0, the default: the effort counts.
+/// Errors: INVALID_ARGUMENT (negative or not finite).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_options_set_optimize_seconds(
+    options: *mut DelotetOptions,
+    seconds: f64,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |options| {
+            let what = "a positive finite number of seconds";
+            options.options.optimize_seconds = positive(seconds, 0.0, "optimize_seconds", what)?;
+            Ok(())
+        })
+    }
+}
+
+/// The seconds of optimisation, 0 if the effort counts, as set by delotet_options_set_optimize_seconds().
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_optimize_seconds(options: *const DelotetOptions) -> f64 {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.optimize_seconds.unwrap_or(0.0)) }
+}
+
 /// Sets the function that gives the edge length wanted at a point; `user_data` is passed to it unchanged. It is one size among the others:
 /// see delotet_options_set_size(), also for modes. NULL, the default: none. Errors: INVALID_ARGUMENT (options is NULL).
 #[no_mangle]

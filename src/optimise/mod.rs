@@ -10,6 +10,7 @@ pub mod descend;
 mod point;
 
 use crate::control::Part;
+use crate::elementary::quotient;
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
@@ -26,6 +27,7 @@ use point::Coming;
 use rustc_hash::FxHashSet;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use std::time::{Duration, Instant};
 
 // Measured on the clean models of `quality_figures.py` (319,000 tetrahedra, 1.4 % below 30°), and on CAD parts with needles (1,582 tetrahedra
 // below 10° that the surface does not force).
@@ -88,6 +90,18 @@ const ANY: Shape = Shape { angle: 0.0, ratio: 0.0, dihedral: 0.0, volume: 0.0 };
 /// A tetrahedron to improve: the bits of its sine, and its slot.
 type Entry = Reverse<(u64, u32)>;
 
+/// When to end.
+#[derive(Clone, Copy, Debug)]
+pub enum Extent {
+    /// With as many passes and points as this effort allows.
+    Effort(u32),
+    /// As with the largest effort, but after so many seconds at the latest: then the mesh is as good as it got, which depends on the machine.
+    Seconds(f64),
+}
+
+/// Larger efforts do the same. Passes end before when they gain too little.
+const LARGEST_EFFORT: u32 = 100;
+
 /// Optimises a mesh.
 struct Optimise<'a> {
     mesh: &'a mut Mesh,
@@ -96,6 +110,9 @@ struct Optimise<'a> {
     isolated: &'a FxHashSet<[u32; 2]>,
     bounds: &'a Bounds,
     part: Part<'a>,
+    start: Instant,
+    /// How long it may take.
+    time: Option<Duration>,
     /// By vertex, whether it may move.
     movable: Vec<bool>,
     /// By vertex, after which change of its surroundings it could not be moved.
@@ -131,10 +148,17 @@ pub fn optimise(
     inside: &mut Inside,
     isolated: &FxHashSet<[u32; 2]>,
     bounds: &Bounds,
-    effort: u32,
+    extent: Extent,
     part: Part,
 ) -> Result<(), Error> {
-    Optimise::new(mesh, points, inside, isolated, bounds, part)?.run(effort)
+    let mut optimise = Optimise::new(mesh, points, inside, isolated, bounds, part)?;
+    match extent {
+        Extent::Effort(effort) => optimise.run(effort.min(LARGEST_EFFORT)),
+        Extent::Seconds(seconds) => {
+            optimise.time = Some(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX));
+            optimise.run(LARGEST_EFFORT)
+        }
+    }
 }
 
 impl<'a> Optimise<'a> {
@@ -158,6 +182,8 @@ impl<'a> Optimise<'a> {
             isolated,
             bounds,
             part,
+            start: Instant::now(),
+            time: None,
             movable,
             stuck: fallible::filled(0, count)?,
             clock: 1,
@@ -182,17 +208,17 @@ impl Optimise<'_> {
     fn run(&mut self, effort: u32) -> Result<(), Error> {
         let control = self.part.control();
         let mut reshape = Reshape::new(control);
-        let most = 1 + PASSES * effort.min(100) as usize;
+        let most = 1 + PASSES * effort as usize;
         let mut missing = f64::INFINITY;
-        self.budget = LEAST_BUDGET + effort.min(100) as usize * self.mesh.live_count() / TETRAHEDRA_A_POINT;
+        self.budget = LEAST_BUDGET + effort as usize * self.mesh.live_count() / TETRAHEDRA_A_POINT;
         self.tets.check(self.mesh, control)?;
         self.smooth_all(GOOD)?;
         for pass in 0..most {
-            self.part.progress(0.9 * pass as f64 / most as f64)?;
+            self.part.progress(0.9 * self.done().max(pass as f64 / most as f64))?;
             self.reconnect(&mut reshape, if pass == 0 { &FIRST } else { &LATER })?;
             self.smooth_all(GOOD)?;
             let now = self.missing()?;
-            if pass >= 2 && now > (1.0 - WORTH) * missing {
+            if pass >= 2 && now > (1.0 - WORTH) * missing || self.is_over() {
                 break;
             }
             missing = now;
@@ -205,6 +231,17 @@ impl Optimise<'_> {
         }
         self.inside.sweep(self.mesh);
         self.part.progress(1.0)
+    }
+
+    /// Whether the time is over: what has been done so far is the result.
+    fn is_over(&self) -> bool {
+        self.time.is_some_and(|time| self.start.elapsed() >= time)
+    }
+
+    /// The share of the time that is over; 0 without one.
+    fn done(&self) -> f64 {
+        let share = |time: Duration| quotient(self.start.elapsed().as_secs_f64(), time.as_secs_f64());
+        self.time.map_or(0.0, |time| share(time).unwrap_or(1.0).min(1.0))
     }
 
     /// How much is missing to good angles, the worst weighted most.
@@ -232,6 +269,9 @@ impl Optimise<'_> {
     fn smooth_all(&mut self, below: f64) -> Result<(), Error> {
         for i in 0..self.inside.list.len() {
             self.part.step()?;
+            if self.is_over() {
+                break;
+            }
             let v = self.inside.list[i];
             self.smooth(v, below)?;
         }
@@ -310,6 +350,9 @@ impl Optimise<'_> {
         let mut last = None;
         while let Some(Reverse((bits, t))) = self.queue.pop() {
             self.part.step()?;
+            if self.is_over() {
+                break;
+            }
             // What has changed since has an entry of its own, unless a vertex of it moved: then it is found in the next pass.
             if last == Some((bits, t)) || !self.counts(t) || self.sine(t).to_bits() != bits {
                 continue;

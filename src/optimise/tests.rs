@@ -2,7 +2,7 @@ use crate::fill::tests::grid_box;
 use crate::ops::shape::Shape;
 use crate::options::{Mode, Options};
 use crate::progress::Silent;
-use crate::{check_preserved, tetrahedralize};
+use crate::{check_guarantee, check_preserved, improve, tetrahedralize};
 
 #[test]
 fn the_worst_angle_never_gets_worse() {
@@ -16,4 +16,31 @@ fn the_worst_angle_never_gets_worse() {
     };
     let (before, after) = (worst(0), worst(1));
     assert!(after >= before && after > 0.25, "{before} {after}");
+}
+
+/// A mesh is valid whenever the time is over, and no worse; with much time it is that of the largest effort.
+#[test]
+fn seconds_end_with_what_there_is() {
+    let plc = grid_box(3);
+    for mode in [Mode::Preserve, Mode::Constrained] {
+        let made = |optimize, optimize_seconds| {
+            let options = Options { mode, size: Some(0.7), optimize, optimize_seconds, ..Options::default() };
+            let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+            check_guarantee(&plc, &mesh, 10).unwrap();
+            let at = |t: &[u32; 4]| Shape::at(t.map(|v| &mesh.points[v as usize])).angle;
+            let worst = mesh.tets.iter().map(at).fold(f64::INFINITY, f64::min);
+            (mesh, worst)
+        };
+        let none = made(0, None).1;
+        for seconds in [1e-9, 1e-3, 4e-3, 2e-2] {
+            let worst = made(0, Some(seconds)).1;
+            assert!(worst >= none, "{seconds}: {none} {worst}");
+        }
+        let (all, worst) = made(0, Some(1e9));
+        let (effort, _) = made(u32::MAX, None);
+        assert!(all.tets == effort.tets && all.points == effort.points && worst > none);
+        let short = Options { optimize_seconds: Some(1e-9), ..Options::default() };
+        let same = improve(&all, &short, &mut Silent).unwrap();
+        assert!(same.tets.len() == all.tets.len() && same.points.len() == all.points.len());
+    }
 }

@@ -6,7 +6,7 @@ use crate::fallible;
 use crate::fill::{bound_volumes, estimate, fill, Shape, LEAST_RATIO, RATIO};
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, Mesh};
-use crate::optimise::optimise;
+use crate::optimise::{optimise, Extent};
 use crate::options::{Mode, Options};
 use crate::output::Region;
 use crate::plan::{Engine, Run};
@@ -34,7 +34,13 @@ pub(super) fn fills(options: &Options) -> bool {
 
 /// Whether the mesh is filled or optimised.
 pub(super) fn refines(options: &Options) -> bool {
-    fills(options) || options.optimize > 0
+    fills(options) || extent(options).is_some()
+}
+
+/// How long the mesh is optimised; `None`: not at all.
+pub(super) fn extent(options: &Options) -> Option<Extent> {
+    let effort = (options.optimize > 0).then_some(Extent::Effort(options.optimize));
+    options.optimize_seconds.map(Extent::Seconds).or(effort)
 }
 
 /// Refuses sizes and shapes that nothing can have, and modes that offer none.
@@ -49,6 +55,9 @@ pub(super) fn check(plc: &Plc, options: &Options) -> Result<(), Error> {
     if let Some(volume) = options.max_volume.filter(|&volume| !(volume > 0.0 && volume.is_finite())) {
         return refuse(format_args!("max_volume: {volume} is no positive finite volume"));
     }
+    if let Some(seconds) = options.optimize_seconds.filter(|&x| !(x > 0.0 && x.is_finite())) {
+        return refuse(format_args!("optimize_seconds: {seconds} is no positive finite number of seconds"));
+    }
     let gradation = options.gradation;
     if !(gradation > 0.0 && gradation <= 1.0) {
         return refuse(format_args!("gradation: {gradation} is not above 0 and at most 1"));
@@ -57,7 +66,7 @@ pub(super) fn check(plc: &Plc, options: &Options) -> Result<(), Error> {
     if refines(options) && options.mode == Mode::Delaunay {
         return refuse(format_args!("size, quality, optimize: not offered in mode delaunay"));
     }
-    if options.optimize > 0 && options.exact_form && options.mode == Mode::Constrained {
+    if extent(options).is_some() && options.exact_form && options.mode == Mode::Constrained {
         return refuse(format_args!(
             "optimize: not offered with exact_form, whose tetrahedra need not be positive"
         ));
@@ -128,10 +137,10 @@ impl Run<'_> {
         bounds: &Bounds,
     ) -> Result<(), Error> {
         let Interior { mesh, inside, isolated } = interior;
-        if options.optimize > 0 {
+        if let Some(extent) = extent(options) {
             let part = self.control.whole(Phase::Optimize);
             part.progress(0.0)?;
-            optimise(mesh, &mut engine.points, inside, isolated, bounds, options.optimize, part)?;
+            optimise(mesh, &mut engine.points, inside, isolated, bounds, extent, part)?;
             self.lap(Phase::Optimize);
         }
         Ok(())
@@ -253,6 +262,10 @@ mod tests {
             assert_eq!(status(Options { quality: Some(x), ..base() }), Some(Status::InvalidArgument));
             assert_eq!(status(Options { max_volume: Some(x), ..base() }), Some(Status::InvalidArgument));
             assert_eq!(status(Options { gradation: x, ..base() }), Some(Status::InvalidArgument));
+            assert_eq!(
+                status(Options { optimize_seconds: Some(x), ..base() }),
+                Some(Status::InvalidArgument)
+            );
         }
         assert_eq!(status(Options { size: Some(0.5), quality: Some(2.0), ..base() }), None);
         assert_eq!(status(Options { size: Some(0.5), ..Options::default() }), None);

@@ -48,6 +48,7 @@ pub(super) fn with_hint(plc: &Plc, options: &Options, error: Error, control: &Co
         size_function: None,
         quality: None,
         optimize: 0,
+        optimize_seconds: None,
         ..options.copied()
     };
     let hint = match control.muted(|| tetrahedralize_with(plc, &constrained, control)) {

@@ -100,7 +100,8 @@ pub fn refine_with(
     refine::refined(mesh, sizes, options, control)
 }
 
-/// Improves the dihedral angles of a mesh, with an effort of at least 1 ([`Options::optimize`]). The worst tetrahedron never gets worse. Kept
+/// Improves the dihedral angles of a mesh, with an effort of at least 1 ([`Options::optimize`]) or for some seconds
+/// ([`Options::optimize_seconds`]). The worst tetrahedron never gets worse. Kept
 /// is what [`refine`](fn@refine) keeps.
 ///
 /// # Errors
