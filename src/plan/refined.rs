@@ -170,10 +170,6 @@ impl Run<'_> {
             fill(model.mesh, model.points, model.inside, goal.size, shape, part.part(0.2, 0.6))?;
             let more = refine(&mut model, &mut goal, What::Tetrahedra, part.part(0.6, 1.0))?;
             fallible::append(&mut refined.on_facets, &more)?;
-            if wishes.bound_areas() {
-                let more = refine(&mut model, &mut goal, What::Areas, part.part(1.0, 1.0))?;
-                fallible::append(&mut refined.on_facets, &more)?;
-            }
             let count = engine.points.len() - segments.first_steiner as usize;
             fallible::resize(&mut segments.steiner_segment, count, NONE)?;
             fallible::resize(&mut segments.steiner_t, count, 0.0)?;

@@ -18,7 +18,7 @@ pub(crate) mod facet;
 mod floor;
 mod segment;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use crate::control::Part;
 use crate::elementary::quotient;
@@ -182,6 +182,7 @@ struct Refine<'a, 'b> {
     ratio: f64,
     bounds: &'a Bounds,
     wishes: &'a Wishes,
+    bounds_areas: bool,
     kept: &'a [Ball],
     part: Part<'a>,
     insert: Insert,
@@ -204,10 +205,8 @@ struct Refine<'a, 'b> {
 pub enum What {
     /// Walls alone.
     Walls,
-    /// Tetrahedra.
+    /// Tetrahedra, and walls above the bound on their area: a point on a facet may make triangles that are larger than those before.
     Tetrahedra,
-    /// Walls that are above the bound on their area: a point on a facet may make a triangle that is larger than those before.
-    Areas,
 }
 
 /// Refines a mesh; returns the points on facets, in ascending order.
@@ -235,6 +234,7 @@ pub fn refine<'a>(
         ratio: goal.ratio,
         bounds: goal.bounds,
         wishes: goal.wishes,
+        bounds_areas: goal.wishes.bound_areas(),
         kept: goal.kept,
         part,
         insert: Insert::default(),
@@ -266,28 +266,43 @@ impl Refine<'_, '_> {
             if !self.mesh.is_live(t) || self.mesh.changed(t) != since {
                 continue;
             }
+            if let Some((_, code)) = self.large_wall(t) {
+                let need = self.excess_of_wall(code)?.need();
+                if !self.insert.is_wasting() && self.split(Target::Wall(code), need)? {
+                    self.renew(t, since)?;
+                    continue;
+                }
+                if self.excess(t)?.worst() <= 1.0 {
+                    continue;
+                }
+            }
             let (target, need) = match self.what {
-                What::Walls | What::Areas => (Target::Wall(code), self.excess_of_wall(code)?.need()),
+                What::Walls => (Target::Wall(code), self.excess_of_wall(code)?.need()),
                 What::Tetrahedra => (Target::Centre(t), self.excess(t)?.need()),
             };
             // What is refused again and again will not get better.
             if self.insert.is_wasting() || !need.large && self.budget == 0 {
                 continue;
             }
-            let middle = need.middle.filter(|_| self.what != What::Areas);
-            let middle = middle.map(|least| (Target::Middle(t), Need { least, ..need }));
+            let middle = need.middle.map(|least| (Target::Middle(t), Need { least, ..need }));
             let done = self.split(target, need)?
                 || middle.map_or(Ok(false), |(target, need)| self.split(target, need))?;
             if done {
                 self.budget -= usize::from(!need.large);
-                for i in 0..self.insert.fresh().len() {
-                    self.push(self.insert.fresh()[i])?;
-                }
-                // The point may have come elsewhere.
-                if self.mesh.changed(t) == since {
-                    self.push(t)?;
-                }
+                self.renew(t, since)?;
             }
+        }
+        Ok(())
+    }
+
+    /// Takes note of what has come with a point that came for a tetrahedron.
+    fn renew(&mut self, t: u32, since: u64) -> Result<(), Error> {
+        for i in 0..self.insert.fresh().len() {
+            self.push(self.insert.fresh()[i])?;
+        }
+        // The point may have come elsewhere.
+        if self.mesh.changed(t) == since {
+            self.push(t)?;
         }
         Ok(())
     }
@@ -298,7 +313,9 @@ impl Refine<'_, '_> {
             return Ok(());
         }
         if self.what == What::Tetrahedra {
-            return self.note(self.excess(t)?, 4 * t);
+            let mut excess = self.excess(t)?;
+            excess.large = self.large_wall(t).map_or(excess.large, |wall| wall.0.max(excess.large));
+            return self.note(excess, 4 * t);
         }
         for code in 4 * t..4 * t + 4 {
             if self.mesh.is_subface(code) {
@@ -320,23 +337,41 @@ impl Refine<'_, '_> {
         Ok(())
     }
 
+    /// The wall of a tetrahedron that is farthest above its bound on area, and how many times the bound it is; walls alone are split for it in
+    /// any case.
+    fn large_wall(&self, t: u32) -> Option<(f64, u32)> {
+        if !self.bounds_areas || self.what == What::Walls {
+            return None;
+        }
+        let walls = (4 * t..4 * t + 4).filter(|&code| self.mesh.is_subface(code));
+        let above = walls.map(|code| (self.area(code), code)).filter(|x| x.0 > 1.0);
+        above.max_by(|x, y| x.0.total_cmp(&y.0))
+    }
+
+    /// How many times its bound on area a wall is.
+    fn area(&self, code: u32) -> f64 {
+        let corners = self.mesh.face(code).map(|v| self.points.xyz(v));
+        self.wishes.of(self.mesh.subface(code)).excess(corners)
+    }
+
     /// What is wrong with a wall: no tetrahedron at it is better.
     fn excess_of_wall(&self, code: u32) -> Result<Excess, Error> {
         let v = self.mesh.face(code);
         let at = v.map(|v| self.points.xyz(v));
         let wish = self.wishes.of(self.mesh.subface(code));
-        let area = wish.excess(at);
         let radius = facet::circumcircle(at).map_or(f64::INFINITY, |circle| circle.1);
         let middle = [0, 1, 2].map(|k| at.iter().map(|p| p[k]).sum::<f64>() / 3.0);
         let size =
             self.size.at(self.points, &middle, self.mesh.region(code >> 2), &v)?.length.min(wish.length);
         let volume = 0.0;
         let shortest = (0..3).map(|k| distance(at[k], at[(k + 1) % 3])).fold(f64::INFINITY, f64::min);
-        let [large, thin] = match self.what {
-            What::Areas => [area, 0.0],
-            _ => [over(radius, LARGE * size).max(area), over(radius, self.ratio * shortest)],
-        };
-        Ok(Excess { large, thin, volume, size, shortest })
+        Ok(Excess {
+            large: over(radius, LARGE * size).max(self.area(code)),
+            thin: over(radius, self.ratio * shortest),
+            volume,
+            size,
+            shortest,
+        })
     }
 
     /// What is wrong with a tetrahedron.
@@ -532,7 +567,7 @@ impl Refine<'_, '_> {
     fn least_from_others(&self, need: Need, floor: f64) -> f64 {
         match self.what {
             What::Walls => floor,
-            What::Tetrahedra | What::Areas => need.least.max(floor),
+            What::Tetrahedra => need.least.max(floor),
         }
     }
 

@@ -8,7 +8,7 @@ use crate::vector::{cross, dot, sub};
 use crate::{check_guarantee, check_mesh, tetrahedralize, Guarantee, RegionSeed, Segment, Status, TetMesh};
 
 /// A box of six squares.
-fn cuboid(plc: &mut Plc, low: [f64; 3], high: [f64; 3]) {
+pub(crate) fn cuboid(plc: &mut Plc, low: [f64; 3], high: [f64; 3]) {
     let first = plc.points.len() as u32;
     for i in 0..8 {
         plc.points.push([0, 1, 2].map(|k| if i >> k & 1 == 1 { high[k] } else { low[k] }));
