@@ -99,7 +99,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     // What looks at results; it never touches the engine.
     ("check", &["output", "plc", "predicates", "error", "options"]),
-    ("query", &["output", "plc", "predicates", "vector", "error"]),
+    ("query", &["output", "plc", "predicates", "vector", "error", "options"]),
     ("io", &["query", "plc", "vector", "output", "error", "options", "control", "warning"]),
     (
         "ffi",

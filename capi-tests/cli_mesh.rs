@@ -709,8 +709,11 @@ fn files_of_sizes_fail_with_1_and_name_the_line() {
     let output = delotet(&idle, &dir);
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(0), "{said}");
-    assert!(said.contains("no effect without --size, --max-volume or --quality: --facet-size"), "{said}");
-    assert!(said.contains("--quality: --size-file"), "{said}");
+    assert!(
+        said.contains("no effect without --size, --max-volume, --quality or --background: --facet-size"),
+        "{said}"
+    );
+    assert!(said.contains("--background: --size-file"), "{said}");
 }
 
 #[test]
@@ -780,4 +783,53 @@ fn a_mesh_is_refined_and_improved() {
     assert!(text(dir.join("flat.json")).contains("tetrahedron not positive"));
     let unused = delotet(&["refine", "r.ele", "-o", "same.ele"], &dir);
     assert!(String::from_utf8_lossy(&unused.stderr).contains("nothing is refined"));
+}
+
+#[test]
+fn a_background_mesh_has_the_sizes() {
+    let dir = folder("background");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    let done = |arguments: &[&str]| {
+        let result = delotet(arguments, &dir);
+        assert_eq!(result.status.code(), Some(0), "{arguments:?}: {}", error_line(&result));
+        text(dir.join("m.node")).split_whitespace().next().unwrap().parse::<usize>().unwrap()
+    };
+    let coarse = done(&["mesh", "cube.off", "-o", "m.ele"]);
+    for file in ["b.ele", "b.vtu"] {
+        let made = delotet(&["mesh", "cube.off", "-o", file], &dir);
+        assert_eq!(made.status.code(), Some(0), "{}", error_line(&made));
+    }
+    assert_eq!(coarse, 8);
+    std::fs::write(dir.join("b.mtr"), format!("8 1\n{}", "0.3\n".repeat(8))).unwrap();
+    std::fs::write(dir.join("none.txt"), "0\n".repeat(8)).unwrap();
+    let fine = done(&["mesh", "cube.off", "-o", "m.ele", "--background", "b.ele"]);
+    assert!(fine > 50, "{fine}");
+    assert_eq!(done(&["mesh", "cube.off", "-o", "m.ele", "--background", "b.vtu"]), fine);
+    let unasked =
+        ["mesh", "cube.off", "-o", "m.ele", "--background", "b.ele", "--background-sizes", "none.txt"];
+    assert!(done(&unasked) < fine);
+    let refined = done(&["refine", "b.ele", "-o", "m.ele", "--background", "b.ele"]);
+    assert!(refined > coarse, "{refined}");
+    let failed = |arguments: &[&str], code: i32, said: &str| {
+        let result = delotet(&[&["mesh", "cube.off", "-o", "x.vtu"], arguments].concat(), &dir);
+        assert_eq!(result.status.code(), Some(code), "{arguments:?}: {}", error_line(&result));
+        assert!(error_line(&result).contains(said), "{arguments:?}: {}", error_line(&result));
+    };
+    std::fs::write(dir.join("few.txt"), "1\n2\n").unwrap();
+    std::fs::write(dir.join("nan.txt"), "1\n2\nnan\n").unwrap();
+    failed(
+        &["--background", "b.ele", "--background-sizes", "few.txt"],
+        1,
+        "2 sizes; the background mesh has 8 points",
+    );
+    failed(&["--background", "b.ele", "--background-sizes", "nan.txt"], 1, "line 3: a size expected");
+    failed(&["--background", "m.ele"], 1, "m.mtr: no such file");
+    failed(&["--background", "cube.off"], 2, "meshes are read from");
+    failed(&["--background-sizes", "b.mtr"], 2, "required arguments were not provided");
+    let over = delotet(&["mesh", "cube.off", "-o", "b.vtu", "--background", "b.vtu"], &dir);
+    assert!(
+        over.status.code() == Some(2) && error_line(&over).contains("would replace"),
+        "{}",
+        error_line(&over)
+    );
 }

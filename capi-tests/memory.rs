@@ -388,8 +388,21 @@ unsafe fn change(
         done(status, error)?;
         let status = delotet_mesh_sizes_set_region(sizes, 1.0, 0.7, &mut error);
         done(status, error)?;
-        let status = delotet_mesh_refine(made[0], sizes, null(), &mut made[1], &mut error);
-        done(status, error)?;
+        let options = delotet_options_new();
+        if options.is_null() {
+            return Err(DelotetStatus::OutOfMemory);
+        }
+        let lengths = [0.7; 4096];
+        assert!(points.count <= lengths.len());
+        let status =
+            delotet_options_set_background(options, made[0], lengths.as_ptr(), points.count, &mut error);
+        let refined = done(status, error).and_then(|()| {
+            let mut error = null_mut();
+            let status = delotet_mesh_refine(made[0], sizes, options, &mut made[1], &mut error);
+            done(status, error)
+        });
+        delotet_options_free(options);
+        refined?;
         let status = delotet_mesh_improve(made[1], null(), &mut made[2], &mut error);
         done(status, error)
     }

@@ -1,8 +1,8 @@
 //! What may end a run before it is done, and what a run says meanwhile: one object, handed down to every stage.
 //!
 //! A caller may cancel (by a [`CancelToken`] from any thread, or by the return value of its [`Observer`]) and may limit time, memory,
-//! Steiner points and tetrahedra ([`Limits`]). Each has a status of its own. Progress and log go through the same object, so that progress never falls
-//! whatever a stage repeats.
+//! Steiner points and tetrahedra ([`Limits`]). Each has a status of its own. Progress and log go through the same object, so that progress
+//! never falls whatever a stage repeats.
 //!
 //! Every loop that may run long calls [`Control::step`] once per turn. A step is a counter; every [`INTERVAL`] steps it *looks*: at the
 //! token, the clock and, if there is a limit, the memory. A turn may take up to about 100 µs, so that a look comes at least every 20 ms;

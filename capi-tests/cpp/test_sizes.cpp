@@ -144,8 +144,35 @@ static void functions_that_throw()
         thread.join();
 }
 
+static void background()
+{
+    const delotet::Plc plc = grid_box();
+    delotet::Options options = preserving();
+    CHECK(options.background().empty());
+    {
+        const delotet::Mesh coarse = delotet::tetrahedralize(plc);
+        std::vector<double> sizes(coarse.points().size(), 0.7);
+        sizes[3] = infinity;
+        options.background(coarse, sizes);
+        CHECK(options.background().size() == sizes.size() && options.background()[4] == 0.7);
+        delotet::Error error;
+        sizes[5] = 0;
+        CHECK(options.background(coarse, sizes, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.background()[5] == 0.7);
+        CHECK(std::string(error.message()).find("point 5 ") != std::string::npos);
+        sizes.pop_back();
+        CHECK(caught<delotet::Exception>([&] { options.background(coarse, sizes); }).status() == DELOTET_STATUS_INVALID_ARGUMENT);
+        const delotet::Options chained = delotet::Options().background(coarse, std::vector<double>(coarse.points().size(), 2));
+        CHECK(chained.background()[0] == 2);
+    }
+    // The mesh is gone.
+    const delotet::Mesh fine = delotet::tetrahedralize(plc, options);
+    const delotet::Mesh plain = delotet::tetrahedralize(plc, options.no_background());
+    CHECK(fine.points().size() > plain.points().size() && options.background().empty());
+}
+
 int main()
 {
+    background();
     settings();
     parts_of_the_input();
     meshes();

@@ -2271,6 +2271,29 @@ DelotetSizeFunction delotet_options_size_function(const struct DelotetOptions *o
                                                   void **out_user_data);
 
 /**
+ * Sets a background mesh: the edge length wanted at a place inside of it is linear between the sizes at the corners of its tetrahedron there;
+ * outside there is no wish. It fills, as the size function does: see delotet_options_set_size(), also for modes; beside a size function the
+ * smaller one counts.
+ * `mesh`: any mesh, NULL removes the background. Copied, as far as needed: it may be freed at once. `sizes`: one per point of the mesh,
+ * positive, infinite for no wish in the tetrahedra there; copied; may be NULL if `mesh` is. `count`: the number of points of the mesh.
+ * Errors: INVALID_ARGUMENT (the message names the point), OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_background(struct DelotetOptions *options,
+                                                  const struct DelotetMesh *mesh,
+                                                  const double *sizes,
+                                                  size_t count,
+                                                  struct DelotetError **out_error);
+
+/**
+ * The sizes at the points of the background mesh, as set by delotet_options_set_background(): #points by 1 double. Borrowed from `options`:
+ * valid until they get another one or are freed. Empty without one, and for NULL.
+ */
+DELOTET_API
+struct DelotetDoublesView delotet_options_background(const struct DelotetOptions *options);
+
+/**
  * Sets the edge length wanted at each point, replacing earlier ones; points that are added later have none.
  * `sizes`: one per point, positive, infinite where there is no wish; copied; may be NULL if `count` is 0. `count`: the number of points, or
  * 0, which removes all. Sizes are wishes for filling (delotet_options_set_size()): by themselves they fill nothing. Errors:
@@ -2645,7 +2668,8 @@ enum DelotetStatus delotet_mesh_refine(const struct DelotetMesh *mesh,
 
 /**
  * Improves the dihedral angles of a mesh, with the effort of delotet_options_set_optimize(), but at least 1, or for the seconds of
- * delotet_options_set_optimize_seconds(). The worst tetrahedron never gets worse. Kept is what delotet_mesh_refine() keeps: points inside of earlier runs may move and go, and new ones may come.
+ * delotet_options_set_optimize_seconds(). The worst tetrahedron never gets worse. Kept is what delotet_mesh_refine() keeps: points inside of
+ * earlier runs may move and go, and new ones may come.
  * `options`, `out_mesh`, errors: as for delotet_mesh_refine(); of the options those about sizes and shapes do not count.
  */
 DELOTET_API

@@ -585,6 +585,8 @@ class CancelToken {
     std::unique_ptr<DelotetCancelToken, detail::Free<DelotetCancelToken, delotet_cancel_token_free>> handle_;
 };
 
+class Mesh;
+
 /// Settings of a run. The throwing setters return *this for chaining; a refused value leaves the setting unchanged.
 class Options {
   public:
@@ -715,6 +717,19 @@ class Options {
             error, [&](DelotetError **e) { return delotet_options_set_optimize_seconds(get(), seconds, e); });
     }
     double optimize_seconds() const noexcept { return delotet_options_optimize_seconds(get()); }
+    /// The edge length wanted inside of `mesh`: linear between the sizes at its points, one each. The mesh is copied as far as needed.
+    Status background(const Mesh &mesh, Span<const double> sizes, Error &error) noexcept;
+    Status no_background(Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_background(get(), nullptr, nullptr, 0, e); });
+    }
+    /// The sizes at the points of the background mesh, empty without one.
+    Span<const double> background() const & noexcept
+    {
+        const DelotetDoublesView view = delotet_options_background(get());
+        return {view.data, view.count};
+    }
+    void background() const && = delete;
     /// The function is asked on the thread that makes the mesh; nullptr removes it.
     Status size_function(SizeFunction size, Error &error) noexcept
     {
@@ -832,6 +847,16 @@ class Options {
         return chain([&](Error &e) { return optimize_seconds(seconds, e); });
     }
     Options &&optimize_seconds(double seconds) && { return std::move(optimize_seconds(seconds)); }
+    Options &background(const Mesh &mesh, Span<const double> sizes) &
+    {
+        return chain([&](Error &e) { return background(mesh, sizes, e); });
+    }
+    Options &&background(const Mesh &mesh, Span<const double> sizes) && { return std::move(background(mesh, sizes)); }
+    Options &no_background() &
+    {
+        return chain([&](Error &e) { return no_background(e); });
+    }
+    Options &&no_background() && { return std::move(no_background()); }
     /// `size` may throw: the run is then cancelled and rethrows the exception.
     Options &size_function(SizeFunction size) &
     {
@@ -2006,6 +2031,12 @@ inline Mesh improve(const Mesh &mesh, const Options &options = {})
 }
 #endif
 
+inline Status Options::background(const Mesh &mesh, Span<const double> sizes, Error &error) noexcept
+{
+    return change(error, [&](DelotetError **e) {
+        return delotet_options_set_background(get(), mesh.get(), sizes.data(), sizes.size(), e);
+    });
+}
 } // namespace delotet
 #endif // C++17
 #endif

@@ -23,6 +23,7 @@ struct Job<'a> {
 pub fn refine(args: &RefineArgs) -> Result<(), Failure> {
     let mut inputs = io::array_sources(&args.input)?;
     inputs.extend(args.sizes.sizes.clone());
+    inputs.extend(args.sizes.background.inputs()?);
     let job = Job { input: &args.input, output: &args.output, args: &args.given, inputs };
     let defaults = Options::default();
     let options = Options {
@@ -39,7 +40,8 @@ pub fn refine(args: &RefineArgs) -> Result<(), Failure> {
     }
     job.run(options, |mesh, options, control| {
         let sizes = args.sizes.of(mesh.points.len(), mesh.tets.len())?;
-        Ok(delotet::refine_with(mesh, &sizes, options, control)?)
+        let options = Options { size_function: args.sizes.background.read(control)?, ..options.clone() };
+        Ok(delotet::refine_with(mesh, &sizes, &options, control)?)
     })
 }
 
@@ -139,7 +141,7 @@ impl Job<'_> {
     }
 }
 
-fn invalid(error: delotet::Error) -> Failure {
+pub(super) fn invalid(error: delotet::Error) -> Failure {
     let of_input = matches!(error.status, delotet::Status::CheckFailed | delotet::Status::InvalidArgument);
     let failure = Failure::from(error);
     if of_input {

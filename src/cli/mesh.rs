@@ -15,6 +15,7 @@ use std::time::Instant;
 pub fn run(args: &MeshArgs) -> Result<(), Failure> {
     let mut inputs = delotet::io::sources(&args.input)?;
     inputs.extend(args.sizes.size_file.clone());
+    inputs.extend(args.sizes.background.inputs()?);
     paths::check_report(args.say.report.as_deref(), &inputs)?;
     paths::check_distinct(&inputs, &outputs(args))?;
     let mut console = Console::new(args.say.quiet);
@@ -87,6 +88,7 @@ fn read_mesh_and_write(
     let mut plc = delotet::io::read_with(&args.input, control)?;
     add_seeds(&mut plc, args);
     args.sizes.add_to(&mut plc)?;
+    let options = &Options { size_function: args.sizes.background.read(control)?, ..options.clone() };
     let read = start.elapsed().as_secs_f64();
     let mut mesh = delotet::tetrahedralize_with(&plc, options, control)?;
     control.progress(Phase::Write, 0.0)?;
@@ -199,7 +201,7 @@ fn tell_unused(args: &MeshArgs, mode: Mode, options: &WriteOptions) {
     tell_unused_in(&args.output, options);
     for option in args.sizes.unused() {
         page::tell(format_args!(
-            "warning: no effect without --size, --max-volume or --quality: {option}: nothing is filled with points"
+            "warning: no effect without --size, --max-volume, --quality or --background: {option}: nothing is filled with points"
         ));
     }
     let delaunay = [

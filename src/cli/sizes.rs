@@ -1,7 +1,8 @@
 //! The arguments for points by size and shape, and the file with a size per point.
+use super::given::invalid;
 use super::Failure;
 use clap::Args;
-use delotet::{Error, MarkerSize, MeshSizes, Plc, RegionSize, Status};
+use delotet::{Control, Error, MarkerSize, MeshSizes, Plc, RegionSize, SizeFunction, Status};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -37,6 +38,50 @@ pub struct SizeArgs {
     /// The edge lengths wanted at the points: a number for each, one to a line, or TetGen's .mtr; 0 is no wish
     #[arg(long, value_name = "FILE")]
     pub size_file: Option<PathBuf>,
+    #[command(flatten)]
+    pub background: BackgroundArgs,
+}
+
+/// A mesh with a size at each of its points.
+#[derive(Debug, Default, Args)]
+pub struct BackgroundArgs {
+    /// Fill with points, for edges as long as a background mesh says: linear between the sizes at its points (.ele .vtu .msh .mesh)
+    #[arg(long, value_name = "MESH")]
+    pub background: Option<PathBuf>,
+    /// The sizes at the points of the background mesh: a number for each, one to a line, or TetGen's .mtr; 0 is no wish (default: the .mtr
+    /// beside it)
+    #[arg(long, value_name = "FILE", requires = "background")]
+    pub background_sizes: Option<PathBuf>,
+}
+
+impl BackgroundArgs {
+    /// The file of sizes.
+    fn sizes(&self, mesh: &Path) -> PathBuf {
+        self.background_sizes.clone().unwrap_or_else(|| mesh.with_extension("mtr"))
+    }
+
+    /// The files that are read.
+    pub fn inputs(&self) -> Result<Vec<PathBuf>, Failure> {
+        let Some(mesh) = &self.background else { return Ok(Vec::new()) };
+        let mut inputs = delotet::io::array_sources(mesh)?;
+        inputs.push(self.sizes(mesh));
+        Ok(inputs)
+    }
+
+    /// The sizes that the files say.
+    pub fn read(&self, control: &Control) -> Result<Option<SizeFunction>, Failure> {
+        let Some(path) = &self.background else { return Ok(None) };
+        let mesh = control.muted(|| {
+            let arrays = delotet::io::read_arrays_with(path, control)?.arrays;
+            delotet::mesh_from_arrays_with(arrays, 1000, control).map_err(invalid)
+        })?;
+        let path = self.sizes(path);
+        let sizes = sizes(&text_of(&path)?, mesh.points.len()).map_err(|what| {
+            let what = what.replace("the input has", "the background mesh has");
+            Error::new(Status::Format, format!("{}: {what}", path.display()))
+        })?;
+        Ok(Some(SizeFunction::of_mesh(&mesh, &sizes)?))
+    }
 }
 
 /// The same for a mesh that is refined.
@@ -69,6 +114,8 @@ pub struct MeshSizeArgs {
     /// The edge length wanted at the kept edges with a marker (may be repeated)
     #[arg(long, value_name = "MARKER=LENGTH", allow_hyphen_values = true, value_parser = marker_size)]
     pub segment_size: Vec<MarkerSize>,
+    #[command(flatten)]
+    pub background: BackgroundArgs,
 }
 
 impl MeshSizeArgs {
@@ -109,7 +156,7 @@ impl MeshSizeArgs {
         let facets = self.facet_size.is_empty() && self.facet_area.is_empty();
         let lists = facets && self.region_size.is_empty() && self.segment_size.is_empty();
         let bounds = self.size.is_none() && self.max_volume.is_none() && self.quality.is_none();
-        lists && bounds && self.sizes.is_none()
+        lists && bounds && self.sizes.is_none() && self.background.background.is_none()
     }
 }
 
@@ -136,7 +183,8 @@ impl SizeArgs {
 
     /// The options without effect because nothing is filled.
     pub fn unused(&self) -> impl Iterator<Item = &'static str> {
-        let fills = self.size.is_some() || self.max_volume.is_some() || self.quality.is_some();
+        let bounds = self.size.is_some() || self.max_volume.is_some() || self.quality.is_some();
+        let fills = bounds || self.background.background.is_some();
         let given = [
             (self.gradation.is_some(), "--gradation"),
             (!self.region_size.is_empty(), "--region-size"),

@@ -184,7 +184,8 @@ pub unsafe extern "C" fn delotet_mesh_refine(
 }
 
 /// Improves the dihedral angles of a mesh, with the effort of delotet_options_set_optimize(), but at least 1, or for the seconds of
-/// delotet_options_set_optimize_seconds(). The worst tetrahedron never gets worse. Kept is what delotet_mesh_refine() keeps: points inside of earlier runs may move and go, and new ones may come.
+/// delotet_options_set_optimize_seconds(). The worst tetrahedron never gets worse. Kept is what delotet_mesh_refine() keeps: points inside of
+/// earlier runs may move and go, and new ones may come.
 /// `options`, `out_mesh`, errors: as for delotet_mesh_refine(); of the options those about sizes and shapes do not count.
 #[no_mangle]
 #[must_use]

@@ -8,6 +8,7 @@ use crate::ffi::sizes::{borrowed, SizeCallback};
 use crate::ffi::status::{DelotetPhase, DelotetStatus};
 use crate::options::{Mode, Options, Preserve};
 use crate::progress::{Observer, Phase};
+use crate::query::Background;
 use libc::{c_char, c_void};
 use std::ops::ControlFlow;
 
@@ -47,6 +48,7 @@ pub struct DelotetOptions {
     pub(super) options: Options,
     pub(super) callbacks: Callbacks,
     pub(super) cancel: Option<Shared>,
+    pub(super) background: Option<Background>,
 }
 
 /// The caller's callbacks.
@@ -104,17 +106,24 @@ pub(super) unsafe fn with_settings<R>(
     body: impl FnOnce(&Options, &Control) -> R,
 ) -> R {
     // SAFETY: the caller promises that a handle that is not null is valid.
-    let (options, mut callbacks, cancel) = match unsafe { options.as_ref() } {
-        Some(options) => {
-            (options.options.copied(), options.callbacks, options.cancel.as_ref().map(Shared::share))
+    let handle = unsafe { options.as_ref() };
+    let (options, mut callbacks, cancel) = match handle {
+        Some(handle) => {
+            (handle.options.copied(), handle.callbacks, handle.cancel.as_ref().map(Shared::share))
         }
         None => (Options::default(), Callbacks::NONE, None),
     };
     let size = callbacks.size;
-    let wanted = move |point| size.at(point);
+    let background = handle.and_then(|handle| handle.background.as_ref());
+    let wanted = |point| {
+        let length = size.at(point)?;
+        let most = background.map_or(f64::INFINITY, |background| background.at(point));
+        // What is no length is the caller's, and refused.
+        Ok(if length > most { most } else { length })
+    };
     // Declared after the function that it refers to, so dropped before.
     let mut options = options;
-    if size.is_set() {
+    if size.is_set() || background.is_some() {
         // SAFETY: the function lives longer than this copy of the options, and what `body` returns does not refer to them.
         options.size_function = Some(unsafe { borrowed(&wanted) });
     }
@@ -127,7 +136,12 @@ pub(super) unsafe fn with_settings<R>(
 #[no_mangle]
 #[must_use]
 pub extern "C" fn delotet_options_new() -> *mut DelotetOptions {
-    make(|| DelotetOptions { options: Options::default(), callbacks: Callbacks::NONE, cancel: None })
+    make(|| DelotetOptions {
+        options: Options::default(),
+        callbacks: Callbacks::NONE,
+        cancel: None,
+        background: None,
+    })
 }
 
 /// Runs the body of a setter.

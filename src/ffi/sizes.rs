@@ -2,6 +2,7 @@
 use crate::error::{Error, Status};
 use crate::ffi::error::DelotetError;
 use crate::ffi::guard::{get_mut, guard, invalid, read};
+use crate::ffi::mesh::DelotetMesh;
 use crate::ffi::options::{change, put, setting, DelotetOptions};
 use crate::ffi::plc::DelotetPlc;
 use crate::ffi::slice::array;
@@ -9,6 +10,7 @@ use crate::ffi::status::DelotetStatus;
 use crate::ffi::view::DelotetDoublesView;
 use crate::options::SizeFunction;
 use crate::plc::Plc;
+use crate::query::Background;
 use libc::c_void;
 
 /// The smallest radius-edge ratio that may be asked for.
@@ -59,12 +61,14 @@ impl SizeCallback {
 ///
 /// # Safety
 /// The result and its copies are used only as long as `function` lives.
-pub(super) unsafe fn borrowed<F>(function: &F) -> SizeFunction
-where
-    F: Fn([f64; 3]) -> Result<f64, Error> + Send + Sync + 'static,
-{
-    // SAFETY: the caller promises that it lives long enough.
-    SizeFunction::borrowed(unsafe { &*std::ptr::from_ref(function) })
+pub(super) unsafe fn borrowed(
+    function: &(dyn Fn([f64; 3]) -> Result<f64, Error> + Send + Sync),
+) -> SizeFunction {
+    type Function<'a> = dyn Fn([f64; 3]) -> Result<f64, Error> + Send + Sync + 'a;
+    // SAFETY: only lifetimes change; the caller promises that what the function refers to lives long enough.
+    SizeFunction::borrowed(unsafe {
+        std::mem::transmute::<&Function<'_>, &'static Function<'static>>(function)
+    })
 }
 
 /// A setting that 0 turns off: positive and finite, at least `least`.
@@ -274,6 +278,47 @@ pub unsafe extern "C" fn delotet_options_size_function(
         let size = read(options, SizeCallback::NONE, |options| options.callbacks.size);
         put(out_user_data, size.data);
         size.function
+    }
+}
+
+/// Sets a background mesh: the edge length wanted at a place inside of it is linear between the sizes at the corners of its tetrahedron there;
+/// outside there is no wish. It fills, as the size function does: see delotet_options_set_size(), also for modes; beside a size function the
+/// smaller one counts.
+/// `mesh`: any mesh, NULL removes the background. Copied, as far as needed: it may be freed at once. `sizes`: one per point of the mesh,
+/// positive, infinite for no wish in the tetrahedra there; copied; may be NULL if `mesh` is. `count`: the number of points of the mesh.
+/// Errors: INVALID_ARGUMENT (the message names the point), OUT_OF_MEMORY.
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_options_set_background(
+    options: *mut DelotetOptions,
+    mesh: *const DelotetMesh,
+    sizes: *const f64,
+    count: usize,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, NULL or a mesh that is alive, an array of that size, and NULL or a
+    // valid out-parameter.
+    unsafe {
+        change(options, out_error, |options| {
+            options.background = match mesh.as_ref() {
+                Some(mesh) => Some(Background::new(&mesh.mesh, array(sizes, count, "sizes")?)?),
+                None => None,
+            };
+            Ok(())
+        })
+    }
+}
+
+/// The sizes at the points of the background mesh, as set by delotet_options_set_background(): #points by 1 double. Borrowed from `options`:
+/// valid until they get another one or are freed. Empty without one, and for NULL.
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_background(options: *const DelotetOptions) -> DelotetDoublesView {
+    let view = |list: &[f64]| DelotetDoublesView::new(list, 1);
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe {
+        read(options, view(&[]), |options| {
+            view(options.background.as_ref().map_or(&[][..], Background::sizes))
+        })
     }
 }
 

@@ -159,6 +159,11 @@ impl Locator {
         }
     }
 
+    /// The tetrahedron that contains one point, and its barycentric coordinates there. `last`: where the point before was, or [`INVALID`].
+    pub(crate) fn locate_one(&self, mesh: &TetMesh, point: &[f64; 3], last: u32) -> Option<(u32, [f64; 4])> {
+        self.find(mesh, point, last).map(|hit| (hit.tet, self.weights(mesh, point, &hit)))
+    }
+
     fn find(&self, mesh: &TetMesh, point: &[f64; 3], last: u32) -> Option<Hit> {
         // Consecutive points often share a tetrahedron; if a point is strictly inside, no other tetrahedron contains it.
         if last != INVALID {
@@ -233,6 +238,10 @@ impl Locator {
             }
         }
         let sum: f64 = weights.iter().sum();
+        if sum == 0.0 {
+            // The tetrahedron is flat: its mesh has no valid doubles.
+            return [0.25; 4];
+        }
         weights.map(|weight| weight / sum)
     }
 }

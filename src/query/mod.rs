@@ -1,6 +1,7 @@
 //! What solvers need from a finished mesh: its faces and edges, second-order nodes, the data of its points, the quality of its tetrahedra,
-//! and the one that contains a point. Everything here is derived from [`TetMesh`](crate::TetMesh) and leaves it unchanged.
+//! and the one that contains a point, with sizes there. Everything here is derived from [`TetMesh`](crate::TetMesh) and leaves it unchanged.
 
+pub(crate) mod background;
 pub mod edges;
 pub mod faces;
 pub mod locate;
@@ -8,6 +9,7 @@ pub mod point_data;
 pub mod quality;
 pub mod second_order;
 
+pub(crate) use background::Background;
 pub use edges::{Edge, Edges};
 pub use faces::{Face, Faces};
 pub use locate::Locator;

@@ -101,8 +101,7 @@ pub fn refine_with(
 }
 
 /// Improves the dihedral angles of a mesh, with an effort of at least 1 ([`Options::optimize`]) or for some seconds
-/// ([`Options::optimize_seconds`]). The worst tetrahedron never gets worse. Kept
-/// is what [`refine`](fn@refine) keeps.
+/// ([`Options::optimize_seconds`]). The worst tetrahedron never gets worse. Kept is what [`refine`](fn@refine) keeps.
 ///
 /// # Errors
 /// As [`refine`](fn@refine).
