@@ -29,7 +29,8 @@ pub struct Sizes {
     /// By the marker of facets, at most one per marker, in the order of markers ([`Sizes::set_facets`] maintains this).
     pub facets: Vec<MarkerSize>,
     /// The largest area wanted of a subface, by the marker of facets, likewise. As a length it is the edge of the equilateral triangle of this
-    /// area; of length and area the smaller counts. Where the surface is refined, no subface is above it where nothing forces it.
+    /// area; of length and area the smaller counts. Where the surface is refined, subfaces are split until none is above it; only segments
+    /// that are close to each other for their length, and so in each other's way, may keep larger ones at them.
     pub facet_areas: Vec<MarkerSize>,
     /// By the marker of segments, likewise.
     pub segments: Vec<MarkerSize>,
