@@ -19,7 +19,7 @@ mod glibc {
     use delotet::io::{read, read_arrays, write, write_surface, WriteOptions};
     use delotet::{
         check_mesh, improve, mesh_from_arrays, refine, tetrahedralize, MeshSizes, Mode, Options, Plc,
-        Segment, Silent, Status, TetMesh,
+        Segment, Silent, SizeFunction, Status, TetMesh,
     };
     use std::path::{Path, PathBuf};
     use std::process::Command;
@@ -165,6 +165,15 @@ mod glibc {
                 Err(error) => assert_ne!(error.status, Status::Internal, "{name}, {mode:?}: {error}"),
             }
         }
+        let mut sized = plc.clone();
+        for area in [f64::MIN_POSITIVE, 1e-3, f64::MAX] {
+            sized.sizes.set_facet_areas(0, area).unwrap();
+            let options = Options { quality: Some(2.0), steiner_limit: Some(500), ..Options::default() };
+            if plc.points.len() <= 1000 {
+                let status = tetrahedralize(&sized, &options, &mut Silent).err().map(|error| error.status);
+                assert_ne!(status, Some(Status::Internal), "{name}, area {area}");
+            }
+        }
         for extension in ["off", "obj", "ply", "poly", "stl"] {
             let _ = write_surface(&folder.join("surface").with_extension(extension), plc);
         }
@@ -178,9 +187,15 @@ mod glibc {
             let _ = mesh_from_arrays(file.arrays, 10);
         }
         let options = Options { quality: Some(2.0), steiner_limit: Some(500), ..Options::default() };
-        for outcome in
-            [refine(mesh, &MeshSizes::default(), &options, &mut Silent), improve(mesh, &options, &mut Silent)]
-        {
+        let sizes = [f64::MIN_POSITIVE, 1.0, f64::MAX, f64::INFINITY];
+        let sizes: Vec<f64> = (0..mesh.points.len()).map(|i| sizes[i % 4]).collect();
+        let background = SizeFunction::of_mesh(mesh, &sizes).unwrap();
+        let sized = Options { size_function: Some(background), ..options.clone() };
+        for outcome in [
+            refine(mesh, &MeshSizes::default(), &options, &mut Silent),
+            refine(mesh, &MeshSizes::default(), &sized, &mut Silent),
+            improve(mesh, &options, &mut Silent),
+        ] {
             let status = outcome.err().map(|error| error.status);
             assert_ne!(status, Some(Status::Internal), "{name}");
         }
