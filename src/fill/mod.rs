@@ -51,7 +51,7 @@ pub const LEAST_RATIO: f64 = 1.2;
 pub const RATIO: f64 = 2.0;
 
 /// The most points of a mesh, by its tables of 2^30 tetrahedra.
-const MOST_POINTS: f64 = 1.5e8;
+pub const MOST_POINTS: f64 = 1.5e8;
 
 /// A tetrahedron to be split: the bits of how bad it is, its slot (the lowest first), and after which change it came.
 type Entry = (u64, Reverse<u32>, u64);
@@ -121,15 +121,20 @@ pub fn estimate(mesh: &Mesh, points: &Points, size: &Size, control: &Control) ->
         let count = over(over(over(Some(volume(at) * 2f64.sqrt())))).unwrap_or(f64::MAX);
         sum = if count < MOST_POINTS { sum + count } else { count };
         if sum >= MOST_POINTS {
-            return Err(Error::new(
-                Status::TooLarge,
-                format_args!(
-                    "the sizes ask for more than {sum:.1e} points, a mesh can have {MOST_POINTS:.1e}: choose larger sizes"
-                ),
-            ));
+            return Err(too_many(sum));
         }
     }
     Ok(())
+}
+
+/// What is said of so many points.
+pub fn too_many(count: f64) -> Error {
+    Error::new(
+        Status::TooLarge,
+        format_args!(
+            "the sizes ask for more than {count:.1e} points, a mesh can have {MOST_POINTS:.1e}: choose larger sizes"
+        ),
+    )
 }
 
 /// Splits what is above its bound on volume, unless the surface is too coarse for it.

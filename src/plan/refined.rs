@@ -158,6 +158,7 @@ impl Run<'_> {
             estimate(&mesh, &engine.points, &size, &part)?;
             let frames = frames(engine, input.surface, polygons, control)?;
             let wishes = wishes(engine, input, subfaces, control)?;
+            wishes.estimate(&mesh, &engine.points, &part)?;
             let Engine { points, .. } = engine;
             let inside = &mut refined.inside;
             let mut model = Model { mesh: &mut mesh, points, segments, inside, frames: &frames };

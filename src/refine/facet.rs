@@ -2,12 +2,13 @@
 //!
 //! On the way from the wall to its circumcentre there may be a subsegment: that is split instead. The point's parameters have few bits
 //! ([`Points::push_in_triangle`]); which wall it is put into is decided in floating-point arithmetic, that it lies strictly inside by exact signs.
-use super::{encroached, nearest, over, Attempt, Need, OnFacet, Refine, Target, What, MOST_STEPS};
+use super::{encroached, nearest, Attempt, Need, OnFacet, Refine, Target, What, MOST_STEPS};
 use crate::control::Control;
 use crate::error::Error;
 use crate::fallible;
 use crate::fill::place::FARTHEST;
-use crate::kernel::{face_key, NONE};
+use crate::fill::{too_many, MOST_POINTS};
+use crate::kernel::{face_key, Mesh, NONE};
 use crate::ops::insert::{Opening, Outcome};
 use crate::predicates::Points;
 use crate::size::{distance, Wanted, BELOW};
@@ -63,12 +64,16 @@ impl Wish {
 
     /// How many times its bound a triangle is.
     pub(super) fn excess(&self, [x, y, z]: [&[f64; 3]; 3]) -> f64 {
-        if self.area.is_infinite() {
-            return 0.0;
-        }
-        let n = cross(&sub(y, x), &sub(z, x));
-        over(0.5 * dot(&n, &n).sqrt(), BELOW * self.area)
+        let area = area([x, y, z]);
+        // At most 10^100, as below.
+        area / (BELOW * self.area).max(1e-100 * area).max(f64::MIN_POSITIVE)
     }
+}
+
+/// Of a triangle.
+fn area([x, y, z]: [&[f64; 3]; 3]) -> f64 {
+    let n = cross(&sub(y, x), &sub(z, x));
+    0.5 * dot(&n, &n).sqrt()
 }
 
 /// What is wanted on the facets of each patch; empty if nothing is.
@@ -92,6 +97,30 @@ impl Wishes {
     /// That of a patch.
     pub fn of(&self, patch: u32) -> Wish {
         self.0.get(patch as usize).copied().unwrap_or(Wish::NONE)
+    }
+
+    /// Refuses lengths that ask for more points on facets than a mesh can have, before it has filled the memory.
+    ///
+    /// # Errors
+    /// `TooLarge`, and what ends the run.
+    pub fn estimate(&self, mesh: &Mesh, points: &Points, control: &Control) -> Result<(), Error> {
+        let mut sum = 0.0;
+        if self.0.is_empty() {
+            return Ok(());
+        }
+        for code in mesh.subfaces() {
+            control.step()?;
+            let length = self.of(mesh.subface(code)).length;
+            let side = area(mesh.face(code).map(|v| points.xyz(v))).sqrt();
+            // At most 10^5, whatever the length: compilers may divide before they choose.
+            let ratio = side / length.max(1e-5 * side).max(f64::MIN_POSITIVE);
+            // Equilateral triangles have √3/4 of the square of their edge, and two of them come with a point.
+            sum += 2.0 / 3f64.sqrt() * ratio * ratio;
+            if sum >= MOST_POINTS {
+                return Err(too_many(sum));
+            }
+        }
+        Ok(())
     }
 
     /// Whether areas are bounded.

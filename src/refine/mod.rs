@@ -330,7 +330,8 @@ impl Refine<'_, '_> {
         if worst > 1.0 {
             // Sizes first, then what is largest: if the budget ends, what is left is small.
             let is_large = excess.large > 1.0 || excess.volume > 1.0;
-            let worst = if is_large { worst * LARGE_FIRST } else { excess.thin * excess.shortest };
+            let worst =
+                if is_large { worst.min(LARGE_FIRST) * LARGE_FIRST } else { excess.thin * excess.shortest };
             let entry = (worst.min(1e300).to_bits(), Reverse(code), self.mesh.changed(code >> 2));
             fallible::push_heap(&mut self.queue, entry)?;
         }

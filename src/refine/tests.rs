@@ -301,6 +301,9 @@ fn subfaces_are_as_small_as_their_facets_ask() {
         let [own, others] = largest(&plc, optimize, &edge);
         // No circumradius is above 0.95 of the length.
         assert!(own <= 0.95 && others > 1.0, "{own} {others}");
+        plc.sizes.set_facets(3, 1e-7).unwrap();
+        let absurd = tetrahedralize(&plc, &shaped(2.0), &mut Silent).unwrap_err();
+        assert_eq!(absurd.status, Status::TooLarge, "{absurd}");
         plc.sizes.set_facets(3, f64::INFINITY).unwrap();
         assert!(largest(&plc, optimize, &edge)[0] > 1.0);
     }
