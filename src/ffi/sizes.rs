@@ -375,7 +375,7 @@ pub unsafe extern "C" fn delotet_plc_facet_size(plc: *const DelotetPlc, marker: 
 /// Sets the largest area wanted of a subface of the facets with a marker, in squared units of the coordinates, replacing an earlier one. As a
 /// length it is the edge of the equilateral triangle of this area; of length and area the smaller counts. Where the surface is refined
 /// (DELOTET_MODE_CONSTRAINED), subfaces are split until none is above it; only segments that are close to each other for their length, and so in
-/// each other's way, may keep larger ones at them. `area`: positive; infinite removes it. As a wish for filling: see
+/// each other's way, may keep some larger. `area`: positive; infinite removes it. As a wish for filling: see
 /// delotet_plc_set_point_sizes(). Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
 #[no_mangle]
 #[must_use]

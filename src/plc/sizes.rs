@@ -30,7 +30,7 @@ pub struct Sizes {
     pub facets: Vec<MarkerSize>,
     /// The largest area wanted of a subface, by the marker of facets, likewise. As a length it is the edge of the equilateral triangle of this
     /// area; of length and area the smaller counts. Where the surface is refined, subfaces are split until none is above it; only segments
-    /// that are close to each other for their length, and so in each other's way, may keep larger ones at them.
+    /// that are close to each other for their length, and so in each other's way, may keep some larger.
     pub facet_areas: Vec<MarkerSize>,
     /// By the marker of segments, likewise.
     pub segments: Vec<MarkerSize>,
