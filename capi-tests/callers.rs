@@ -34,9 +34,10 @@ fn libraries() -> PathBuf {
     std::env::current_exe().expect("this program").parent().expect("its folder").to_path_buf()
 }
 
-/// A folder for this test alone.
+/// A folder for this test alone: those of the other profile may run at the same time.
 fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("callers").join(name);
+    let profile = if cfg!(debug_assertions) { "debug" } else { "release" };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("callers").join(profile).join(name);
     fs::create_dir_all(&folder).expect("a folder");
     folder
 }

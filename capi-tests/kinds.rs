@@ -402,7 +402,9 @@ const WARNINGS: &[WarningRow] = &[
         plc.facets = vec![Facet { polygons: vec![vec![0, 2, 4, 1]], ..Facet::default() }];
     }) },
     WarningRow { kind: WarningKind::LostValue, run: || {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("kinds.off");
+        // The tests of the other profile may run at the same time.
+        let name = if cfg!(debug_assertions) { "kinds-debug.off" } else { "kinds-release.off" };
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         io::write_surface(&path, &Plc { point_markers: vec![7, 0, 0, 0], ..tetrahedron() })
     } },
 ];

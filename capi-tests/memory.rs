@@ -19,7 +19,8 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::ptr::{null, null_mut};
-use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, Ordering::SeqCst};
+use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, AtomicUsize, Ordering::SeqCst};
+use std::sync::Mutex;
 
 use delotet::ffi::{
     error::*, file::*, given::*, mesh::*, options::*, plc::*, plc_view::*, quality::*, query::*, run::*,
@@ -171,8 +172,11 @@ fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("capi-tests/data").join(name)
 }
 
-fn scratch() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("memory");
+/// A folder for this job alone: jobs run concurrently, as may the tests of the other profile.
+fn scratch(job: &Job) -> PathBuf {
+    let name = job.name.replace(|c: char| !c.is_alphanumeric(), "_");
+    let profile = if cfg!(debug_assertions) { "debug" } else { "release" };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("memory").join(profile).join(name);
     std::fs::create_dir_all(&folder).unwrap();
     folder
 }
@@ -285,7 +289,7 @@ fn reading(job: &Job) -> Box<dyn Fn() -> Outcome> {
         // The same model in another format.
         file => {
             let plc = delotet::io::read(&data(job.model)).unwrap();
-            let path = scratch().join(file);
+            let path = scratch(job).join(file);
             delotet::io::write_surface(&path, &plc).unwrap();
             path
         }
@@ -307,7 +311,7 @@ fn reading(job: &Job) -> Box<dyn Fn() -> Outcome> {
 
 /// Reads the file of a mesh.
 fn reading_a_mesh(job: &Job) -> Box<dyn Fn() -> Outcome> {
-    let path = c_path(&scratch().join(job.file));
+    let path = c_path(&scratch(job).join(job.file));
     let plc = plc_of(job);
     let (status, mesh) = make_mesh(plc, job.mode, job.change);
     assert_eq!(status, DelotetStatus::Ok);
@@ -412,7 +416,7 @@ fn writing(job: &Job) -> Box<dyn Fn() -> Outcome> {
     let plc = plc_of(job);
     let (status, mesh) = make_mesh(plc, job.mode, job.change);
     assert_eq!(status, DelotetStatus::Ok);
-    let path = c_path(&scratch().join(job.file));
+    let path = c_path(&scratch(job).join(job.file));
     Box::new(move || {
         let mut error = null_mut();
         // SAFETY: handles and path are alive.
@@ -426,7 +430,7 @@ fn writing_with(job: &Job) -> Box<dyn Fn() -> Outcome> {
     let plc = plc_of(job);
     let (status, mesh) = make_mesh(plc, job.mode, job.change);
     assert_eq!(status, DelotetStatus::Ok);
-    let path = c_path(&scratch().join(job.file));
+    let path = c_path(&scratch(job).join(job.file));
     let compress = job.compress;
     Box::new(move || {
         let mut error = null_mut();
@@ -466,7 +470,7 @@ unsafe extern "C" fn no_wish(_: *mut std::ffi::c_void, _: *const f64, _: *mut f6
 /// The input in a surface format, with words on what it cannot hold and what has no effect.
 fn writing_input(job: &Job) -> Box<dyn Fn() -> Outcome> {
     let plc = plc_of(job);
-    let path = c_path(&scratch().join(job.file));
+    let path = c_path(&scratch(job).join(job.file));
     let options = delotet_write_options_new();
     // SAFETY: the options are alive and nothing else uses them.
     unsafe {
@@ -908,6 +912,17 @@ struct Tally {
     faults: Vec<String>,
 }
 
+impl Tally {
+    fn add(&mut self, other: Tally) {
+        self.runs += other.runs;
+        self.aborts += other.aborts;
+        for (site, count) in other.sites {
+            *self.sites.entry(site).or_default() += count;
+        }
+        self.faults.extend(other.faults);
+    }
+}
+
 fn sweep(job: usize, name: &str, on: bool, tally: &mut Tally) {
     let mut first = 1;
     loop {
@@ -943,6 +958,25 @@ fn sweep(job: usize, name: &str, on: bool, tally: &mut Tally) {
     }
 }
 
+/// What is done for each number below a count, in their order, by as many threads as there are processors: they wait for children.
+fn concurrently<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let (next, results) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
+    let take = || loop {
+        let number = next.fetch_add(1, SeqCst);
+        if number >= count {
+            break;
+        }
+        let result = work(number);
+        results.lock().unwrap().insert(number, result);
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(take);
+        }
+    });
+    results.into_inner().unwrap().into_values().collect()
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     if arguments.first().is_some_and(|first| first == "--child") {
@@ -954,15 +988,20 @@ fn main() {
     }
     // Like the standard harness: a filter by name.
     let filter = arguments.iter().find(|argument| !argument.starts_with('-')).cloned();
+    let wanted = |name: &str| filter.as_ref().is_none_or(|filter| name.contains(filter.as_str()));
+    let names: Vec<String> = jobs().into_iter().map(|job| job.name).collect();
+    let chosen: Vec<usize> = (0..names.len()).filter(|&job| wanted(&names[job])).collect();
+    let tallies = concurrently(chosen.len(), |number| {
+        let (job, name) = (chosen[number], &names[chosen[number]]);
+        let mut tally = Tally::default();
+        sweep(job, name, false, &mut tally);
+        sweep(job, name, true, &mut tally);
+        tally
+    });
     let mut tally = Tally::default();
-    for (index, job) in jobs().iter().enumerate() {
-        if filter.as_ref().is_some_and(|filter| !job.name.contains(filter.as_str())) {
-            continue;
-        }
-        let before = (tally.runs, tally.aborts);
-        sweep(index, &job.name, false, &mut tally);
-        sweep(index, &job.name, true, &mut tally);
-        println!("{}: {} runs, {} aborts", job.name, tally.runs - before.0, tally.aborts - before.1);
+    for (job, of_job) in chosen.into_iter().zip(tallies) {
+        println!("{}: {} runs, {} aborts", names[job], of_job.runs, of_job.aborts);
+        tally.add(of_job);
     }
     println!("{} runs, {} aborts at {:#?}", tally.runs, tally.aborts, tally.sites);
     for site in tally.sites.keys() {
@@ -1099,10 +1138,13 @@ mod limits {
             };
             assert_eq!(status, DelotetStatus::Ok as i32, "{name}");
             let mut ends = [0; 2];
-            for step in 1..=steps {
-                // The last limits are above what the run took.
-                let more = most * 21 / 20 * step / steps;
-                match run(number, count, more) {
+            // The last limits are above what the run took.
+            let limit = |step: usize| most * 21 / 20 * (step as u64 + 1) / steps;
+            for (step, end) in
+                concurrently(steps as usize, |step| run(number, count, limit(step))).into_iter().enumerate()
+            {
+                let more = limit(step);
+                match end {
                     Ok((status, _)) if status == DelotetStatus::Ok as i32 => ends[0] += 1,
                     Ok((status, _)) if status == DelotetStatus::OutOfMemory as i32 => ends[1] += 1,
                     Ok((status, _)) => faults.push(format!("{name}, {more} bytes: status {status}")),

@@ -16,9 +16,10 @@ pub fn delotet(arguments: &[&str], folder: &Path) -> Output {
     command(arguments, folder).output().expect("the program runs")
 }
 
-/// An empty folder of this name.
+/// An empty folder of this name; the tests of the other profile, which may run at the same time, have another one.
 pub fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let profile = if cfg!(debug_assertions) { "debug" } else { "release" };
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(profile).join(name);
     let _ = std::fs::remove_dir_all(&path);
     std::fs::create_dir_all(&path).expect("a folder for the test");
     path
