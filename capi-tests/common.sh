@@ -9,20 +9,64 @@ passed=0
 failed=0
 failures=()
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# What runs aside, if anything.
+aside=
+trap '[ -z "$aside" ] || kill -- "-$aside" 2>/dev/null; rm -rf "$work"' EXIT
 
 # step NAME COMMAND...: runs it, shows its output, and counts what it reports: tests of cargo ("test result: ..."), models
 # ("A of B ok"), checks ("A passed, B failed"), or itself.
 step() {
-  local name=$1 log="$work/log" begin=$SECONDS status good bad
+  local name=$1 begin=$SECONDS
   shift
   if [ "${DELOTET_TESTS:-}" = list ]; then
     printf '%s\n' "$name"
     return
   fi
   printf '\n--- %s\n' "$name"
-  "$@" 2>&1 | tee "$log"
-  status=${PIPESTATUS[0]}
+  "$@" 2>&1 | tee "$work/log"
+  count "$name" "$work/log" "${PIPESTATUS[0]}" "$((SECONDS - begin))"
+}
+
+# aside NAME COMMAND...: the same while the next steps run; `await` waits for it, shows its output and counts it. One at a time.
+aside() {
+  local begin=$SECONDS
+  aside_name=$1
+  shift
+  if [ "${DELOTET_TESTS:-}" = list ]; then
+    printf '%s\n' "$aside_name"
+    return
+  fi
+  printf '\n--- %s: begins\n' "$aside_name"
+  rm -f "$work/aside-seconds"
+  : > "$work/aside"
+  # With job control it is a group of processes, which can be ended as a whole.
+  set -m
+  {
+    "$@" > "$work/aside" 2>&1
+    aside_status=$?
+    echo "$((SECONDS - begin))" > "$work/aside-seconds"
+    exit "$aside_status"
+  } < /dev/null &
+  aside=$!
+  set +m
+}
+
+await() {
+  local status
+  [ "${DELOTET_TESTS:-}" = list ] && return
+  wait "$aside"
+  status=$?
+  aside=
+  printf '\n--- %s\n' "$aside_name"
+  cat "$work/aside"
+  # Without its seconds it was ended from outside.
+  [ -s "$work/aside-seconds" ] || { status=1; echo 0 > "$work/aside-seconds"; }
+  count "$aside_name" "$work/aside" "$status" "$(cat "$work/aside-seconds")"
+}
+
+# count NAME LOG STATUS SECONDS: what a step reported.
+count() {
+  local name=$1 log=$2 status=$3 seconds=$4 good bad
   read -r good bad < <(awk '
     /^test result: /        { good += $4; bad += $6 }
     /^[0-9]+ of [0-9]+ ok/  { good += $1; bad += $3 - $1 }
@@ -37,7 +81,7 @@ step() {
     # Said again at the end, where one looks first.
     { printf '\n--- %s, what failed:\n' "$name"; grep -n -E '^failed|FAILED|panicked|^error|Error|Failed' "$log" | head -n 20; tail -n 25 "$log"; } >> "$work/failed"
   fi
-  printf -- '--- %s: %d passed, %d failed, %d s\n' "$name" "$good" "$bad" "$((SECONDS - begin))"
+  printf -- '--- %s: %d passed, %d failed, %d s\n' "$name" "$good" "$bad" "$seconds"
 }
 
 # packages NAME...: installs the Debian packages that are missing.

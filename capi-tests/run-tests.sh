@@ -34,16 +34,25 @@ page() {
     diff <(grep -v '^Measured' $guide) <(grep -v '^Measured' "$work/figures.md")
 }
 
+# For all builds of this run, those that CMake starts among them, so that each is made once: code is generated in parts, which all processors
+# share, there is nothing to keep for incremental builds, and of debug information what stacks need. Results are the same bytes.
+export CARGO_INCREMENTAL=0 CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_PROFILE_DEV_DEBUG=limited
+
 step "format" cargo fmt --check
 # Every profile is compiled once: documents need what lints have checked, the tests of the release build bring the program and the libraries
-# that all steps below use, CMake's among them, and pages of documentation are run as tests in one profile.
+# that all steps below use, CMake's among them, and pages of documentation are run as tests in one profile. What is long runs at the same
+# time as something else, since each part has stretches that only one processor works on.
 step "lints" cargo clippy --all-targets -- -D warnings
 step "documents" env RUSTDOCFLAGS="-D warnings -A rustdoc::private_intra_doc_links" cargo doc --no-deps --lib
-step "tests, debug" cargo test --no-fail-fast
+aside "tests, debug" cargo test --no-fail-fast
 step "tests, release" cargo test --release --tests --no-fail-fast
 step "program" cargo build --release
+await
 # Without a fresh build an old program would be tested.
 case ${failures[*]:-} in *program:*) closing; exit 1 ;; esac
+# A copy, since the steps for C and C++ build in the same folder at the same time.
+[ "${DELOTET_TESTS:-}" = list ] || { cp $bin "$work/delotet" && bin=$work/delotet; } || exit 2
+aside "C and C++: API, package, examples, sanitizers, valgrind, ABI, peers" sh capi-tests/check.sh
 step "models are what their generator makes" regenerate
 step "models are what they claim" python3 $data/check_models.py
 step "meshes of our models" python3 capi-tests/mesh_models.py --bin $bin
@@ -55,7 +64,6 @@ step "small angles end in proportion" python3 capi-tests/small_angles.py --bin $
 step "picture of a mesh cut open" picture
 step "figures that are the same everywhere" python3 capi-tests/preserve_figures.py classics --tetgen --check --bin $bin
 step "figures: a page is rewritten" page
-step "C and C++: API, package, examples, sanitizers, valgrind, ABI, peers" sh capi-tests/check.sh
 
 if make_judge; then
   python3 $data/generate.py list | sed "s|^|$PWD/$data/|" > "$work/own"
@@ -81,4 +89,5 @@ else
   echo
   echo "NOT RUN: no corpus and judge at $shared; meshes were checked by the program's own check only."
 fi
+await
 closing
