@@ -13,6 +13,7 @@
 //!
 //! Invariants: walls, input points and regions stay; all points are doubles; every tetrahedron is positive by exact signs. Which point is
 //! tried is floating-point.
+mod blocked;
 mod layer;
 mod near;
 pub(crate) mod place;
@@ -24,11 +25,12 @@ use crate::error::{Error, Status};
 use crate::fallible;
 use crate::kernel::budget::Budget;
 use crate::kernel::{Mesh, NONE};
-use crate::ops::insert::{Face, Insert};
+use crate::ops::insert::{Face, Insert, Outcome};
 use crate::ops::shape::sine;
 use crate::predicates::Points;
 use crate::preserve::inside::Inside;
 use crate::size::{distance, volume, Bounds, Size, Wanted};
+use blocked::Blocked;
 use place::{circumcentre, needle_free, snapped, Found};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -71,6 +73,8 @@ pub struct Fill<'a, 'b> {
     queue: BinaryHeap<Entry>,
     /// A vertex that is not in the mesh: the next point.
     next: Option<u32>,
+    /// Where a subsegment blocks vertices.
+    blocked: Blocked,
     budget: Budget,
 }
 
@@ -165,8 +169,9 @@ impl<'a, 'b> Fill<'a, 'b> {
     ) -> Fill<'a, 'b> {
         let (insert, queue) = (Insert::squeezing(), BinaryHeap::new());
         let corners = bounding_box(points);
-        let budget = Budget::default();
-        Fill { mesh, points, inside, size, ratio: RATIO, part, insert, corners, queue, next: None, budget }
+        let (blocked, budget) = (Blocked::default(), Budget::default());
+        let next = None;
+        Fill { mesh, points, inside, size, ratio: RATIO, part, insert, corners, queue, next, blocked, budget }
     }
 }
 
@@ -289,7 +294,8 @@ impl Fill<'_, '_> {
         let corners = self.mesh.verts(t);
         let wanted = self.size.at(self.points, &at, self.mesh.region(t), &corners)?;
         let least = limits.apart * wanted.length;
-        if corners.into_iter().any(|v| distance(self.points.xyz(v), &at) < least) {
+        let near = corners.into_iter().any(|v| distance(self.points.xyz(v), &at) < least);
+        if near || self.blocked.has(&at, wanted.length) {
             return Ok(Attempt::Refused);
         }
         let accept = |mesh: &Mesh, points: &mut Points, _: &[u32], faces: &[Face]| {
@@ -298,8 +304,13 @@ impl Fill<'_, '_> {
                 && (!limits.at_walls || faces.iter().all(|face| fits(mesh, points, &at, face))))
         };
         let Fill { mesh, points, insert, .. } = self;
-        if !insert.interior_if(mesh, points, p, t, &self.part, accept)? {
-            return Ok(Attempt::Refused);
+        match insert.interior_if(mesh, points, p, t, &self.part, accept)? {
+            Some(Outcome::Inserted | Outcome::Squeezed(_)) => {}
+            Some(Outcome::Blocked(_)) => {
+                self.blocked.add(&at, wanted.length)?;
+                return Ok(Attempt::Refused);
+            }
+            _ => return Ok(Attempt::Refused),
         }
         self.next = None;
         self.size.set(p, wanted)?;

@@ -10,7 +10,7 @@ use crate::size::distance;
 use rustc_hash::FxHashMap;
 
 /// A cell of the grid of an exponent.
-type Cell = (i32, [i64; 3]);
+pub(super) type Cell = (i32, [i64; 3]);
 
 /// A vertex, and the next one in its cell.
 struct Entry {
@@ -28,8 +28,7 @@ pub(super) struct Near {
 impl Near {
     /// Adds a vertex of a size; one without a finite size is left out.
     pub fn add(&mut self, at: [f64; 3], size: f64) -> Result<(), Error> {
-        let Some(level) = level(size) else { return Ok(()) };
-        let cell = (level, at.map(|x| index(x, level)));
+        let Some(cell) = cell(&at, size, 0) else { return Ok(()) };
         let next = self.first.get(&cell).copied().unwrap_or(NONE);
         fallible::insert(&mut self.first, cell, self.entries.len() as u32)?;
         fallible::push(&mut self.entries, Entry { at, next })?;
@@ -59,6 +58,12 @@ impl Near {
         }
         false
     }
+}
+
+/// The cell of a place in the grid whose cells are as large as a size, up to the next power of two, less a number of halvings.
+pub(super) fn cell(at: &[f64; 3], size: f64, finer: i32) -> Option<Cell> {
+    let level = level(size)? - finer;
+    Some((level, at.map(|x| index(x, level))))
 }
 
 /// The exponent of the cells for a size. No coordinate overflows when it is counted in the smallest.

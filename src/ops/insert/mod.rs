@@ -166,8 +166,8 @@ impl Insert {
         self.fill(mesh, p, outcome, control)
     }
 
-    /// The same if `accept` agrees, which is shown the tetrahedra that would go and what bounds them. It may move the vertex to where it
-    /// sees all faces.
+    /// The same if `accept` agrees, which is shown the tetrahedra that would go and what bounds them; `None` if it does not. It may move the
+    /// vertex to where it sees all faces.
     ///
     /// # Errors
     /// As [`Insert::interior`], and those of `accept`.
@@ -179,15 +179,14 @@ impl Insert {
         start: u32,
         control: &Control,
         accept: impl FnOnce(&Mesh, &mut Points, &[u32], &[Face]) -> Result<bool, Error>,
-    ) -> Result<bool, Error> {
+    ) -> Result<Option<Outcome>, Error> {
         let outcome = self.open_interior(mesh, points, p, start, control)?;
         let there = matches!(outcome, Outcome::Inserted | Outcome::Squeezed(_));
-        if !there || !accept(mesh, points, &self.tets, &self.faces)? {
-            self.wasted += self.tets.len() as u64;
-            return Ok(false);
+        if there && accept(mesh, points, &self.tets, &self.faces)? {
+            return self.fill(mesh, p, outcome, control).map(Some);
         }
-        self.fill(mesh, p, outcome, control)?;
-        Ok(true)
+        self.wasted += self.tets.len() as u64;
+        Ok((!there).then_some(outcome))
     }
 
     /// As [`Insert::interior_if`], where `accept` only looks on: what became of the vertex, `None` if it does not agree.
