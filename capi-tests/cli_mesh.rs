@@ -643,6 +643,8 @@ fn nonsense_for_sizes_is_refused_with_2() {
         &["--quality=1"],
         &["--quality=inf"],
         &["--optimize=-1"],
+        &["--min-angle=0"],
+        &["--min-angle", "61"],
         &["--optimize=0s"],
         &["--optimize=1.5"],
         &["--facet-size", "3"],
@@ -656,7 +658,7 @@ fn nonsense_for_sizes_is_refused_with_2() {
         assert_eq!(output.status.code(), Some(2), "{options:?}");
         assert!(error_line(&output).starts_with("error: "), "{options:?}: {}", error_line(&output));
     }
-    for option in ["--size=1", "--max-volume=1", "--quality", "--optimize"] {
+    for option in ["--size=1", "--max-volume=1", "--quality", "--optimize", "--min-angle=20"] {
         let output = delotet(&["mesh", "cube.off", "-o", "m.vtu", "--mode", "delaunay", option], &dir);
         assert_eq!(output.status.code(), Some(2), "{option}");
         assert!(error_line(&output).contains("mode delaunay"), "{}", error_line(&output));

@@ -52,6 +52,9 @@ static void settings()
     CHECK(options.gradation(2, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.gradation() == 0.125);
     CHECK(options.quality(1.1, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.quality() == 2);
     CHECK(options.optimize(0, error) == DELOTET_STATUS_OK && options.optimize() == 0);
+    CHECK(options.min_angle() == 0 && options.min_angle(20).min_angle() == 20);
+    CHECK(options.min_angle(61, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.min_angle() == 20);
+    CHECK(delotet::Options(delotet::Options().min_angle(30)).min_angle() == 30);
     CHECK(options.optimize_seconds() == 0 && options.optimize_seconds(2.5).optimize_seconds() == 2.5);
     CHECK(options.optimize_seconds(-1, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.optimize_seconds() == 2.5);
     CHECK(delotet::Options(delotet::Options().optimize_seconds(1)).optimize_seconds() == 1);

@@ -2252,6 +2252,23 @@ enum DelotetStatus delotet_options_set_optimize_seconds(struct DelotetOptions *o
 DELOTET_API double delotet_options_optimize_seconds(const struct DelotetOptions *options);
 
 /**
+ * Sets the smallest dihedral angle that is wanted, in degrees: what is below it after the optimisation, or above 180 less it, is improved as far
+ * as can be, with efforts of up to 3. Angles of the input bound what can be reached. At most 60. Otherwise as
+ * delotet_options_set_optimize(). 0, the default: none. Errors: INVALID_ARGUMENT (negative, above 60, not finite).
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_options_set_min_angle(struct DelotetOptions *options,
+                                                 double degrees,
+                                                 struct DelotetError **out_error);
+
+/**
+ * The smallest dihedral angle wanted, in degrees, 0 if there is none, as set by delotet_options_set_min_angle().
+ */
+DELOTET_API
+double delotet_options_min_angle(const struct DelotetOptions *options);
+
+/**
  * Sets the function that gives the edge length wanted at a point; `user_data` is passed to it unchanged. It is one size among the others:
  * see delotet_options_set_size(), also for modes. NULL, the default: none. Errors: INVALID_ARGUMENT (options is NULL).
  */

@@ -730,6 +730,12 @@ class Options {
         return {view.data, view.count};
     }
     void background() const && = delete;
+    /// `degrees`: at most 60, or 0 for none.
+    Status min_angle(double degrees, Error &error) noexcept
+    {
+        return change(error, [&](DelotetError **e) { return delotet_options_set_min_angle(get(), degrees, e); });
+    }
+    double min_angle() const noexcept { return delotet_options_min_angle(get()); }
     /// The function is asked on the thread that makes the mesh; nullptr removes it.
     Status size_function(SizeFunction size, Error &error) noexcept
     {
@@ -857,6 +863,11 @@ class Options {
         return chain([&](Error &e) { return no_background(e); });
     }
     Options &&no_background() && { return std::move(no_background()); }
+    Options &min_angle(double degrees) &
+    {
+        return chain([&](Error &e) { return min_angle(degrees, e); });
+    }
+    Options &&min_angle(double degrees) && { return std::move(min_angle(degrees)); }
     /// `size` may throw: the run is then cancelled and rethrows the exception.
     Options &size_function(SizeFunction size) &
     {

@@ -1,5 +1,5 @@
 //! The arguments.
-use super::sizes::{extent, Extent, MeshSizeArgs, SizeArgs};
+use super::sizes::{angle, extent, Extent, MeshSizeArgs, SizeArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use delotet::io::RegionName;
 use std::path::PathBuf;
@@ -165,6 +165,9 @@ pub struct RefineArgs {
     /// Optimise the smallest dihedral angles; larger efforts take longer. Or for some seconds, as in 10s
     #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1", value_parser = extent)]
     pub optimize: Option<Extent>,
+    /// Optimise what has a smaller dihedral angle, in degrees, as far as can be
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = angle)]
+    pub min_angle: Option<f64>,
     #[command(flatten)]
     pub given: GivenArgs,
 }
@@ -179,6 +182,9 @@ pub struct ImproveArgs {
     /// The effort: larger ones take longer. Or some seconds, as in 10s
     #[arg(long, value_name = "EFFORT", require_equals = true, num_args = 0..=1, default_value = "1", default_missing_value = "1", value_parser = extent)]
     pub optimize: Extent,
+    /// Go on with what has a smaller dihedral angle, in degrees, as far as can be
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = angle)]
+    pub min_angle: Option<f64>,
     #[command(flatten)]
     pub given: GivenArgs,
 }

@@ -33,9 +33,10 @@ pub fn refine(args: &RefineArgs) -> Result<(), Failure> {
         quality: args.sizes.quality,
         optimize: args.optimize.map_or(0, Extent::effort),
         optimize_seconds: args.optimize.and_then(Extent::seconds),
+        min_angle: args.min_angle,
         ..limited(&args.given.limits)
     };
-    if !args.given.say.quiet && args.sizes.is_empty() && args.optimize.is_none() {
+    if !args.given.say.quiet && args.sizes.is_empty() && args.optimize.is_none() && args.min_angle.is_none() {
         page::tell(format_args!("warning: no sizes are given: nothing is refined"));
     }
     job.run(options, |mesh, options, control| {
@@ -52,6 +53,7 @@ pub fn improve(args: &ImproveArgs) -> Result<(), Failure> {
     let options = Options {
         optimize: args.optimize.effort(),
         optimize_seconds: args.optimize.seconds(),
+        min_angle: args.min_angle,
         ..limited(&args.given.limits)
     };
     job.run(options, |mesh, options, control| Ok(delotet::improve_with(mesh, options, control)?))

@@ -137,6 +137,7 @@ fn options(args: &MeshArgs) -> Result<Options, Failure> {
         quality: args.sizes.quality.map(|ratio| ratio.unwrap_or(default_ratio)),
         optimize: args.sizes.optimize.map_or(defaults.optimize, Extent::effort),
         optimize_seconds: args.sizes.optimize.and_then(Extent::seconds),
+        min_angle: args.sizes.min_angle,
         threads: args.threads,
         time_limit: args.limits.time_limit,
         memory_limit: args.limits.memory_limit,

@@ -23,6 +23,9 @@ pub struct SizeArgs {
     /// Optimise the smallest dihedral angles; larger efforts take longer. Or for some seconds, as in 10s
     #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1", value_parser = extent)]
     pub optimize: Option<Extent>,
+    /// Optimise what has a smaller dihedral angle, in degrees, as far as can be
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = angle)]
+    pub min_angle: Option<f64>,
     /// The edge length wanted in the regions with an attribute (may be repeated)
     #[arg(long, value_name = "ATTRIBUTE=LENGTH", allow_hyphen_values = true, value_parser = region_size)]
     pub region_size: Vec<RegionSize>,
@@ -293,6 +296,11 @@ fn slope(text: &str) -> Result<f64, String> {
 fn ratio(text: &str) -> Result<f64, String> {
     let value = text.trim().parse::<f64>().ok().filter(|&value| value >= 1.2 && value.is_finite());
     value.ok_or_else(|| "expected a finite number of at least 1.2".to_string())
+}
+
+pub fn angle(text: &str) -> Result<f64, String> {
+    let value = text.trim().parse::<f64>().ok().filter(|&value| value > 0.0 && value <= 60.0);
+    value.ok_or_else(|| "expected an angle above 0, at most 60".to_string())
 }
 
 fn marker_size(text: &str) -> Result<MarkerSize, String> {

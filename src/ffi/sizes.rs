@@ -15,6 +15,7 @@ use libc::c_void;
 
 /// The smallest radius-edge ratio that may be asked for.
 const LEAST_RATIO: f64 = 1.2;
+const LARGEST_MIN_ANGLE: f64 = 60.0;
 
 /// Gives the edge length wanted at a point. `point`: its x y z, valid only during the callback. `size`: receives the length, positive or
 /// infinite; infinite, which it is before the call, is no wish. Return 0 to continue, anything else to cancel: the call then fails with
@@ -245,6 +246,37 @@ pub unsafe extern "C" fn delotet_options_set_optimize_seconds(
 pub unsafe extern "C" fn delotet_options_optimize_seconds(options: *const DelotetOptions) -> f64 {
     // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
     unsafe { setting(options, |options| options.optimize_seconds.unwrap_or(0.0)) }
+}
+
+/// Sets the smallest dihedral angle that is wanted, in degrees: what is below it after the optimisation, or above 180 less it, is improved as far
+/// as can be, with efforts of up to 3. Angles of the input bound what can be reached. At most 60. Otherwise as
+/// delotet_options_set_optimize(). 0, the default: none. Errors: INVALID_ARGUMENT (negative, above 60, not finite).
+#[no_mangle]
+#[must_use]
+pub unsafe extern "C" fn delotet_options_set_min_angle(
+    options: *mut DelotetOptions,
+    degrees: f64,
+    out_error: *mut *mut DelotetError,
+) -> DelotetStatus {
+    // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
+    unsafe {
+        change(options, out_error, |options| {
+            let what = "an angle of at most 60 degrees";
+            let angle = positive(degrees, 0.0, "min_angle", what)?;
+            if angle.is_some_and(|angle| angle > LARGEST_MIN_ANGLE) {
+                return Err(invalid(format_args!("min_angle: {degrees} is no angle of at most 60 degrees")));
+            }
+            options.options.min_angle = angle;
+            Ok(())
+        })
+    }
+}
+
+/// The smallest dihedral angle wanted, in degrees, 0 if there is none, as set by delotet_options_set_min_angle().
+#[no_mangle]
+pub unsafe extern "C" fn delotet_options_min_angle(options: *const DelotetOptions) -> f64 {
+    // SAFETY: the caller passes NULL or options that nothing changes meanwhile.
+    unsafe { setting(options, |options| options.min_angle.unwrap_or(0.0)) }
 }
 
 /// Sets the function that gives the edge length wanted at a point; `user_data` is passed to it unchanged. It is one size among the others:

@@ -32,19 +32,37 @@ use std::time::{Duration, Instant};
 // Measured on the clean models of `quality_figures.py` (319,000 tetrahedra, 1.4 % below 30°), and on CAD parts with needles (1,582 tetrahedra
 // below 10° that the surface does not force).
 
-/// Sines of the angles below which tetrahedra are reconnected (about 28°), and get larger cavities (about 17°). With 0.35 for the first, 14 %
-/// are below 30°; 0.6 leaves 1.1 %, and takes half as long again. With 0.2 for the second the worst angle is 1.7° less, 0.4 changes next to
-/// nothing.
-const BAD: f64 = 0.47;
-const AWFUL: f64 = 0.3;
-/// Below this (about 20°), points come and go. With 0.2 the worst angle is 1.1° less; 0.47 leaves 1.2 % below 30° for 0.6 % more tetrahedra.
-const POOR: f64 = 0.34;
-/// Stars whose worst is above this (about 45°) are not smoothed. 0.6 changes a few tetrahedra in 10,000.
-const GOOD: f64 = 0.7;
-/// How many points may come: these, and for each unit of effort one per so many tetrahedra. Only needles use them up: three times as many
-/// make 6 % more tetrahedra on CAD parts, and 14 % more below 10°.
+/// Sines below and above which something is done, and how much may be.
+#[derive(Clone, Copy, Debug)]
+struct Level {
+    /// Tetrahedra below this are reconnected, and get larger cavities below the second.
+    bad: f64,
+    awful: f64,
+    /// Below this points come and go.
+    poor: f64,
+    /// Stars whose worst is above this are not smoothed.
+    good: f64,
+    /// How many more failures with large cavities are allowed than a [`Trial`] tells.
+    patience: usize,
+    /// How many points may come: [`LEAST_BUDGET`], and for each unit of effort one per so many tetrahedra.
+    tets_a_point: usize,
+}
+
+/// By effort; those above the last have more passes.
+const LEVELS: [Level; 3] = [
+    // The angles are about 28°, 17°, 20° and 45°. With 0.35 for the first, 14 % are below 30°; 0.6 leaves 1.1 %, and takes half as long again.
+    // With 0.2 for the second the worst angle is 1.7° less, 0.4 changes next to nothing. With 0.2 for the third the worst angle is 1.1° less; 0.47
+    // leaves 1.2 % below 30° for 0.6 % more tetrahedra. 0.6 for the last changes a few tetrahedra in 10,000. Only needles use up the
+    // points: three times as many make 6 % more tetrahedra on CAD parts, and 14 % more below 10°.
+    Level { bad: 0.47, awful: 0.3, poor: 0.34, good: 0.7, patience: 1, tets_a_point: 300 },
+    // On sofa_pelvis, of_flange, regions_tinyBoxt and spot, surfaces kept: smallest angles that nothing forces of 25°, 24°, 31° and 30° (20°, 20°,
+    // 28° and 28° above) in three times the time.
+    Level { bad: 0.65, awful: 0.5, poor: 0.55, good: 0.8, patience: 10, tets_a_point: 20 },
+    // 29°, 28°, 30° and 31°, in six times the time.
+    Level { bad: 0.75, awful: 0.6, poor: 0.6, good: 0.85, patience: 20, tets_a_point: 20 },
+];
+/// The points that may come in any case.
 const LEAST_BUDGET: usize = 20;
-const TETRAHEDRA_A_POINT: usize = 300;
 /// Passes a unit of effort, after the first. Two more gain 0.03 % of the tetrahedra below 30° on the clean models of `quality_figures.py`, and
 /// take an eighth longer.
 const PASSES: usize = 2;
@@ -99,6 +117,15 @@ pub enum Extent {
     Seconds(f64),
 }
 
+/// What is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Request {
+    /// When to end.
+    pub extent: Extent,
+    /// Then, what is below this sine is improved as far as can be.
+    pub sine: f64,
+}
+
 /// Larger efforts do the same. Passes end before when they gain too little.
 const LARGEST_EFFORT: u32 = 100;
 
@@ -109,6 +136,7 @@ struct Optimise<'a> {
     inside: &'a mut Inside,
     isolated: &'a FxHashSet<[u32; 2]>,
     bounds: &'a Bounds,
+    level: Level,
     part: Part<'a>,
     start: Instant,
     /// How long it may take.
@@ -148,17 +176,18 @@ pub fn optimise(
     inside: &mut Inside,
     isolated: &FxHashSet<[u32; 2]>,
     bounds: &Bounds,
-    extent: Extent,
+    request: Request,
     part: Part,
 ) -> Result<(), Error> {
     let mut optimise = Optimise::new(mesh, points, inside, isolated, bounds, part)?;
-    match extent {
-        Extent::Effort(effort) => optimise.run(effort.min(LARGEST_EFFORT)),
+    let effort = match request.extent {
+        Extent::Effort(effort) => effort.min(LARGEST_EFFORT),
         Extent::Seconds(seconds) => {
             optimise.time = Some(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX));
-            optimise.run(LARGEST_EFFORT)
+            LARGEST_EFFORT
         }
-    }
+    };
+    optimise.run(effort, request.sine)
 }
 
 impl<'a> Optimise<'a> {
@@ -181,6 +210,7 @@ impl<'a> Optimise<'a> {
             inside,
             isolated,
             bounds,
+            level: LEVELS[0],
             part,
             start: Instant::now(),
             time: None,
@@ -204,33 +234,66 @@ impl<'a> Optimise<'a> {
 }
 
 impl Optimise<'_> {
-    /// Passes until the last has gained too little.
-    fn run(&mut self, effort: u32) -> Result<(), Error> {
+    /// Passes with an effort; then, as long as something is below a sine that is wanted, for that alone and with more effort.
+    fn run(&mut self, effort: u32, sine: f64) -> Result<(), Error> {
         let control = self.part.control();
         let mut reshape = Reshape::new(control);
-        let most = 1 + PASSES * effort as usize;
-        let mut missing = f64::INFINITY;
-        self.budget = LEAST_BUDGET + effort as usize * self.mesh.live_count() / TETRAHEDRA_A_POINT;
-        self.tets.check(self.mesh, control)?;
-        self.smooth_all(GOOD)?;
-        for pass in 0..most {
-            self.part.progress(0.9 * self.done().max(pass as f64 / most as f64))?;
-            self.reconnect(&mut reshape, if pass == 0 { &FIRST } else { &LATER })?;
-            self.smooth_all(GOOD)?;
-            let now = self.missing()?;
-            if pass >= 2 && now > (1.0 - WORTH) * missing || self.is_over() {
-                break;
-            }
-            missing = now;
+        self.passes(&mut reshape, effort)?;
+        let mut more = effort + 1..=LEVELS.len() as u32;
+        while sine > 0.0 && self.reach(&mut reshape, sine)? > 0.0 && !self.is_over() {
+            let Some(effort) = more.next() else { break };
+            self.passes(&mut reshape, effort)?;
         }
-        self.reconnect(&mut reshape, &LAST)?;
-        self.smooth_all(BAD)?;
         if self.next.take().is_some() {
             let count = self.inside.list.len();
             self.inside.shorten(count - 1);
         }
         self.inside.sweep(self.mesh);
         self.part.progress(1.0)
+    }
+
+    /// Passes until the last has gained too little.
+    fn passes(&mut self, reshape: &mut Reshape, effort: u32) -> Result<(), Error> {
+        self.level = LEVELS[effort.clamp(1, LEVELS.len() as u32) as usize - 1];
+        let effort = effort as usize;
+        let most = 1 + PASSES * effort;
+        let mut missing = f64::INFINITY;
+        self.budget = LEAST_BUDGET + effort * self.mesh.live_count() / self.level.tets_a_point;
+        self.failed.clear();
+        self.tets.check(self.mesh, self.part.control())?;
+        self.smooth_all(self.level.good)?;
+        for pass in 0..most {
+            self.part.progress(0.9 * self.done().max(pass as f64 / most as f64))?;
+            self.reconnect(reshape, if pass == 0 { &FIRST } else { &LATER })?;
+            self.smooth_all(self.level.good)?;
+            let now = self.missing()?;
+            if pass >= 2 && now > (1.0 - WORTH) * missing || self.is_over() {
+                break;
+            }
+            missing = now;
+        }
+        self.reconnect(reshape, &LAST)?;
+        self.smooth_all(self.level.bad)
+    }
+
+    /// Does what can be done for tetrahedra below a sine; returns how much is missing.
+    fn reach(&mut self, reshape: &mut Reshape, sine: f64) -> Result<f64, Error> {
+        let most = LEVELS[LEVELS.len() - 1];
+        self.level = Level { bad: sine, awful: sine, poor: sine, ..most };
+        self.budget = LEAST_BUDGET + self.mesh.live_count() / most.tets_a_point;
+        // What failed has failed with less.
+        self.failed.clear();
+        let mut missing = self.missing()?;
+        while missing > 0.0 && !self.is_over() {
+            self.reconnect(reshape, &LAST)?;
+            self.smooth_all(sine)?;
+            let now = self.missing()?;
+            if now > (1.0 - WORTH) * missing {
+                return Ok(now);
+            }
+            missing = now;
+        }
+        Ok(missing)
     }
 
     /// Whether the time is over: what has been done so far is the result.
@@ -250,7 +313,7 @@ impl Optimise<'_> {
         for t in self.mesh.all() {
             self.part.steps(u32::from(t % 16 == 0))?;
             if self.counts(t) {
-                let less = (BAD - self.sine(t)).max(0.0);
+                let less = (self.level.bad - self.sine(t)).max(0.0);
                 sum += less * less * less;
             }
         }
@@ -318,7 +381,7 @@ impl Optimise<'_> {
     fn push(&mut self, t: u32) -> Result<(), Error> {
         if self.counts(t) {
             let sine = self.sine(t);
-            if sine < BAD {
+            if sine < self.level.bad {
                 fallible::push_heap(&mut self.queue, Reverse((sine.to_bits(), t)))?;
             }
         }
@@ -341,7 +404,7 @@ impl Optimise<'_> {
     /// Improves bad tetrahedra, the worst first, each once per shape. What has failed is tried again if one of its vertices has moved or has
     /// got another tetrahedron since.
     fn reconnect(&mut self, reshape: &mut Reshape, trial: &Trial) -> Result<(), Error> {
-        let mut left = trial.failures[0] + self.mesh.live_count() / trial.failures[1];
+        let mut left = self.level.patience * (trial.failures[0] + self.mesh.live_count() / trial.failures[1]);
         self.queue.clear();
         for t in self.mesh.all() {
             self.part.steps(u32::from(t % 16 == 0))?;
@@ -364,7 +427,7 @@ impl Optimise<'_> {
                 continue;
             }
             let sine = f64::from_bits(bits);
-            let hard = sine < AWFUL && left > 0;
+            let hard = sine < self.level.awful && left > 0;
             if !self.improve(reshape, t, sine, if hard { trial.effort } else { EDGES }, trial.points)? {
                 left -= usize::from(hard);
                 let count = self.mesh.slot_count().max(self.failed.len());
@@ -401,7 +464,7 @@ impl Optimise<'_> {
         }
         if !done {
             for v in verts {
-                if self.smooth(v, GOOD)? && self.sine(t) > (1.0 + GAIN) * sine + LEAST_GAIN {
+                if self.smooth(v, self.level.good)? && self.sine(t) > (1.0 + GAIN) * sine + LEAST_GAIN {
                     // Its star has other shapes now.
                     self.search.vertex_star(self.mesh, v, self.mesh.vertex_tet[v as usize])?;
                     for i in 0..self.search.tets.len() {
@@ -418,7 +481,7 @@ impl Optimise<'_> {
             self.renew(&reshape.replace.fresh)?;
             return Ok(true);
         }
-        Ok(points && sine < POOR && (self.contract(t)? || self.add(t)?))
+        Ok(points && sine < self.level.poor && (self.contract(t)? || self.add(t)?))
     }
 }
 

@@ -12,7 +12,7 @@ use crate::kernel::tables::EDGE;
 use crate::kernel::{Mesh, NONE};
 use crate::ops::place::sees_all;
 use crate::ops::shape::sine;
-use crate::optimise::{largest, Optimise, GOOD};
+use crate::optimise::{largest, Optimise};
 use crate::predicates::{in_range, Points, Sign};
 use crate::size::{distance, volume};
 
@@ -20,6 +20,12 @@ use crate::size::{distance, volume};
 const MOST: usize = 48;
 /// Vertices with more faces round them stay: each neighbour is tried with all of them.
 const LARGEST_LINK: usize = 200;
+
+/// The least edge of a point over the shortest of the tetrahedra that go, and the least gain in sines. With 1, and 0.01 more than a twentieth of the
+/// worst, the worst angles of the clean models with refined surfaces are 1.8° and 2.2° less (sofa_pelvis, of_flange), and 2.7° with regions8; with
+/// 0.3 all are the same.
+const SHORTEST: f64 = 0.5;
+const LEAST_RISE: f64 = 0.005;
 
 /// The scratch space of points that come.
 #[derive(Default)]
@@ -32,8 +38,8 @@ pub(super) struct Coming {
 }
 
 impl Coming {
-    /// Grows the cavity from its tetrahedra by quality.
-    fn grow(&mut self, mesh: &Mesh, points: &Points, at: &[f64; 3]) -> Result<(), Error> {
+    /// Grows the cavity from its tetrahedra by quality, until all from the place to its faces are good.
+    fn grow(&mut self, mesh: &Mesh, points: &Points, at: &[f64; 3], good: f64) -> Result<(), Error> {
         let rate = |code: u32| {
             let [x, y, z] = mesh.face(code).map(|v| points.xyz(v));
             sine([at, x, y, z])
@@ -51,7 +57,7 @@ impl Coming {
             let worst = self.open.iter().copied().min_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
             let Some((value, code)) = worst else { return Ok(()) };
             let (other, n) = (mesh.across(code), mesh.across(code) >> 2);
-            if value > GOOD || mesh.is_wall(code) || self.cavity.has(n) {
+            if value > good || mesh.is_wall(code) || self.cavity.has(n) {
                 return Ok(());
             }
             // Faces of what is behind: those at the cavity vanish, the others come.
@@ -118,7 +124,7 @@ impl Optimise<'_> {
         if !at.iter().all(|&x| in_range(x)) {
             return Ok(false);
         }
-        self.coming.grow(self.mesh, self.points, &at)?;
+        self.coming.grow(self.mesh, self.points, &at, self.level.good)?;
         let Coming { cavity, new, replace, .. } = &mut self.coming;
         cavity.bound(self.mesh, &Terms::keep(self.isolated))?;
         if !cavity.inner.is_empty() || !cavity.edges.is_empty() {
@@ -141,14 +147,14 @@ impl Optimise<'_> {
         if !sees_all(self.points, p, &self.link) {
             return Ok(false);
         }
-        let (_, after) = self.descend.smooth(self.points, p, &mut self.link, GOOD)?;
-        // Points cost: a little is not enough, and edges shorter than those that go would lead to shorter ones again.
+        let (_, after) = self.descend.smooth(self.points, p, &mut self.link, self.level.good)?;
+        // Points cost: next to nothing is not enough, and edges far shorter than those that go would lead to shorter ones again.
         let p_at = self.points.xyz(p);
         let near = self.link.iter().flatten().map(|&v| distance(self.points.xyz(v), p_at));
-        if near.fold(f64::INFINITY, f64::min) < shortest {
+        if near.fold(f64::INFINITY, f64::min) < SHORTEST * shortest {
             return Ok(false);
         }
-        if after <= 1.05 * worst + 0.01 {
+        if after <= worst + LEAST_RISE {
             return Ok(false);
         }
         let bound = self.bounds.of(self.mesh.region(cavity.tets[0]));

@@ -1,12 +1,12 @@
 //! Points inside by size and shape, then optimisation ([`Options::size`], [`Options::quality`], [`Options::optimize`]).
 use crate::domain::Domain;
-use crate::elementary::{exponent, power_of_two};
+use crate::elementary::{cosine_of_degrees, exponent, power_of_two};
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::fill::{bound_volumes, estimate, fill, Shape, LEAST_RATIO, RATIO};
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, Mesh};
-use crate::optimise::{optimise, Extent};
+use crate::optimise::{optimise, Extent, Request};
 use crate::options::{Mode, Options};
 use crate::output::Region;
 use crate::plan::{Engine, Run};
@@ -32,15 +32,21 @@ pub(super) fn fills(options: &Options) -> bool {
     lengths || options.quality.is_some()
 }
 
+/// The largest angle that can be asked for: a regular tetrahedron has 70.5 degrees, but they do not fill space.
+const LARGEST_MIN_ANGLE: f64 = 60.0;
+
 /// Whether the mesh is filled or optimised.
 pub(super) fn refines(options: &Options) -> bool {
-    fills(options) || extent(options).is_some()
+    fills(options) || request(options).is_some()
 }
 
-/// How long the mesh is optimised; `None`: not at all.
-pub(super) fn extent(options: &Options) -> Option<Extent> {
-    let effort = (options.optimize > 0).then_some(Extent::Effort(options.optimize));
-    options.optimize_seconds.map(Extent::Seconds).or(effort)
+/// How the mesh is optimised; `None`: not at all.
+pub(super) fn request(options: &Options) -> Option<Request> {
+    // An angle is reached from the state after some effort.
+    let effort = options.optimize.max(u32::from(options.min_angle.is_some()));
+    let effort = (effort > 0).then_some(Extent::Effort(effort));
+    let extent = options.optimize_seconds.map(Extent::Seconds).or(effort)?;
+    Some(Request { extent, sine: options.min_angle.map_or(0.0, |angle| cosine_of_degrees(90.0 - angle)) })
 }
 
 /// Refuses sizes and shapes that nothing can have, and modes that offer none.
@@ -58,6 +64,11 @@ pub(super) fn check(plc: &Plc, options: &Options) -> Result<(), Error> {
     if let Some(seconds) = options.optimize_seconds.filter(|&x| !(x > 0.0 && x.is_finite())) {
         return refuse(format_args!("optimize_seconds: {seconds} is no positive finite number of seconds"));
     }
+    if let Some(angle) = options.min_angle.filter(|&angle| !(angle > 0.0 && angle <= LARGEST_MIN_ANGLE)) {
+        return refuse(format_args!(
+            "min_angle: {angle} is not above 0 and at most {LARGEST_MIN_ANGLE} degrees"
+        ));
+    }
     let gradation = options.gradation;
     if !(gradation > 0.0 && gradation <= 1.0) {
         return refuse(format_args!("gradation: {gradation} is not above 0 and at most 1"));
@@ -66,7 +77,7 @@ pub(super) fn check(plc: &Plc, options: &Options) -> Result<(), Error> {
     if refines(options) && options.mode == Mode::Delaunay {
         return refuse(format_args!("size, quality, optimize: not offered in mode delaunay"));
     }
-    if extent(options).is_some() && options.exact_form && options.mode == Mode::Constrained {
+    if request(options).is_some() && options.exact_form && options.mode == Mode::Constrained {
         return refuse(format_args!(
             "optimize: not offered with exact_form, whose tetrahedra need not be positive"
         ));
@@ -137,10 +148,10 @@ impl Run<'_> {
         bounds: &Bounds,
     ) -> Result<(), Error> {
         let Interior { mesh, inside, isolated } = interior;
-        if let Some(extent) = extent(options) {
+        if let Some(request) = request(options) {
             let part = self.control.whole(Phase::Optimize);
             part.progress(0.0)?;
-            optimise(mesh, &mut engine.points, inside, isolated, bounds, extent, part)?;
+            optimise(mesh, &mut engine.points, inside, isolated, bounds, request, part)?;
             self.lap(Phase::Optimize);
         }
         Ok(())
@@ -267,6 +278,12 @@ mod tests {
                 Some(Status::InvalidArgument)
             );
         }
+        for x in [0.0, -1.0, f64::NAN, 60.001] {
+            assert_eq!(status(Options { min_angle: Some(x), ..base() }), Some(Status::InvalidArgument));
+        }
+        let delaunay = Options { mode: Mode::Delaunay, min_angle: Some(20.0), ..Options::default() };
+        assert_eq!(status(delaunay), Some(Status::InvalidArgument));
+        assert_eq!(status(Options { min_angle: Some(60.0), ..base() }), None);
         assert_eq!(status(Options { size: Some(0.5), quality: Some(2.0), ..base() }), None);
         assert_eq!(status(Options { size: Some(0.5), ..Options::default() }), None);
         let mode = Mode::Delaunay;

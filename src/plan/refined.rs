@@ -11,7 +11,7 @@ use crate::kernel::{edge_key, face_key, Mesh, GHOST, NONE};
 use crate::options::Options;
 use crate::output::{Guarantee, SteinerPoint, TetMesh};
 use crate::plan::assemble::{self, Origin};
-use crate::plan::refine::{bounds, extent, fills, given, mark_isolated, Input, Interior};
+use crate::plan::refine::{bounds, fills, given, mark_isolated, request, Input, Interior};
 use crate::plan::{Engine, Run};
 use crate::plc::surface::Surface;
 use crate::predicates::{scale, Points, Position};
@@ -192,7 +192,7 @@ impl Run<'_> {
         let control = self.control;
         let steiner = steiner(engine, origin, rounded, refined, control)?;
         let mut replaced = fallible::copied(&rounded.replaced)?;
-        let changes = extent(options).is_some() || fills(options) && refined.plain;
+        let changes = request(options).is_some() || fills(options) && refined.plain;
         let mut mesh = std::mem::take(&mut engine.mesh);
         if changes {
             for v in origin.segments.first_steiner..engine.points.len() as u32 {

@@ -49,6 +49,7 @@ pub(super) fn with_hint(plc: &Plc, options: &Options, error: Error, control: &Co
         quality: None,
         optimize: 0,
         optimize_seconds: None,
+        min_angle: None,
         ..options.copied()
     };
     let hint = match control.muted(|| tetrahedralize_with(plc, &constrained, control)) {

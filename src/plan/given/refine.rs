@@ -18,7 +18,7 @@ use crate::plan::assemble;
 use crate::plan::given::complex::{is_odd, Complex};
 use crate::plan::given::faults::Faults;
 use crate::plan::given::MeshSizes;
-use crate::plan::refine::{check, edge_of, extent, fills, refines};
+use crate::plan::refine::{check, edge_of, fills, refines, request};
 use crate::plc::Plc;
 use crate::predicates::{scale, Points};
 use crate::preserve::inside::Inside;
@@ -209,10 +209,10 @@ impl<'a> Work<'a> {
                 bound_volumes(mesh, points, inside, &mut size, &bounds, part.part(0.4, 0.45))?;
             }
         }
-        if let Some(extent) = extent(options) {
+        if let Some(request) = request(options) {
             let part = part.part(0.45, 1.0);
             let Work { mesh, points, inside, isolated, .. } = self;
-            optimise(mesh, points, inside, isolated, &bounds, extent, part)?;
+            optimise(mesh, points, inside, isolated, &bounds, request, part)?;
         }
         self.inside.sweep(&self.mesh);
         Ok(())
