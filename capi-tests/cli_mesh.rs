@@ -640,7 +640,7 @@ fn nonsense_for_sizes_is_refused_with_2() {
         &["--max-volume", "-0.5"],
         &["--gradation", "0"],
         &["--gradation", "1.5"],
-        &["--quality=1"],
+        &["--quality=0.9"],
         &["--quality=inf"],
         &["--optimize=-1"],
         &["--min-angle=0"],

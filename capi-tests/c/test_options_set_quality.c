@@ -1,4 +1,4 @@
-/* delotet_options_set_quality: 0, or a ratio of at least 1.2, for which points are added; the surface is kept, or refined in mode cdt; mode
+/* delotet_options_set_quality: 0, or a ratio of at least 1, for which points are added; the surface is kept, or refined in mode cdt; mode
    delaunay refuses. */
 #include "test.h"
 
@@ -23,7 +23,7 @@ int main(void)
     size_t none;
     OK(delotet_options_set_mode(options, DELOTET_MODE_PRESERVE, &error));
     none = points_in_grid(plc, options);
-    OK(delotet_options_set_quality(options, 1.2, &error));
+    OK(delotet_options_set_quality(options, 1, &error));
     OK(delotet_options_set_quality(options, 2, &error));
     CHECK(none < points_in_grid(plc, options));
     OK(delotet_options_set_mode(options, DELOTET_MODE_CONSTRAINED, &error));
@@ -31,7 +31,7 @@ int main(void)
     OK(delotet_options_set_mode(options, DELOTET_MODE_DELAUNAY, &error));
     FAILS(INVALID, delotet_tetrahedralize(plc, options, &mesh, &error));
     CHECK(mesh == NULL);
-    FAILS(INVALID, delotet_options_set_quality(options, 1.1999, &error));
+    FAILS(INVALID, delotet_options_set_quality(options, 0.9999, &error));
     FAILS(INVALID, delotet_options_set_quality(options, 1e-300, &error));
     FAILS(INVALID, delotet_options_set_quality(options, -2, &error));
     FAILS(INVALID, delotet_options_set_quality(options, NAN, &error));

@@ -50,7 +50,7 @@ static void settings()
     CHECK(options.size(-1, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.size() == 0.5);
     CHECK(options.max_volume(infinity, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.max_volume() == 0.25);
     CHECK(options.gradation(2, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.gradation() == 0.125);
-    CHECK(options.quality(1.1, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.quality() == 2);
+    CHECK(options.quality(0.9, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.quality() == 2);
     CHECK(options.optimize(0, error) == DELOTET_STATUS_OK && options.optimize() == 0);
     CHECK(options.min_angle() == 0 && options.min_angle(20).min_angle() == 20);
     CHECK(options.min_angle(61, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.min_angle() == 20);
@@ -58,7 +58,7 @@ static void settings()
     CHECK(options.optimize_seconds() == 0 && options.optimize_seconds(2.5).optimize_seconds() == 2.5);
     CHECK(options.optimize_seconds(-1, error) == DELOTET_STATUS_INVALID_ARGUMENT && options.optimize_seconds() == 2.5);
     CHECK(delotet::Options(delotet::Options().optimize_seconds(1)).optimize_seconds() == 1);
-    CHECK(caught<delotet::Exception>([&] { options.quality(1); }).status() == DELOTET_STATUS_INVALID_ARGUMENT);
+    CHECK(caught<delotet::Exception>([&] { options.quality(0.5); }).status() == DELOTET_STATUS_INVALID_ARGUMENT);
     const delotet::Options moved = delotet::Options().size(2).max_volume(3).gradation(1).quality(1.2).optimize(1);
     CHECK(moved.size() == 2 && moved.max_volume() == 3 && moved.gradation() == 1 && moved.quality() == 1.2);
     CHECK(moved.optimize() == 1);

@@ -2203,8 +2203,8 @@ DELOTET_API double delotet_options_gradation(const struct DelotetOptions *option
 /**
  * Fill the mesh with points until no tetrahedron's circumradius is more than `ratio` times its shortest edge, where the surface allows
  * that. Without other sizes those of the surface count, and grow inwards by the gradation. The number of points is bounded: at small
- * angles, in needles and in thin plates tetrahedra stay bad. At least 1.2; 2 is a good value. Modes as for delotet_options_set_size().
- * 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1.2, or not finite).
+ * angles, in needles and in thin plates tetrahedra stay bad. At least 1; 1.4 to 2 are good values. Modes as for delotet_options_set_size().
+ * 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1, or not finite).
  */
 DELOTET_API
 DELOTET_MUST_USE

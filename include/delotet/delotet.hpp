@@ -698,7 +698,7 @@ class Options {
         return change(error, [&](DelotetError **e) { return delotet_options_set_gradation(get(), slope, e); });
     }
     double gradation() const noexcept { return delotet_options_gradation(get()); }
-    /// `ratio`: at least 1.2, or 0 for no bound.
+    /// `ratio`: at least 1, or 0 for no bound.
     Status quality(double ratio, Error &error) noexcept
     {
         return change(error, [&](DelotetError **e) { return delotet_options_set_quality(get(), ratio, e); });

@@ -294,8 +294,8 @@ fn slope(text: &str) -> Result<f64, String> {
 }
 
 fn ratio(text: &str) -> Result<f64, String> {
-    let value = text.trim().parse::<f64>().ok().filter(|&value| value >= 1.2 && value.is_finite());
-    value.ok_or_else(|| "expected a finite number of at least 1.2".to_string())
+    let value = text.trim().parse::<f64>().ok().filter(|&value| value >= 1.0 && value.is_finite());
+    value.ok_or_else(|| "expected a finite number of at least 1".to_string())
 }
 
 pub fn angle(text: &str) -> Result<f64, String> {
@@ -365,7 +365,7 @@ mod tests {
         assert!(marker_size("2.5=1").is_err() && region_size("nan=1").is_err());
         assert!(slope("1").is_ok() && slope("1.01").is_err() && slope("0").is_err() && slope("nan").is_err());
         assert!(
-            ratio("1.2").is_ok() && ratio("1.1").is_err() && ratio("inf").is_err() && ratio("nan").is_err()
+            ratio("1").is_ok() && ratio("0.99").is_err() && ratio("inf").is_err() && ratio("nan").is_err()
         );
     }
 

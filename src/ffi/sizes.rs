@@ -14,7 +14,7 @@ use crate::query::Background;
 use libc::c_void;
 
 /// The smallest radius-edge ratio that may be asked for.
-const LEAST_RATIO: f64 = 1.2;
+const LEAST_RATIO: f64 = 1.0;
 const LARGEST_MIN_ANGLE: f64 = 60.0;
 
 /// Gives the edge length wanted at a point. `point`: its x y z, valid only during the callback. `size`: receives the length, positive or
@@ -167,8 +167,8 @@ pub unsafe extern "C" fn delotet_options_gradation(options: *const DelotetOption
 
 /// Fill the mesh with points until no tetrahedron's circumradius is more than `ratio` times its shortest edge, where the surface allows
 /// that. Without other sizes those of the surface count, and grow inwards by the gradation. The number of points is bounded: at small
-/// angles, in needles and in thin plates tetrahedra stay bad. At least 1.2; 2 is a good value. Modes as for delotet_options_set_size().
-/// 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1.2, or not finite).
+/// angles, in needles and in thin plates tetrahedra stay bad. At least 1; 1.4 to 2 are good values. Modes as for delotet_options_set_size().
+/// 0, the default: off. Errors: INVALID_ARGUMENT (other values below 1, or not finite).
 #[no_mangle]
 #[must_use]
 pub unsafe extern "C" fn delotet_options_set_quality(
@@ -179,7 +179,7 @@ pub unsafe extern "C" fn delotet_options_set_quality(
     // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
         change(options, out_error, |options| {
-            let what = "a finite ratio of at least 1.2";
+            let what = "a finite ratio of at least 1";
             options.options.quality = positive(ratio, LEAST_RATIO, "quality", what)?;
             Ok(())
         })

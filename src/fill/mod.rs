@@ -48,7 +48,7 @@ const APART_FOR_SHAPE: f64 = 0.5;
 /// and one and a half of it change 2 % of the tetrahedra, and angles by half a degree.
 const AT_WALL: f64 = 0.3;
 /// The least circumradius over shortest edge that may be asked for.
-pub const LEAST_RATIO: f64 = 1.2;
+pub const LEAST_RATIO: f64 = 1.0;
 /// The circumradius over shortest edge that is good enough unless something else is asked for.
 pub const RATIO: f64 = 2.0;
 

@@ -97,6 +97,22 @@ fn points_lie_exactly_on_slanted_facets() {
     assert!(optimised.steiner.iter().any(|p| p.third != crate::INVALID));
 }
 
+/// What no theory promises ends as well, and fewer are above it.
+#[test]
+fn the_least_ratio_ends() {
+    let mut plc = Plc::default();
+    cuboid(&mut plc, [0.0; 3], [5.0, 1.1, 0.7]);
+    let above = |ratio| {
+        let ratios = ratios(&mesh(&plc, &shaped(ratio)));
+        ratios.iter().filter(|&&ratio| ratio > 1.0).count() as f64 / ratios.len() as f64
+    };
+    assert!(above(1.0) < above(1.414), "{} {}", above(1.0), above(1.414));
+    for mode in [Mode::Constrained, Mode::Preserve] {
+        let [coarse, fine] = [1.414, 1.0].map(|ratio| mesh(&grid_box(3), &Options { mode, ..shaped(ratio) }));
+        assert!(fine.tets.len() >= coarse.tets.len() && fine.tets.len() < 100 * coarse.tets.len());
+    }
+}
+
 /// No tetrahedron is above the bound, edges have about the length that is asked for.
 #[test]
 fn sizes_and_volumes_are_kept_on_the_surface_too() {
