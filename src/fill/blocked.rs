@@ -9,7 +9,7 @@ use crate::fill::near::{cell, Cell};
 use rustc_hash::FxHashSet;
 
 /// How much smaller than the size, rounded up to a power of two, cells are: by two to this power. Without the grid voron_Guidler is refined in
-/// 105 s, with cells twice as small in 53 s, with these in 36 s, and more points fit in; a bracket loses 2 to 5 % of its tetrahedra.
+/// 105 s, with cells of a third in 53 s, with these in 31 s, and 5 % more tetrahedra come; a bracket has 8 % fewer.
 const FINER: i32 = 1;
 
 /// The cells that are not tried again.

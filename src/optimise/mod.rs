@@ -58,7 +58,7 @@ const LEVELS: [Level; 3] = [
     // On sofa_pelvis, of_flange, regions_tinyBoxt and spot, surfaces kept: smallest angles that nothing forces of 25°, 24°, 31° and 30° (20°, 20°,
     // 28° and 28° above) in three times the time.
     Level { bad: 0.65, awful: 0.5, poor: 0.55, good: 0.8, patience: 10, tets_a_point: 20 },
-    // 29°, 28°, 30° and 31°, in six times the time.
+    // 30°, 27°, 31° and 33°, in six times the time.
     Level { bad: 0.75, awful: 0.6, poor: 0.6, good: 0.85, patience: 20, tets_a_point: 20 },
 ];
 /// The points that may come in any case.
