@@ -70,7 +70,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     ("size", &["kernel", "predicates", "vector", "error", "options"]),
     ("optimise", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error"]),
-    ("fill", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error"]),
+    ("fill", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error", "options"]),
     ("refine", &["fill", "preserve", "segments", "ops", "size", "kernel", "predicates", "vector", "error"]),
     (
         "plan",

@@ -146,6 +146,8 @@ fn layouts() -> Vec<Layout> {
         quality::DelotetTetQualitiesView { first, count, stride }
         quality::DelotetForcedTet { tet, facets, ends, angle }
         quality::DelotetForcedTetsView { first, count, stride }
+        skinny::DelotetSkinnyTet { tet, cause, facets, radius_edge }
+        skinny::DelotetSkinnyTetsView { first, count, stride }
         quality::DelotetQualitySummary {
             struct_size, tet_count, forced_count, worst, worst_tets, histograms, unforced_worst, unforced_worst_tets,
             unforced_histograms

@@ -88,6 +88,54 @@ fn quality_is_told_in_lines_and_in_json() {
     let (said, stats, report) = run("cube.off");
     assert!(!said.contains("input-forced") && said.contains("\nradius-edge    up to 0.866\n"), "{said}");
     assert_eq!((&stats["quality"]["forced"], &report["forced_by"]), (&0.into(), &serde_json::json!([])));
+    assert!(stats["quality"]["skinny"].is_null() && report["above_ratio"].is_null(), "{stats}");
+}
+
+/// A prism with an edge of 10 degrees: with a ratio, what is above it is counted and listed with the facets that force it.
+#[test]
+fn tetrahedra_above_the_ratio_are_told() {
+    let dir = folder("skinny");
+    let (sine, cosine) = 10f64.to_radians().sin_cos();
+    let prism = format!(
+        "OFF\n6 5 0\n0 0 0\n1 0 0\n{cosine} {sine} 0\n0 0 1\n1 0 1\n{cosine} {sine} 1\n\
+         3 0 2 1\n4 0 1 4 3\n3 3 4 5\n4 2 0 3 5\n4 1 2 5 4\n"
+    );
+    std::fs::write(dir.join("prism.off"), prism).unwrap();
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    let run = |arguments: &[&str]| {
+        let output = delotet(&[arguments, &["--stats", "s.json", "--report", "r.json"]].concat(), &dir);
+        assert!(output.status.success(), "{}", error_line(&output));
+        let json = |file: &str| serde_json::from_str::<serde_json::Value>(&text(dir.join(file))).unwrap();
+        (String::from_utf8_lossy(&output.stdout).into_owned(), json("s.json"), json("r.json"))
+    };
+    let (said, stats, report) = run(&["mesh", "prism.off", "-o", "p.ele", "--quality=1.5"]);
+    let (counts, list) = (&stats["quality"]["skinny"], report["above_ratio"].as_array().unwrap());
+    assert_eq!((&counts["ratio"], counts["tets"].as_u64()), (&1.5.into(), Some(list.len() as u64)));
+    let count = |cause: &str| list.iter().filter(|tet| tet["cause"] == cause).count();
+    let forced = count("wedge") + count("corner");
+    assert!(forced > 0 && count("face") == 0);
+    for cause in ["wedge", "corner", "face", "beside", "other"] {
+        assert_eq!(counts[cause].as_u64(), Some(count(cause) as u64), "{cause}: {counts}");
+    }
+    let (beside, other) = (count("beside"), count("other"));
+    let all = list.len();
+    assert!(
+        said.contains(&format!(
+            "{all} above 1.5: {forced} input-forced, {beside} beside these, {other} others\n"
+        )),
+        "{said}"
+    );
+    for tet in list {
+        assert!(tet["radius_edge"].as_f64().unwrap() > 1.5 && tet["tet"].is_u64(), "{tet}");
+        assert_eq!(tet["facets"].is_null(), tet["cause"] == "other", "{tet}");
+        if tet["cause"] == "wedge" {
+            assert_eq!(tet["facets"], serde_json::json!([1, 3]));
+        }
+    }
+    let (said, ..) = run(&["refine", "p.ele", "-o", "r.vtu", "--quality=1.8"]);
+    assert!(said.contains(" above 1.8"), "{said}");
+    let (said, ..) = run(&["mesh", "cube.off", "-o", "c.ele", "--quality=1.5"]);
+    assert!(said.contains("none above 1.5\n"), "{said}");
 }
 
 #[test]

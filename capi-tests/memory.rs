@@ -24,7 +24,7 @@ use std::sync::Mutex;
 
 use delotet::ffi::{
     error::*, file::*, given::*, mesh::*, options::*, plc::*, plc_view::*, quality::*, query::*, run::*,
-    sizes::*, status::*, view::*, write::*,
+    sizes::*, skinny::*, status::*, view::*, write::*,
 };
 
 /// At most about this many requests of a job are refused, one run each, unless all are requested, since meshing takes long.
@@ -580,6 +580,12 @@ fn ask(mesh: *const DelotetMesh, hash: &mut Hash) -> Result<(), DelotetStatus> {
             delotet_mesh_worst_tets(mesh, DELOTET_QUALITY_ETA, true, worst.as_mut_ptr(), 3, &mut error);
         ok(status, &mut error)?;
         hash.view(worst.as_ptr(), 3, 1);
+        let mut skinny = null_mut();
+        let status = delotet_skinny_tets_new(mesh, 0.7, &mut skinny, &mut error);
+        ok(status, &mut error)?;
+        let list = delotet_skinny_tets_view(skinny);
+        hash.view(list.first, list.count, 1);
+        delotet_skinny_tets_free(skinny);
         let (mut tet, mut weights) = ([0u32], [0.0f64; 4]);
         let status = delotet_mesh_locate(
             mesh,

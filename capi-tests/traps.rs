@@ -158,6 +158,7 @@ mod glibc {
                     }
                     let forced = delotet::query::quality::forced_tets(&mesh).unwrap();
                     delotet::query::QualitySummary::new(&mesh, &forced);
+                    delotet::query::quality::skinny_tets(&mesh, None, &forced).unwrap();
                     let locator = delotet::query::Locator::new(&mesh).unwrap();
                     let (mut tets, mut weights) = ([0; 2], [[0.0; 4]; 2]);
                     locator.locate(&mesh, &[mesh.points[0], [0.1, 0.2, 0.3]], &mut tets, Some(&mut weights));

@@ -111,6 +111,17 @@ impl fmt::Debug for SizeFunction {
     }
 }
 
+/// The bounds of what may be asked for, and what counts if nothing is.
+impl Options {
+    /// The least circumradius over shortest edge that may be asked for ([`Options::quality`]).
+    pub const LEAST_RATIO: f64 = 1.0;
+    /// The circumradius over shortest edge that is good enough unless another one is asked for.
+    pub const USUAL_RATIO: f64 = 2.0;
+    /// The largest angle that may be asked for ([`Options::min_angle`]), in degrees: a regular tetrahedron has 70.5, but they do not fill
+    /// space.
+    pub const LARGEST_MIN_ANGLE: f64 = 60.0;
+}
+
 /// Settings of a run. `Options::default()` has the defaults that the field docs give.
 #[allow(clippy::disallowed_methods, reason = "for callers; the library itself never clones it")]
 #[derive(Clone, Debug, PartialEq)]

@@ -244,6 +244,9 @@ pub struct TetMesh {
     pub facet_flips: Vec<FacetFlip>,
     /// The mesh fills the convex hull: nothing outside the surface was carved.
     pub hull_kept: bool,
+    /// The radius-edge ratio that was asked for ([`Options::quality`](crate::Options::quality)), if one was; see
+    /// [`skinny_tets`](crate::query::quality::skinny_tets).
+    pub ratio: Option<f64>,
     /// What the mesh guarantees beyond validity.
     pub guarantee: Guarantee,
     /// The triangles of the surface are faces, its segments and the edges of its polygons are edges: Steiner points lie inside, and faces are
@@ -284,6 +287,7 @@ impl TetMesh {
             crowded,
             facet_flips,
             hull_kept,
+            ratio,
             guarantee,
             preserved,
             warnings,
@@ -309,6 +313,7 @@ impl TetMesh {
             crowded: fallible::copied(crowded)?,
             facet_flips: fallible::copied(facet_flips)?,
             hull_kept: *hull_kept,
+            ratio: *ratio,
             guarantee: *guarantee,
             preserved: *preserved,
             warnings: warnings.try_clone()?,

@@ -161,6 +161,25 @@ static inline DelotetPlc *narrow_wedge(void)
     return plc;
 }
 
+/* The unit cube with a triangle inside, facet 12, that has an angle of 10 degrees at point 8. */
+static inline DelotetPlc *cube_with_blade(void)
+{
+    static const uint32_t blade[3] = {8, 9, 10};
+    const double angle = 10 * acos(-1.0) / 180;
+    double xyz[33] = {0};
+    DelotetPlc *plc = NULL;
+    box_points(xyz, 0, 1);
+    xyz[24] = xyz[25] = xyz[28] = 0.2;
+    xyz[27] = 0.8;
+    xyz[30] = 0.2 + 0.6 * cos(angle);
+    xyz[31] = 0.2 + 0.6 * sin(angle);
+    xyz[26] = xyz[29] = xyz[32] = 0.5;
+    OK(delotet_plc_new(xyz, 11, &plc, &error));
+    OK(delotet_plc_add_triangles(plc, BOX, BOX_MARKERS, 12, &error));
+    OK(delotet_plc_add_triangles(plc, blade, NULL, 1, &error));
+    return plc;
+}
+
 /* A tetrahedron and a triangle that pierces it. */
 static inline DelotetPlc *pierced(void)
 {
@@ -265,5 +284,17 @@ static inline size_t points_in_grid(const DelotetPlc *plc, const DelotetOptions 
 static inline int near(double a, double b)
 {
     return fabs(a - b) <= 1e-12 * (fabs(a) + fabs(b));
+}
+
+/* The number of points of a mesh after refining it with these sizes. */
+static inline size_t points_refined(const DelotetMesh *mesh, const DelotetMeshSizes *sizes)
+{
+    DelotetMesh *fine = NULL;
+    size_t count;
+    OK(delotet_mesh_refine(mesh, sizes, NULL, &fine, &error));
+    count = delotet_mesh_points(fine).count;
+    CHECK(near(volume(fine), volume(mesh)));
+    delotet_mesh_free(fine);
+    return count;
 }
 #endif

@@ -1,30 +1,18 @@
 /* delotet_mesh_sizes_set_points: one length each, infinite where there is no wish; what is none is refused and changes nothing. */
 #include "test.h"
 
-/* Points of a box, with a wall in two regions, after refining with these sizes. */
-static size_t refined(const DelotetMesh *mesh, const DelotetMeshSizes *sizes)
-{
-    DelotetMesh *fine = NULL;
-    size_t count;
-    OK(delotet_mesh_refine(mesh, sizes, NULL, &fine, &error));
-    count = delotet_mesh_points(fine).count;
-    CHECK(near(volume(fine), volume(mesh)));
-    delotet_mesh_free(fine);
-    return count;
-}
-
 int main(void)
 {
     DelotetMesh *mesh = mesh_of(nested_boxes()), *fine = NULL;
     DelotetMeshSizes *sizes = delotet_mesh_sizes_new();
-    const size_t none = refined(mesh, sizes), count = delotet_mesh_points(mesh).count;
+    const size_t none = points_refined(mesh, sizes), count = delotet_mesh_points(mesh).count;
     double *lengths = (double *)malloc((count + 1) * sizeof *lengths);
     size_t i;
     CHECK(lengths != NULL);
     for (i = 0; i <= count; i++)
         lengths[i] = i == 0 ? 0.3 : INFINITY;
     OK(delotet_mesh_sizes_set_points(sizes, lengths, count, &error));
-    CHECK(refined(mesh, sizes) > none);
+    CHECK(points_refined(mesh, sizes) > none);
     lengths[1] = 0;
     FAILS(INVALID, delotet_mesh_sizes_set_points(sizes, lengths, count, &error));
     lengths[1] = NAN;
@@ -32,12 +20,12 @@ int main(void)
     FAILS(INVALID, delotet_mesh_sizes_set_points(sizes, NULL, count, &error));
     FAILS(INVALID, delotet_mesh_sizes_set_points(sizes, lengths, SIZE_MAX / 4, &error));
     FAILS(INVALID, delotet_mesh_sizes_set_points(NULL, lengths, count, &error));
-    CHECK(refined(mesh, sizes) > none);
+    CHECK(points_refined(mesh, sizes) > none);
     lengths[1] = 1;
     OK(delotet_mesh_sizes_set_points(sizes, lengths, count + 1, &error));
     FAILS(INVALID, delotet_mesh_refine(mesh, sizes, NULL, &fine, &error));
     OK(delotet_mesh_sizes_set_points(sizes, NULL, 0, &error));
-    CHECK(refined(mesh, sizes) == none);
+    CHECK(points_refined(mesh, sizes) == none);
     free(lengths);
     delotet_mesh_sizes_free(sizes);
     delotet_mesh_free(mesh);

@@ -191,6 +191,14 @@ static void quality()
     CHECK(mesh.forced_tets().size() == summary.forced_count && summary.forced_count > 0);
     for (const delotet::ForcedTet &forced : mesh.forced_tets())
         CHECK(std::abs(forced.angle - 10) < 1e-12 && forced.facets[0] / 2 == 1 && forced.facets[1] / 2 == 3);
+    const delotet::SkinnyTets skinny = mesh.skinny_tets(1);
+    CHECK(skinny.ratio() == 1 && skinny.tets().size() > 0 && mesh.skinny_tets().ratio() == 2);
+    std::size_t count = 0;
+    for (const delotet::TetQuality &tet : mesh.quality())
+        count += tet.radius_edge > 1;
+    CHECK(skinny.tets().size() == count && skinny.count(delotet::SkinnyCause::wedge) > 0);
+    for (const delotet::SkinnyTet &tet : skinny.tets())
+        CHECK(tet.cause == DELOTET_SKINNY_OTHER || tet.facets[0] != delotet::invalid_index);
     Index worst[2] = {};
     mesh.worst_tets(delotet::QualityMeasure::min_dihedral, false, worst);
     CHECK(worst[0] == summary.worst_tets[DELOTET_QUALITY_MIN_DIHEDRAL]);

@@ -457,6 +457,11 @@ typedef struct DelotetOptions DelotetOptions;
 typedef struct DelotetPlc DelotetPlc;
 
 /**
+ * The tetrahedra of a mesh above a radius-edge ratio: immutable, so any number of threads may read it.
+ */
+typedef struct DelotetSkinnyTets DelotetSkinnyTets;
+
+/**
  * How a mesh or a PLC is written. One object may serve any number of calls, even concurrent ones (the log callback is then called
  * from all their threads).
  */
@@ -1330,6 +1335,53 @@ typedef struct DelotetForcedTetsView {
 } DelotetForcedTetsView;
 
 /**
+ * Why a tetrahedron is above a radius-edge ratio: one of the DELOTET_SKINNY_ constants. Of several causes the one with the smallest number
+ * counts. Later versions may add causes.
+ */
+typedef uint32_t DelotetSkinnyCause;
+
+/**
+ * A tetrahedron above a radius-edge ratio.
+ */
+typedef struct DelotetSkinnyTet {
+    /**
+     * The tetrahedron.
+     */
+    uint32_t tet;
+    /**
+     * Why it is one: a DELOTET_SKINNY_ constant.
+     */
+    DelotetSkinnyCause cause;
+    /**
+     * The input facets that force it, the smaller index first; twice the same if it is one. With DELOTET_SKINNY_BESIDE those that force
+     * what it is beside, with DELOTET_SKINNY_OTHER both are DELOTET_INVALID_INDEX.
+     */
+    uint32_t facets[2];
+    /**
+     * Its circumradius over its shortest edge.
+     */
+    double radius_edge;
+} DelotetSkinnyTet;
+
+/**
+ * Borrowed tetrahedra above a radius-edge ratio; NULL and 0 if there are none.
+ */
+typedef struct DelotetSkinnyTetsView {
+    /**
+     * The first of `count` records; DELOTET_AT(DelotetSkinnyTet, view, i) is the i-th.
+     */
+    const struct DelotetSkinnyTet *first;
+    /**
+     * Number of elements.
+     */
+    size_t count;
+    /**
+     * Bytes from one element to the next.
+     */
+    size_t stride;
+} DelotetSkinnyTetsView;
+
+/**
  * A version of Gmsh's format: one of the DELOTET_MSH_ constants.
  */
 typedef uint32_t DelotetMshVersion;
@@ -1406,6 +1458,32 @@ typedef uint32_t DelotetMshVersion;
  * The mean ratio 12 (3 V)^(2/3) / (sum of the squared edge lengths), from 0 to 1. Smaller is worse.
  */
 #define DELOTET_QUALITY_ETA 3
+
+/**
+ * Input-forced: in a narrow wedge between two facets (delotet_mesh_forced_tets()).
+ */
+#define DELOTET_SKINNY_WEDGE 0
+
+/**
+ * Input-forced: a face of it is in a corner of a facet (from one subsegment to the next around a point) of less than arcsin(1 / (2 ratio)):
+ * every mesh of this input has tetrahedra above the ratio there.
+ */
+#define DELOTET_SKINNY_CORNER 1
+
+/**
+ * Input-forced: a face of it is a triangle of a surface that is kept, and above the ratio itself.
+ */
+#define DELOTET_SKINNY_FACE 2
+
+/**
+ * It has a point in common with an input-forced tetrahedron.
+ */
+#define DELOTET_SKINNY_BESIDE 3
+
+/**
+ * None of these.
+ */
+#define DELOTET_SKINNY_OTHER 4
 
 /**
  * Version 4.1, that of Gmsh 4. The default.
@@ -2949,6 +3027,40 @@ const char *delotet_quality_bin_name(DelotetQualityMeasure measure,
  */
 DELOTET_API
 const char *delotet_quality_measure_name(DelotetQualityMeasure measure);
+
+/**
+ * Finds the tetrahedra whose circumradius is more than `ratio` of their shortest edge, and for each whether the input forces it.
+ * `ratio`: positive and finite; 0 is the ratio that was asked for (delotet_options_set_quality()), or 2 if none was, as in meshes that were
+ * read. `out_tets`: the list, owned by the caller, which needs the mesh no longer; free it with delotet_skinny_tets_free(). NULL on failure.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_skinny_tets_new(const struct DelotetMesh *mesh,
+                                           double ratio,
+                                           struct DelotetSkinnyTets **out_tets,
+                                           struct DelotetError **out_error);
+
+/**
+ * All of them, in ascending order. Borrowed from `tets`. Empty for NULL.
+ */
+DELOTET_API struct DelotetSkinnyTetsView delotet_skinny_tets_view(const struct DelotetSkinnyTets *tets);
+
+/**
+ * The ratio that they are above. 0 for NULL.
+ */
+DELOTET_API double delotet_skinny_tets_ratio(const struct DelotetSkinnyTets *tets);
+
+/**
+ * Frees a list. NULL is ignored.
+ */
+DELOTET_API void delotet_skinny_tets_free(struct DelotetSkinnyTets *tets);
+
+/**
+ * Name of a cause, such as "DELOTET_SKINNY_WEDGE"; "unknown" for other numbers. Static: never NULL, never freed.
+ */
+DELOTET_API
+const char *delotet_skinny_cause_name(DelotetSkinnyCause cause);
 
 /**
  * Reads a PLC from a file; the extension determines the format (src/doc/formats.md lists them).

@@ -63,6 +63,7 @@ using Edge = DelotetEdge;
 using Stats = DelotetStats;
 using TetQuality = DelotetTetQuality;
 using ForcedTet = DelotetForcedTet;
+using SkinnyTet = DelotetSkinnyTet;
 using QualitySummary = DelotetQualitySummary;
 
 using Index = std::uint32_t;
@@ -99,6 +100,15 @@ enum class QualityMeasure : std::uint32_t {
     max_dihedral = DELOTET_QUALITY_MAX_DIHEDRAL,
     radius_edge = DELOTET_QUALITY_RADIUS_EDGE,
     eta = DELOTET_QUALITY_ETA
+};
+
+/// Why a tetrahedron is above a radius-edge ratio; the first three are input-forced.
+enum class SkinnyCause : std::uint32_t {
+    wedge = DELOTET_SKINNY_WEDGE,
+    corner = DELOTET_SKINNY_CORNER,
+    face = DELOTET_SKINNY_FACE,
+    beside = DELOTET_SKINNY_BESIDE,
+    other = DELOTET_SKINNY_OTHER
 };
 
 /// Whether the loaded library has the ABI of this header: the same minor version before 1.0, the same major version after.
@@ -1631,6 +1641,29 @@ struct MeshArrays {
     std::size_t input_point_count = static_cast<std::size_t>(-1);
 };
 
+/// The tetrahedra of a mesh above a radius-edge ratio. Move-only and immutable; empty (get() is NULL) by default.
+class SkinnyTets {
+  public:
+    SkinnyTets() noexcept = default;
+    explicit SkinnyTets(DelotetSkinnyTets *owned) noexcept : handle_(owned) {}
+
+    /// All of them, in ascending order.
+    Records<SkinnyTet> tets() const & noexcept { return detail::records(delotet_skinny_tets_view(get())); }
+    void tets() const && = delete;
+    double ratio() const noexcept { return delotet_skinny_tets_ratio(get()); }
+    std::size_t count(SkinnyCause cause) const noexcept
+    {
+        std::size_t count = 0;
+        for (const SkinnyTet &tet : tets())
+            count += tet.cause == static_cast<DelotetSkinnyCause>(cause);
+        return count;
+    }
+    DelotetSkinnyTets *get() const noexcept { return handle_.get(); }
+
+  private:
+    std::unique_ptr<DelotetSkinnyTets, detail::Free<DelotetSkinnyTets, delotet_skinny_tets_free>> handle_;
+};
+
 /// The result. Move-only and immutable; empty (get() is NULL) by default.
 class Mesh {
   public:
@@ -1789,6 +1822,16 @@ class Mesh {
         return derive_records(delotet_mesh_forced_tets, out, error);
     }
     void forced_tets(Records<ForcedTet> &, Error &) const && = delete;
+    /// Tetrahedra above a radius-edge ratio, and what forces them. `ratio`: 0 is the one that was asked for.
+    Status skinny_tets(double ratio, SkinnyTets &out, Error &error) const noexcept
+    {
+        DelotetSkinnyTets *made = nullptr;
+        const Status status = detail::run(
+            error, [&](DelotetError **e) { return delotet_skinny_tets_new(get(), ratio, &made, e); });
+        if (status == DELOTET_STATUS_OK)
+            out = SkinnyTets(made);
+        return status;
+    }
     Status check(const Plc &plc, bool constrained_delaunay, std::size_t max_defects, Error &error) const noexcept
     {
         return detail::run(error, [&](DelotetError **e) {
@@ -1882,6 +1925,10 @@ class Mesh {
         return made<Records<ForcedTet>>([&](auto &out, Error &e) { return forced_tets(out, e); });
     }
     void forced_tets() const && = delete;
+    SkinnyTets skinny_tets(double ratio = 0) const
+    {
+        return made<SkinnyTets>([&](auto &out, Error &e) { return skinny_tets(ratio, out, e); });
+    }
     void check(const Plc &plc, bool constrained_delaunay = true, std::size_t max_defects = 1000) const
     {
         detail::require([&](Error &e) { return check(plc, constrained_delaunay, max_defects, e); });

@@ -1,6 +1,7 @@
 //! `delotet check`.
 use super::args::{CheckArgs, PreserveArg};
 use super::page::Page;
+use super::quality::Quality;
 use super::{paths, report, Failure};
 use delotet::io;
 use delotet::{Defect, DefectKind, Element, Error, Guarantee, Status, SteinerPoint, TetMesh, Warnings};
@@ -14,7 +15,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     paths::check_report(args.report.as_deref(), &inputs)?;
     let outcome = check(args);
     report::write_if_asked(args.report.as_deref(), outcome, |()| {
-        report::of_success(None, &[], &Warnings::default())
+        report::of_success(None, &Quality::default(), &Warnings::default())
     })
 }
 

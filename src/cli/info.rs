@@ -2,6 +2,7 @@
 use super::args::InfoArgs;
 use super::observer::Console;
 use super::page::Page;
+use super::quality::Quality;
 use super::{paths, report, summary, Failure};
 use delotet::{Options, Warnings};
 
@@ -9,7 +10,10 @@ use delotet::{Options, Warnings};
 pub fn run(args: &InfoArgs) -> Result<(), Failure> {
     paths::check_report(args.report.as_deref(), &delotet::io::sources(&args.input)?)?;
     let outcome = info(args);
-    report::write_if_asked(args.report.as_deref(), outcome, |w| report::of_success(None, &[], w)).map(|_| ())
+    report::write_if_asked(args.report.as_deref(), outcome, |w| {
+        report::of_success(None, &Quality::default(), w)
+    })
+    .map(|_| ())
 }
 
 fn info(args: &InfoArgs) -> Result<Warnings, Failure> {

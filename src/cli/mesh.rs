@@ -71,8 +71,7 @@ pub(super) fn told(
 
 /// Writes the report of a run, if there is to be one.
 pub(super) fn reported(say: &SayArgs, outcome: Result<Made, Failure>) -> Result<(), Failure> {
-    let of_mesh =
-        |made: &Made| report::of_success(Some(&made.mesh), &made.quality.forced, &made.mesh.warnings);
+    let of_mesh = |made: &Made| report::of_success(Some(&made.mesh), &made.quality, &made.mesh.warnings);
     report::write_if_asked(say.report.as_deref(), outcome, of_mesh).map(|_| ())
 }
 

@@ -1,8 +1,8 @@
 //! What the program says about the quality of a mesh: lines for people, JSON for programs.
 use super::page::Page;
 use super::summary::grouped;
-use delotet::query::quality::{forced_tets, worst_tets, Figures, BINS, FORCED_BELOW};
-use delotet::query::{ForcedTet, Measure, QualitySummary, TetQuality};
+use delotet::query::quality::{forced_tets, skinny_tets, worst_tets, Figures, BINS, FORCED_BELOW};
+use delotet::query::{ForcedTet, Measure, QualitySummary, SkinnyCause, SkinnyTet, SkinnyTets, TetQuality};
 use delotet::{Error, TetMesh, INVALID};
 use serde_json::{json, Value};
 use std::collections::BTreeMap;
@@ -14,6 +14,8 @@ const LISTED: usize = 10;
 #[derive(Default)]
 pub struct Quality {
     pub forced: Vec<ForcedTet>,
+    /// If a ratio was asked for.
+    pub skinny: Option<SkinnyTets>,
     summary: Option<QualitySummary>,
 }
 
@@ -21,7 +23,8 @@ impl Quality {
     pub fn of(mesh: &TetMesh) -> Result<Quality, Error> {
         let forced = forced_tets(mesh)?;
         let summary = Some(QualitySummary::new(mesh, &forced));
-        Ok(Quality { forced, summary })
+        let skinny = mesh.ratio.map(|ratio| skinny_tets(mesh, Some(ratio), &forced)).transpose()?;
+        Ok(Quality { forced, skinny, summary })
     }
 
     /// A few lines: the range of dihedral angles, histograms, and how much of it the input forces.
@@ -33,6 +36,9 @@ impl Quality {
         page.line("  largest", histogram(&summary.all, Measure::MaxDihedral));
         page.line("radius-edge", format_args!("up to {ratio:.3}"));
         page.line("", histogram(&summary.all, Measure::RadiusEdge));
+        if let Some(skinny) = &self.skinny {
+            page.line("", above(skinny));
+        }
         page.line("mean ratio", format_args!("down to {eta:.4}"));
         page.line("", histogram(&summary.all, Measure::Eta));
         let Some(narrowest) = self.forced.iter().min_by(|a, b| a.angle.total_cmp(&b.angle)) else { return };
@@ -71,6 +77,7 @@ impl Quality {
         }
         measures.insert("tets".to_string(), json!(summary.tet_count));
         measures.insert("forced".to_string(), json!(summary.forced_count));
+        measures.insert("skinny".to_string(), self.skinny.as_ref().map_or(Value::Null, skinny_counts));
         Ok(Value::Object(measures))
     }
 }
@@ -86,6 +93,42 @@ fn histogram(figures: &Figures, measure: Measure) -> String {
     let counts = figures.histograms[measure as usize].iter().enumerate().filter(|bin| *bin.1 > 0);
     let parts = counts.map(|(bin, &count)| format!("{} {}", label(bin), grouped(count)));
     parts.collect::<Vec<_>>().join(", ")
+}
+
+/// How many tetrahedra are above the ratio that was asked for, and why.
+fn above(skinny: &SkinnyTets) -> String {
+    let ratio = skinny.ratio;
+    let count =
+        |of: &dyn Fn(SkinnyCause) -> bool| skinny.list.iter().filter(|tet| of(tet.cause)).count() as u64;
+    let forced = count(&SkinnyCause::is_forced);
+    let [beside, other] = [SkinnyCause::Beside, SkinnyCause::Other].map(|cause| count(&|x| x == cause));
+    match skinny.list.len() as u64 {
+        0 => format!("none above {ratio}"),
+        all => format!(
+            "{} above {ratio}: {} input-forced, {} beside these, {} others",
+            grouped(all),
+            grouped(forced),
+            grouped(beside),
+            grouped(other)
+        ),
+    }
+}
+
+fn skinny_counts(skinny: &SkinnyTets) -> Value {
+    let mut counts = serde_json::Map::new();
+    counts.insert("ratio".to_string(), json!(skinny.ratio));
+    counts.insert("tets".to_string(), json!(skinny.list.len()));
+    for cause in SkinnyCause::ALL {
+        counts.insert(cause.name().to_string(), json!(skinny.count(cause)));
+    }
+    Value::Object(counts)
+}
+
+/// The tetrahedra above the ratio that was asked for, with the facets that force them.
+pub fn above_ratio(skinny: Option<&SkinnyTets>) -> Value {
+    let facets = |tet: &SkinnyTet| (tet.cause != SkinnyCause::Other).then_some(tet.facets);
+    let tet = |tet: &SkinnyTet| json!({ "tet": tet.tet, "radius_edge": tet.radius_edge, "cause": tet.cause.name(), "facets": facets(tet) });
+    skinny.map_or(Value::Null, |skinny| skinny.list.iter().map(tet).collect())
 }
 
 fn key(measure: Measure) -> &'static str {

@@ -1,7 +1,7 @@
 //! Errors for users (stderr) and for programs (JSON).
 use super::page::tell;
+use super::quality::Quality;
 use super::Failure;
-use delotet::query::ForcedTet;
 use delotet::{Defect, Element, Error, Status, TetMesh, Warning, WarningKind, Warnings};
 use serde_json::{json, Value};
 use std::io::Write;
@@ -67,8 +67,9 @@ pub fn of_error(error: &Error) -> Value {
     })
 }
 
-/// The report of a success: no defects; the warnings, the flips of facet merging, and the narrow wedges of the input.
-pub fn of_success(mesh: Option<&TetMesh>, forced: &[ForcedTet], warnings: &Warnings) -> Value {
+/// The report of a success: no defects; the warnings, the flips of facet merging, the narrow wedges of the input, and the tetrahedra above
+/// the ratio that was asked for.
+pub fn of_success(mesh: Option<&TetMesh>, quality: &Quality, warnings: &Warnings) -> Value {
     let flips = mesh.map(|m| &m.facet_flips[..]).unwrap_or_default();
     let flip = |f: &delotet::FacetFlip| json!({ "old": f.old, "new": f.new, "facets": f.facets });
     json!({
@@ -81,7 +82,8 @@ pub fn of_success(mesh: Option<&TetMesh>, forced: &[ForcedTet], warnings: &Warni
         "warning_count": warnings.total(),
         "warnings": warnings.list().iter().map(warning).collect::<Vec<_>>(),
         "facet_flips": flips.iter().map(flip).collect::<Vec<_>>(),
-        "forced_by": super::quality::forcing_facets(forced),
+        "forced_by": super::quality::forcing_facets(&quality.forced),
+        "above_ratio": super::quality::above_ratio(quality.skinny.as_ref()),
     })
 }
 

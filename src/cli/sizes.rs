@@ -2,7 +2,7 @@
 use super::given::invalid;
 use super::Failure;
 use clap::Args;
-use delotet::{Control, Error, MarkerSize, MeshSizes, Plc, RegionSize, SizeFunction, Status};
+use delotet::{Control, Error, MarkerSize, MeshSizes, Options, Plc, RegionSize, SizeFunction, Status};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -294,13 +294,15 @@ fn slope(text: &str) -> Result<f64, String> {
 }
 
 fn ratio(text: &str) -> Result<f64, String> {
-    let value = text.trim().parse::<f64>().ok().filter(|&value| value >= 1.0 && value.is_finite());
-    value.ok_or_else(|| "expected a finite number of at least 1".to_string())
+    let least = Options::LEAST_RATIO;
+    let value = text.trim().parse::<f64>().ok().filter(|&value| value >= least && value.is_finite());
+    value.ok_or_else(|| format!("expected a finite number of at least {least}"))
 }
 
 pub fn angle(text: &str) -> Result<f64, String> {
-    let value = text.trim().parse::<f64>().ok().filter(|&value| value > 0.0 && value <= 60.0);
-    value.ok_or_else(|| "expected an angle above 0, at most 60".to_string())
+    let most = Options::LARGEST_MIN_ANGLE;
+    let value = text.trim().parse::<f64>().ok().filter(|&value| value > 0.0 && value <= most);
+    value.ok_or_else(|| format!("expected an angle above 0, at most {most}"))
 }
 
 fn marker_size(text: &str) -> Result<MarkerSize, String> {

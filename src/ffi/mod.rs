@@ -29,6 +29,7 @@ pub mod quality;
 pub mod query;
 pub mod run;
 pub mod sizes;
+pub mod skinny;
 mod slice;
 pub mod status;
 pub mod version;

@@ -153,7 +153,7 @@ impl DelotetQualitySummary {
 }
 
 impl DelotetMesh {
-    fn forced_tets(&self) -> Result<&[ForcedTet], Error> {
+    pub(super) fn forced_tets(&self) -> Result<&[ForcedTet], Error> {
         Ok(kept(&self.derived.forced_tets, || quality::forced_tets(&self.mesh))?)
     }
 

@@ -8,14 +8,11 @@ use crate::ffi::plc::DelotetPlc;
 use crate::ffi::slice::array;
 use crate::ffi::status::DelotetStatus;
 use crate::ffi::view::DelotetDoublesView;
-use crate::options::SizeFunction;
+use crate::options::{Options, SizeFunction};
 use crate::plc::Plc;
 use crate::query::Background;
 use libc::c_void;
-
-/// The smallest radius-edge ratio that may be asked for.
-const LEAST_RATIO: f64 = 1.0;
-const LARGEST_MIN_ANGLE: f64 = 60.0;
+use std::fmt::Display;
 
 /// Gives the edge length wanted at a point. `point`: its x y z, valid only during the callback. `size`: receives the length, positive or
 /// infinite; infinite, which it is before the call, is no wish. Return 0 to continue, anything else to cancel: the call then fails with
@@ -73,7 +70,7 @@ pub(super) unsafe fn borrowed(
 }
 
 /// A setting that 0 turns off: positive and finite, at least `least`.
-fn positive(value: f64, least: f64, name: &str, what: &str) -> Result<Option<f64>, Error> {
+fn positive(value: f64, least: f64, name: &str, what: impl Display) -> Result<Option<f64>, Error> {
     if value == 0.0 {
         return Ok(None);
     }
@@ -179,8 +176,9 @@ pub unsafe extern "C" fn delotet_options_set_quality(
     // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
         change(options, out_error, |options| {
-            let what = "a finite ratio of at least 1";
-            options.options.quality = positive(ratio, LEAST_RATIO, "quality", what)?;
+            let least = Options::LEAST_RATIO;
+            options.options.quality =
+                positive(ratio, least, "quality", format_args!("a finite ratio of at least {least}"))?;
             Ok(())
         })
     }
@@ -261,10 +259,11 @@ pub unsafe extern "C" fn delotet_options_set_min_angle(
     // SAFETY: the caller passes NULL or options that nothing else uses, and NULL or a valid out-parameter.
     unsafe {
         change(options, out_error, |options| {
-            let what = "an angle of at most 60 degrees";
-            let angle = positive(degrees, 0.0, "min_angle", what)?;
-            if angle.is_some_and(|angle| angle > LARGEST_MIN_ANGLE) {
-                return Err(invalid(format_args!("min_angle: {degrees} is no angle of at most 60 degrees")));
+            let most = Options::LARGEST_MIN_ANGLE;
+            let angle =
+                positive(degrees, 0.0, "min_angle", format_args!("an angle of at most {most} degrees"))?;
+            if angle.is_some_and(|angle| angle > most) {
+                return Err(invalid(format_args!("min_angle: {degrees} is above {most} degrees")));
             }
             options.options.min_angle = angle;
             Ok(())

@@ -27,6 +27,7 @@ use crate::kernel::budget::Budget;
 use crate::kernel::{Mesh, NONE};
 use crate::ops::insert::{Face, Insert, Outcome};
 use crate::ops::shape::sine;
+use crate::options::Options;
 use crate::predicates::Points;
 use crate::preserve::inside::Inside;
 use crate::size::{distance, volume, Bounds, Size, Wanted};
@@ -47,11 +48,6 @@ const APART_FOR_SHAPE: f64 = 0.5;
 /// Sine of the least angle that a new tetrahedron at a wall must have, unless it is better than the old one. Half of it
 /// and one and a half of it change 2 % of the tetrahedra, and angles by half a degree.
 const AT_WALL: f64 = 0.3;
-/// The least circumradius over shortest edge that may be asked for.
-pub const LEAST_RATIO: f64 = 1.0;
-/// The circumradius over shortest edge that is good enough unless something else is asked for.
-pub const RATIO: f64 = 2.0;
-
 /// The most points of a mesh, by its tables of 2^30 tetrahedra.
 pub const MOST_POINTS: f64 = 1.5e8;
 
@@ -171,7 +167,20 @@ impl<'a, 'b> Fill<'a, 'b> {
         let corners = bounding_box(points);
         let (blocked, budget) = (Blocked::default(), Budget::default());
         let next = None;
-        Fill { mesh, points, inside, size, ratio: RATIO, part, insert, corners, queue, next, blocked, budget }
+        Fill {
+            mesh,
+            points,
+            inside,
+            size,
+            ratio: Options::USUAL_RATIO,
+            part,
+            insert,
+            corners,
+            queue,
+            next,
+            blocked,
+            budget,
+        }
     }
 }
 

@@ -270,6 +270,7 @@ impl Run<'_> {
         self.warnings.append(&self.seeds);
         warn::about_mesh(&mesh, options, &mut self.warnings, self.control)?;
         mesh.warnings = std::mem::take(&mut self.warnings);
+        mesh.ratio = options.quality;
         if options.drop_unmeshed_points {
             self.control.look()?;
             mesh.drop_unmeshed_points()?;

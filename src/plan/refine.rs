@@ -3,7 +3,7 @@ use crate::domain::Domain;
 use crate::elementary::{cosine_of_degrees, exponent, power_of_two};
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::fill::{bound_volumes, estimate, fill, Shape, LEAST_RATIO, RATIO};
+use crate::fill::{bound_volumes, estimate, fill, Shape};
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, Mesh};
 use crate::optimise::{optimise, Extent, Request};
@@ -32,9 +32,6 @@ pub(super) fn fills(options: &Options) -> bool {
     lengths || options.quality.is_some()
 }
 
-/// The largest angle that can be asked for: a regular tetrahedron has 70.5 degrees, but they do not fill space.
-const LARGEST_MIN_ANGLE: f64 = 60.0;
-
 /// Whether the mesh is filled or optimised.
 pub(super) fn refines(options: &Options) -> bool {
     fills(options) || request(options).is_some()
@@ -52,11 +49,12 @@ pub(super) fn request(options: &Options) -> Option<Request> {
 /// Refuses sizes and shapes that nothing can have, and modes that offer none.
 pub(super) fn check(plc: &Plc, options: &Options) -> Result<(), Error> {
     let refuse = |what: std::fmt::Arguments| Err(Error::new(Status::InvalidArgument, what));
+    let (least, most) = (Options::LEAST_RATIO, Options::LARGEST_MIN_ANGLE);
     if let Some(size) = options.size.filter(|&size| !(size > 0.0 && size.is_finite())) {
         return refuse(format_args!("size: {size} is no positive finite length"));
     }
-    if let Some(ratio) = options.quality.filter(|&ratio| !(ratio >= LEAST_RATIO && ratio.is_finite())) {
-        return refuse(format_args!("quality: {ratio} is no finite ratio of at least {LEAST_RATIO}"));
+    if let Some(ratio) = options.quality.filter(|&ratio| !(ratio >= least && ratio.is_finite())) {
+        return refuse(format_args!("quality: {ratio} is no finite ratio of at least {least}"));
     }
     if let Some(volume) = options.max_volume.filter(|&volume| !(volume > 0.0 && volume.is_finite())) {
         return refuse(format_args!("max_volume: {volume} is no positive finite volume"));
@@ -64,10 +62,8 @@ pub(super) fn check(plc: &Plc, options: &Options) -> Result<(), Error> {
     if let Some(seconds) = options.optimize_seconds.filter(|&x| !(x > 0.0 && x.is_finite())) {
         return refuse(format_args!("optimize_seconds: {seconds} is no positive finite number of seconds"));
     }
-    if let Some(angle) = options.min_angle.filter(|&angle| !(angle > 0.0 && angle <= LARGEST_MIN_ANGLE)) {
-        return refuse(format_args!(
-            "min_angle: {angle} is not above 0 and at most {LARGEST_MIN_ANGLE} degrees"
-        ));
+    if let Some(angle) = options.min_angle.filter(|&angle| !(angle > 0.0 && angle <= most)) {
+        return refuse(format_args!("min_angle: {angle} is not above 0 and at most {most} degrees"));
     }
     let gradation = options.gradation;
     if !(gradation > 0.0 && gradation <= 1.0) {
@@ -128,7 +124,7 @@ impl Run<'_> {
             let given = given(options, engine, input)?;
             let mut size = Size::new(mesh, &engine.points, isolated, given, options.gradation, &part)?;
             estimate(mesh, &engine.points, &size, &part)?;
-            let shape = Shape { ratio: options.quality.unwrap_or(RATIO), delaunay: false };
+            let shape = Shape { ratio: options.quality.unwrap_or(Options::USUAL_RATIO), delaunay: false };
             fill(mesh, &mut engine.points, inside, &mut size, shape, part.part(0.0, 0.8))?;
             if !limits.is_empty() {
                 bound_volumes(mesh, &mut engine.points, inside, &mut size, &limits, part.part(0.8, 1.0))?;

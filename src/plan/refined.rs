@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::facets::polygons::Retriangulated;
 use crate::facets::subface::Subfaces;
 use crate::fallible;
-use crate::fill::{estimate, fill, Shape, RATIO};
+use crate::fill::{estimate, fill, Shape};
 use crate::kernel::around::StarSearch;
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, face_key, Mesh, GHOST, NONE};
@@ -154,7 +154,7 @@ impl Run<'_> {
             let given = given(options, engine, input)?;
             let mut size =
                 Size::new(&mesh, &engine.points, &refined.isolated, given, options.gradation, &part)?;
-            let ratio = options.quality.unwrap_or(RATIO);
+            let ratio = options.quality.unwrap_or(Options::USUAL_RATIO);
             estimate(&mesh, &engine.points, &size, &part)?;
             let frames = frames(engine, input.surface, polygons, control)?;
             let wishes = wishes(engine, input, subfaces, control)?;

@@ -14,7 +14,7 @@ pub use edges::{Edge, Edges};
 pub use faces::{Face, Faces};
 pub use locate::Locator;
 pub use point_data::PointData;
-pub use quality::{ForcedTet, Measure, QualitySummary, TetQuality};
+pub use quality::{ForcedTet, Measure, QualitySummary, SkinnyCause, SkinnyTet, SkinnyTets, TetQuality};
 pub use second_order::NodeOrder;
 
 use crate::error::Error;

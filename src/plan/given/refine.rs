@@ -6,7 +6,7 @@ use crate::check::{audit, audit_promise, Promise};
 use crate::control::{Control, Part};
 use crate::error::{DefectKind, Element, Error, Status};
 use crate::fallible;
-use crate::fill::{bound_volumes, estimate, fill, Shape, RATIO};
+use crate::fill::{bound_volumes, estimate, fill, Shape};
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, Mesh, NONE};
 use crate::optimise::optimise;
@@ -82,6 +82,7 @@ pub(super) fn refined(
     statistics.steiner_exact = on_edges().filter(|point| point.exact).count() as u64;
     statistics.duplicate_points = mesh.statistics.duplicate_points;
     out.statistics = statistics;
+    out.ratio = options.quality.or(mesh.ratio);
     Ok(out)
 }
 
@@ -201,7 +202,7 @@ impl<'a> Work<'a> {
             let given = self.wanted(sizes, options)?;
             let Work { mesh, points, inside, isolated, .. } = self;
             let mut size = Size::new(mesh, points, isolated, given, options.gradation, &part)?;
-            let ratio = options.quality.unwrap_or(RATIO);
+            let ratio = options.quality.unwrap_or(Options::USUAL_RATIO);
             estimate(mesh, points, &size, &part)?;
             let shape = Shape { ratio, delaunay: false };
             fill(mesh, points, inside, &mut size, shape, part.part(0.0, 0.4))?;

@@ -13,15 +13,20 @@
 //! * [`summary`]: histograms and worst tetrahedra.
 //! * `rough`: their bins without the measures.
 //! * [`forced`]: tetrahedra in narrow wedges between two facets.
+//! * [`skinny`]: tetrahedra above a radius-edge ratio, and what forces them.
+//! * `corners`: narrow corners of facets.
 
+mod corners;
 pub mod forced;
 mod rough;
+pub mod skinny;
 pub mod summary;
 #[cfg(test)]
 mod tests;
 pub mod tet;
 
 pub use forced::{forced_tets, ForcedTet, FORCED_BELOW};
+pub use skinny::{skinny_tets, SkinnyCause, SkinnyTet, SkinnyTets};
 pub use summary::{worst_tets, Figures, QualitySummary};
 pub use tet::TetQuality;
 

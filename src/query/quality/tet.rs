@@ -208,7 +208,7 @@ impl Scaled {
 
 /// The power of two that brings the largest of these numbers to between 1 and 2, and the exponent of its reciprocal; `None` if all are
 /// zero. Numbers at the ends of the range are brought only nearly there, so that the power and its product with others stay in it.
-fn to_one(numbers: &[f64]) -> Option<(f64, i32)> {
+pub(super) fn to_one(numbers: &[f64]) -> Option<(f64, i32)> {
     let largest = numbers.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
     let exponent = exponent(largest).clamp(-1000, 1022);
     (largest > 0.0).then(|| (power_of_two(-exponent), exponent))
@@ -223,7 +223,7 @@ fn in_units(x: f64, k: i32) -> f64 {
 }
 
 /// The length of a vector, also if its squares underflow.
-fn length(v: &[f64; 3]) -> f64 {
+pub(super) fn length(v: &[f64; 3]) -> f64 {
     let square = dot(v, v);
     if square > 1e-280 {
         return square.sqrt();
