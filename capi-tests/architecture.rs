@@ -69,9 +69,12 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     ("size", &["kernel", "predicates", "vector", "error", "options"]),
-    ("optimise", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error"]),
-    ("fill", &["preserve", "ops", "size", "kernel", "predicates", "vector", "error", "options"]),
-    ("refine", &["fill", "preserve", "segments", "ops", "size", "kernel", "predicates", "vector", "error"]),
+    ("optimise", &["preserve", "ops", "size", "kernel", "predicates", "vector", "output", "error"]),
+    ("fill", &["preserve", "ops", "size", "kernel", "predicates", "vector", "output", "error", "options"]),
+    (
+        "refine",
+        &["fill", "preserve", "segments", "ops", "size", "kernel", "predicates", "vector", "output", "error"],
+    ),
     (
         "plan",
         &[

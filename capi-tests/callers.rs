@@ -156,7 +156,7 @@ fn layouts() -> Vec<Layout> {
             struct_size, steiner, steiner_exact, steiner_moved, duplicate_points, missing_segments, missing_regions, peak_bytes,
             seconds, preserve_missing_edges, preserve_missing_faces, preserve_by_reconnection, preserve_by_interior_points,
             preserve_by_splits, preserve_deleted, preserve_relocated, preserve_interior, preserve_on_internal_facets, replaced,
-            peak_resident_bytes
+            peak_resident_bytes, refine_on_segments, refine_on_facets, refine_inside, refine_for_sizes, refine_for_shapes, refine_too_near, refine_too_flat, refine_encroaching, refine_blocked, refine_elsewhere, refine_over_budget, optimize_passes, optimize_moves, optimize_edges_removed, optimize_faces_removed, optimize_reconnected, optimize_points_added, optimize_points_removed, optimize_worst_before, optimize_worst_after
         }
     }
 }

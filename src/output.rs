@@ -6,8 +6,10 @@ use crate::warning::Warnings;
 
 mod arrays;
 mod dropped;
+mod statistics;
 pub use arrays::MeshArrays;
 pub use dropped::Dropped;
+pub use statistics::{OptimizeStatistics, RefineStatistics};
 
 /// A Steiner point and where it lies: on an input edge, on an input facet, or inside and on neither ([`SteinerPoint::INSIDE`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -191,6 +193,10 @@ pub struct Statistics {
     pub peak_bytes: u64,
     /// What it took to keep the surface; all zero in other modes.
     pub preserve: PreserveStatistics,
+    /// What it took to fill and refine the mesh; all zero if nothing was.
+    pub refine: RefineStatistics,
+    /// What optimisation did; all zero if there was none.
+    pub optimize: OptimizeStatistics,
     /// Seconds per phase, indexed by [`Phase`].
     pub seconds: [f64; Phase::COUNT],
 }

@@ -56,7 +56,7 @@ AT(DelotetQualitySummary, histograms, 72);
 AT(DelotetQualitySummary, unforced_worst, 392);
 AT(DelotetQualitySummary, unforced_worst_tets, 424);
 AT(DelotetQualitySummary, unforced_histograms, 440);
-SIZE(DelotetStats, 280);
+SIZE(DelotetStats, 440);
 AT(DelotetStats, steiner, 8);
 AT(DelotetStats, seconds, 64);
 AT(DelotetStats, preserve_missing_edges, 192);
@@ -64,6 +64,10 @@ AT(DelotetStats, preserve_interior, 248);
 AT(DelotetStats, preserve_on_internal_facets, 256);
 AT(DelotetStats, replaced, 264);
 AT(DelotetStats, peak_resident_bytes, 272);
+AT(DelotetStats, refine_on_segments, 280);
+AT(DelotetStats, refine_over_budget, 360);
+AT(DelotetStats, optimize_passes, 368);
+AT(DelotetStats, optimize_worst_after, 432);
 #endif
 
 SIZE(DelotetTetQuality, 72);

@@ -27,6 +27,8 @@ static void refine(void)
     DelotetPlc *plc = grid_box();
     DelotetMesh *mesh;
     DelotetStats stats;
+    DelotetQualitySummary summary;
+    double worst;
     OK(delotet_options_set_quality(options, 2, &error));
     OK(delotet_options_set_optimize(options, 1, &error));
     mesh = mesh_with(plc, options);
@@ -34,6 +36,19 @@ static void refine(void)
     OK(delotet_mesh_stats(mesh, &stats, &error));
     CHECK(stats.seconds[DELOTET_PHASE_REFINE] > 0 && stats.seconds[DELOTET_PHASE_OPTIMIZE] > 0);
     CHECK(stats.seconds[DELOTET_PHASE_PRESERVE] == 0);
+    /* Counts add up to the points that there are. */
+    CHECK(stats.refine_for_sizes + stats.refine_for_shapes ==
+          stats.refine_on_segments + stats.refine_on_facets + stats.refine_inside);
+    CHECK(stats.steiner + stats.refine_for_sizes + stats.refine_for_shapes + stats.optimize_points_added ==
+          stats.optimize_points_removed + delotet_mesh_steiner_points(mesh).count);
+    CHECK(stats.refine_inside > 0 && stats.refine_over_budget == 0 && stats.optimize_passes > 1);
+    CHECK(stats.optimize_worst_after > stats.optimize_worst_before && stats.optimize_worst_before > 0);
+    summary.struct_size = sizeof summary;
+    OK(delotet_mesh_quality_summary(mesh, &summary, &error));
+    worst = summary.worst[DELOTET_QUALITY_MIN_DIHEDRAL];
+    if (180 - summary.worst[DELOTET_QUALITY_MAX_DIHEDRAL] < worst)
+        worst = 180 - summary.worst[DELOTET_QUALITY_MAX_DIHEDRAL];
+    CHECK(fabs(worst - stats.optimize_worst_after) < 1e-6);
     delotet_mesh_free(mesh);
     delotet_plc_free(plc);
     delotet_options_free(options);
@@ -57,6 +72,7 @@ int main(void)
     CHECK(room.stats.seconds[DELOTET_PHASE_DELAUNAY] >= 0 && room.stats.seconds[15] == 0);
     CHECK(room.stats.preserve_missing_edges == 0 && room.stats.preserve_interior == 0);
     CHECK(room.stats.seconds[DELOTET_PHASE_PRESERVE] == 0);
+    CHECK(room.stats.refine_inside == 0 && room.stats.optimize_passes == 0 && room.stats.optimize_worst_after == 0);
     CHECK(room.stats.seconds[DELOTET_PHASE_REFINE] == 0 && room.stats.seconds[DELOTET_PHASE_OPTIMIZE] == 0);
     memset(&old, 0xAB, sizeof old);
     old.struct_size = offsetof(DelotetStats, steiner_exact); /* An older program. */

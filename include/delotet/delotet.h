@@ -1043,6 +1043,86 @@ typedef struct DelotetStats {
      * it.
      */
     uint64_t peak_resident_bytes;
+    /**
+     * Points that filling and refinement put on segments and facet edges. Like all `refine_` fields, 0 if nothing was filled.
+     */
+    uint64_t refine_on_segments;
+    /**
+     * Points that they put on facets.
+     */
+    uint64_t refine_on_facets;
+    /**
+     * Points that they put inside.
+     */
+    uint64_t refine_inside;
+    /**
+     * Of these points, how many came for a length, an area or a volume.
+     */
+    uint64_t refine_for_sizes;
+    /**
+     * How many came for a radius-edge ratio.
+     */
+    uint64_t refine_for_shapes;
+    /**
+     * Places refused since a vertex was too near.
+     */
+    uint64_t refine_too_near;
+    /**
+     * Places refused since the tetrahedron between them and the surface would have been too flat.
+     */
+    uint64_t refine_too_flat;
+    /**
+     * Places put off since they were in the sphere of a piece of the surface, which came first.
+     */
+    uint64_t refine_encroaching;
+    /**
+     * Places refused since a piece of the surface was in the way.
+     */
+    uint64_t refine_blocked;
+    /**
+     * Places refused for other reasons.
+     */
+    uint64_t refine_elsewhere;
+    /**
+     * Tetrahedra and pieces of facets above the ratio that were left since no more points may come for shapes; 0 if these were enough.
+     */
+    uint64_t refine_over_budget;
+    /**
+     * Passes of the optimisation over the bad tetrahedra. Like all `optimize_` fields, 0 if there was none.
+     */
+    uint64_t optimize_passes;
+    /**
+     * Moves of points; one may move more than once.
+     */
+    uint64_t optimize_moves;
+    /**
+     * Edges removed.
+     */
+    uint64_t optimize_edges_removed;
+    /**
+     * Removals of faces, of one or more at a time.
+     */
+    uint64_t optimize_faces_removed;
+    /**
+     * Cavities filled anew.
+     */
+    uint64_t optimize_reconnected;
+    /**
+     * Points that came.
+     */
+    uint64_t optimize_points_added;
+    /**
+     * Points that went into a neighbour.
+     */
+    uint64_t optimize_points_removed;
+    /**
+     * The worst dihedral angle before, in degrees: the least of all angles, and of what is missing of them to 180 degrees.
+     */
+    double optimize_worst_before;
+    /**
+     * The same after it.
+     */
+    double optimize_worst_after;
 } DelotetStats;
 
 /**

@@ -279,6 +279,46 @@ pub struct DelotetStats {
     /// Peak resident memory of the process up to the end of the run in bytes, including the host program's; 0 if the system does not report
     /// it.
     pub peak_resident_bytes: u64,
+    /// Points that filling and refinement put on segments and facet edges. Like all `refine_` fields, 0 if nothing was filled.
+    pub refine_on_segments: u64,
+    /// Points that they put on facets.
+    pub refine_on_facets: u64,
+    /// Points that they put inside.
+    pub refine_inside: u64,
+    /// Of these points, how many came for a length, an area or a volume.
+    pub refine_for_sizes: u64,
+    /// How many came for a radius-edge ratio.
+    pub refine_for_shapes: u64,
+    /// Places refused since a vertex was too near.
+    pub refine_too_near: u64,
+    /// Places refused since the tetrahedron between them and the surface would have been too flat.
+    pub refine_too_flat: u64,
+    /// Places put off since they were in the sphere of a piece of the surface, which came first.
+    pub refine_encroaching: u64,
+    /// Places refused since a piece of the surface was in the way.
+    pub refine_blocked: u64,
+    /// Places refused for other reasons.
+    pub refine_elsewhere: u64,
+    /// Tetrahedra and pieces of facets above the ratio that were left since no more points may come for shapes; 0 if these were enough.
+    pub refine_over_budget: u64,
+    /// Passes of the optimisation over the bad tetrahedra. Like all `optimize_` fields, 0 if there was none.
+    pub optimize_passes: u64,
+    /// Moves of points; one may move more than once.
+    pub optimize_moves: u64,
+    /// Edges removed.
+    pub optimize_edges_removed: u64,
+    /// Removals of faces, of one or more at a time.
+    pub optimize_faces_removed: u64,
+    /// Cavities filled anew.
+    pub optimize_reconnected: u64,
+    /// Points that came.
+    pub optimize_points_added: u64,
+    /// Points that went into a neighbour.
+    pub optimize_points_removed: u64,
+    /// The worst dihedral angle before, in degrees: the least of all angles, and of what is missing of them to 180 degrees.
+    pub optimize_worst_before: f64,
+    /// The same after it.
+    pub optimize_worst_after: f64,
 }
 const _: () = assert!(Phase::COUNT <= 16);
 
@@ -308,6 +348,26 @@ impl DelotetStats {
             preserve_on_internal_facets: statistics.preserve.on_internal_facets,
             replaced: statistics.replaced,
             peak_resident_bytes: mesh.peak_resident,
+            refine_on_segments: statistics.refine.on_segments,
+            refine_on_facets: statistics.refine.on_facets,
+            refine_inside: statistics.refine.inside,
+            refine_for_sizes: statistics.refine.for_sizes,
+            refine_for_shapes: statistics.refine.for_shapes,
+            refine_too_near: statistics.refine.too_near,
+            refine_too_flat: statistics.refine.too_flat,
+            refine_encroaching: statistics.refine.encroaching,
+            refine_blocked: statistics.refine.blocked,
+            refine_elsewhere: statistics.refine.elsewhere,
+            refine_over_budget: statistics.refine.over_budget,
+            optimize_passes: statistics.optimize.passes,
+            optimize_moves: statistics.optimize.moves,
+            optimize_edges_removed: statistics.optimize.edges_removed,
+            optimize_faces_removed: statistics.optimize.faces_removed,
+            optimize_reconnected: statistics.optimize.reconnected,
+            optimize_points_added: statistics.optimize.points_added,
+            optimize_points_removed: statistics.optimize.points_removed,
+            optimize_worst_before: statistics.optimize.worst_before,
+            optimize_worst_after: statistics.optimize.worst_after,
         }
     }
 

@@ -50,7 +50,11 @@ impl Fill<'_, '_> {
                     return Ok(());
                 }
                 if let Some(code) = self.wall(&mut search, apex.wall)? {
-                    self.attempt(apex.at, code >> 2, Limits { apart: APART, at_walls: true })?;
+                    self.attempt(
+                        apex.at,
+                        code >> 2,
+                        Limits { apart: APART, at_walls: true, for_size: true },
+                    )?;
                 }
             }
         }

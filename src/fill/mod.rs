@@ -28,6 +28,7 @@ use crate::kernel::{Mesh, NONE};
 use crate::ops::insert::{Face, Insert, Outcome};
 use crate::ops::shape::sine;
 use crate::options::Options;
+use crate::output::RefineStatistics;
 use crate::predicates::Points;
 use crate::preserve::inside::Inside;
 use crate::size::{distance, volume, Bounds, Size, Wanted};
@@ -72,6 +73,7 @@ pub struct Fill<'a, 'b> {
     /// Where a subsegment blocks vertices.
     blocked: Blocked,
     budget: Budget,
+    counts: RefineStatistics,
 }
 
 /// What is asked for besides sizes.
@@ -94,7 +96,7 @@ pub fn fill<'a>(
     size: &'a mut Size,
     shape: Shape,
     part: Part<'a>,
-) -> Result<(), Error> {
+) -> Result<RefineStatistics, Error> {
     let mut fill = Fill::new(mesh, points, inside, size, part);
     fill.ratio = shape.ratio;
     fill.insert.squeeze = !shape.delaunay;
@@ -102,7 +104,8 @@ pub fn fill<'a>(
     part.progress(0.3)?;
     fill.run()?;
     fill.give_back();
-    part.progress(1.0)
+    part.progress(1.0)?;
+    Ok(fill.counts)
 }
 
 /// Refuses sizes that ask for more points than a mesh can have, before it has filled the memory.
@@ -148,11 +151,12 @@ pub fn bound_volumes<'a>(
     size: &'a mut Size,
     bounds: &Bounds,
     part: Part<'a>,
-) -> Result<(), Error> {
+) -> Result<RefineStatistics, Error> {
     let mut fill = Fill::new(mesh, points, inside, size, part);
     fill.bound_volumes(bounds)?;
     fill.give_back();
-    part.progress(1.0)
+    part.progress(1.0)?;
+    Ok(fill.counts)
 }
 
 impl<'a, 'b> Fill<'a, 'b> {
@@ -166,7 +170,7 @@ impl<'a, 'b> Fill<'a, 'b> {
         let (insert, queue) = (Insert::squeezing(), BinaryHeap::new());
         let corners = bounding_box(points);
         let (blocked, budget) = (Blocked::default(), Budget::default());
-        let next = None;
+        let (next, counts) = (None, RefineStatistics::default());
         Fill {
             mesh,
             points,
@@ -180,6 +184,7 @@ impl<'a, 'b> Fill<'a, 'b> {
             next,
             blocked,
             budget,
+            counts,
         }
     }
 }
@@ -246,7 +251,9 @@ impl Fill<'_, '_> {
     /// Puts a point into a tetrahedron that is to be split, or near it.
     fn split(&mut self, t: u32) -> Result<bool, Error> {
         let (large, _) = self.excess(t)?;
-        let limits = Limits { apart: if large > 1.0 { APART } else { APART_FOR_SHAPE }, at_walls: true };
+        let for_size = large > 1.0;
+        let apart = if for_size { APART } else { APART_FOR_SHAPE };
+        let limits = Limits { apart, at_walls: true, for_size };
         if let Some(centre) = self.circumcentre(t) {
             match self.attempt(centre, t, limits)? {
                 Attempt::Done => return Ok(true),
@@ -259,7 +266,7 @@ impl Fill<'_, '_> {
                         return Ok(true);
                     }
                 }
-                Attempt::Refused => {}
+                Attempt::Refused(_) => {}
             }
         }
         if large > 1.5 {
@@ -285,41 +292,66 @@ impl Fill<'_, '_> {
         radius.is_finite().then_some(centre)
     }
 
-    /// Inserts a point if it is somewhere before a wall, far enough from others, and good at walls.
+    /// Tries a place, and counts what comes of it.
     fn attempt(&mut self, at: [f64; 3], from: u32, limits: Limits) -> Result<Attempt, Error> {
+        let attempt = self.attempt_at(at, from, limits)?;
+        match attempt {
+            Attempt::Done => {
+                self.counts.inside += 1;
+                self.counts.came(limits.for_size);
+            }
+            Attempt::Blocked(_) => self.counts.blocked += 1,
+            Attempt::Refused(Why::TooNear) => self.counts.too_near += 1,
+            Attempt::Refused(Why::TooFlat) => self.counts.too_flat += 1,
+            Attempt::Refused(Why::Blocked) => self.counts.blocked += 1,
+            Attempt::Refused(Why::Nowhere) => self.counts.elsewhere += 1,
+        }
+        Ok(attempt)
+    }
+
+    /// Inserts a point if it is somewhere before a wall, far enough from others, and good at walls.
+    fn attempt_at(&mut self, at: [f64; 3], from: u32, limits: Limits) -> Result<Attempt, Error> {
         // A far circumcentre would make all later signs slow; walls are in its way in any case.
         let [low, high] = &self.corners;
         let at = [0, 1, 2].map(|k| at[k].max(low[k]).min(high[k]));
         let Some(at) = snapped(at, distance(&at, self.points.xyz(self.mesh.vertex(from, 0)))) else {
-            return Ok(Attempt::Refused);
+            return Ok(Attempt::Refused(Why::Nowhere));
         };
         let p = self.take(at)?;
         let t = match place::locate(self.mesh, self.points, p, from) {
             Found::In(t) => t,
             Found::Blocked(wall) => return Ok(Attempt::Blocked(wall)),
-            Found::Nowhere => return Ok(Attempt::Refused),
+            Found::Nowhere => return Ok(Attempt::Refused(Why::Nowhere)),
         };
         // These four are of its cavity, whatever that is: most candidates that are too near to something fail here.
         let corners = self.mesh.verts(t);
         let wanted = self.size.at(self.points, &at, self.mesh.region(t), &corners)?;
         let least = limits.apart * wanted.length;
         let near = corners.into_iter().any(|v| distance(self.points.xyz(v), &at) < least);
-        if near || self.blocked.has(&at, wanted.length) {
-            return Ok(Attempt::Refused);
+        if near {
+            return Ok(Attempt::Refused(Why::TooNear));
         }
+        if self.blocked.has(&at, wanted.length) {
+            return Ok(Attempt::Refused(Why::Blocked));
+        }
+        let mut why = Why::TooNear;
         let accept = |mesh: &Mesh, points: &mut Points, _: &[u32], faces: &[Face]| {
             let far = |&v: &u32| distance(points.xyz(v), &at) >= least;
-            Ok(faces.iter().flat_map(|face| &face.corners).all(far)
-                && (!limits.at_walls || faces.iter().all(|face| fits(mesh, points, &at, face))))
+            if !faces.iter().flat_map(|face| &face.corners).all(far) {
+                return Ok(false);
+            }
+            why = Why::TooFlat;
+            Ok(!limits.at_walls || faces.iter().all(|face| fits(mesh, points, &at, face)))
         };
         let Fill { mesh, points, insert, .. } = self;
         match insert.interior_if(mesh, points, p, t, &self.part, accept)? {
             Some(Outcome::Inserted | Outcome::Squeezed(_)) => {}
             Some(Outcome::Blocked(_)) => {
                 self.blocked.add(&at, wanted.length)?;
-                return Ok(Attempt::Refused);
+                return Ok(Attempt::Refused(Why::Blocked));
             }
-            _ => return Ok(Attempt::Refused),
+            Some(Outcome::Occupied(_)) => return Ok(Attempt::Refused(Why::TooNear)),
+            None => return Ok(Attempt::Refused(why)),
         }
         self.next = None;
         self.size.set(p, wanted)?;
@@ -385,6 +417,8 @@ struct Limits {
     apart: f64,
     /// Whether the tetrahedra at walls must be good.
     at_walls: bool,
+    /// Whether it comes for a size, not for a shape.
+    for_size: bool,
 }
 
 /// What became of a candidate.
@@ -394,7 +428,18 @@ enum Attempt {
     /// This wall (the corner on the side of the start) is before it.
     Blocked(u32),
     /// It is not good.
-    Refused,
+    Refused(Why),
+}
+
+/// Why a candidate is not good.
+#[derive(Clone, Copy)]
+enum Why {
+    TooNear,
+    TooFlat,
+    /// A subsegment is in the way.
+    Blocked,
+    /// There is no place for it.
+    Nowhere,
 }
 
 #[cfg(test)]

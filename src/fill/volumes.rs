@@ -65,7 +65,7 @@ impl Fill<'_, '_> {
     }
 
     fn split_large(&mut self, t: u32) -> Result<bool, Error> {
-        let near = Limits { apart: APART_FOR_SHAPE, at_walls: true };
+        let near = Limits { apart: APART_FOR_SHAPE, at_walls: true, for_size: true };
         if let Some(centre) = self.circumcentre(t) {
             if let Attempt::Done = self.attempt(centre, t, near)? {
                 return Ok(true);
@@ -79,7 +79,7 @@ impl Fill<'_, '_> {
         if (4 * t..4 * t + 4).any(|code| self.mesh.is_wall(code)) {
             return Ok(false);
         }
-        let anyhow = Limits { apart: 0.0, at_walls: false };
+        let anyhow = Limits { apart: 0.0, at_walls: false, for_size: true };
         Ok(matches!(self.attempt(middle, t, anyhow)?, Attempt::Done))
     }
 }

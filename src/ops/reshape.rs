@@ -86,6 +86,8 @@ pub struct Reshape<'a> {
     reconnect: Reconnect<'a>,
     /// Puts tetrahedra in place.
     pub replace: Replace,
+    /// Whether the last step that was taken removed an edge; otherwise it filled a cavity anew.
+    pub removed_edge: bool,
     ring: Vec<u32>,
     link: Vec<u32>,
     cavity: Cavity,
@@ -108,6 +110,7 @@ impl<'a> Reshape<'a> {
             approach: Approach::default(),
             reconnect: Reconnect::new(control),
             replace: Replace::default(),
+            removed_edge: false,
             ring: Vec::new(),
             link: Vec::new(),
             cavity: Cavity::default(),
@@ -134,9 +137,11 @@ impl<'a> Reshape<'a> {
             let verts = mesh.verts(t);
             let edge = [verts[i as usize], verts[j as usize]];
             if self.remove_edge(mesh, points, isolated, t, edge, aim)? {
+                self.removed_edge = true;
                 return Ok(true);
             }
         }
+        self.removed_edge = false;
         if effort.thorough && self.lift(mesh, points, isolated, t, aim)? {
             return Ok(true);
         }

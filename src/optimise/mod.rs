@@ -10,7 +10,7 @@ pub mod descend;
 mod point;
 
 use crate::control::Part;
-use crate::elementary::quotient;
+use crate::elementary::{angle_in_degrees, quotient};
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
@@ -19,6 +19,7 @@ use crate::kernel::{Mesh, GHOST, NONE};
 use crate::ops::faces::{Faces, Site};
 use crate::ops::reshape::{Aim, Effort, Reshape};
 use crate::ops::shape::{sine, Measure, Shape};
+use crate::output::OptimizeStatistics;
 use crate::predicates::Points;
 use crate::preserve::inside::Inside;
 use crate::size::{volume, Bounds};
@@ -164,6 +165,7 @@ struct Optimise<'a> {
     tets: Budget,
     /// A vertex that is not in the mesh: the next point.
     next: Option<u32>,
+    steps: OptimizeStatistics,
 }
 
 /// Optimises a mesh; larger efforts take longer and find more.
@@ -178,7 +180,7 @@ pub fn optimise(
     bounds: &Bounds,
     request: Request,
     part: Part,
-) -> Result<(), Error> {
+) -> Result<OptimizeStatistics, Error> {
     let mut optimise = Optimise::new(mesh, points, inside, isolated, bounds, part)?;
     let effort = match request.extent {
         Extent::Effort(effort) => effort.min(LARGEST_EFFORT),
@@ -187,7 +189,9 @@ pub fn optimise(
             LARGEST_EFFORT
         }
     };
-    optimise.run(effort, request.sine)
+    let worst_before = optimise.worst()?;
+    optimise.run(effort, request.sine)?;
+    Ok(OptimizeStatistics { worst_before, worst_after: optimise.worst()?, ..optimise.steps })
 }
 
 impl<'a> Optimise<'a> {
@@ -229,6 +233,7 @@ impl<'a> Optimise<'a> {
             budget: 0,
             tets: Budget::default(),
             next: None,
+            steps: OptimizeStatistics::default(),
         })
     }
 }
@@ -320,6 +325,19 @@ impl Optimise<'_> {
         Ok(sum)
     }
 
+    /// The worst angle, in degrees; 0 if there is none.
+    fn worst(&self) -> Result<f64, Error> {
+        let mut worst = f64::INFINITY;
+        for t in self.mesh.all() {
+            self.part.steps(u32::from(t % 16 == 0))?;
+            if self.counts(t) {
+                worst = worst.min(self.sine(t));
+            }
+        }
+        let sine = if worst <= 1.0 { worst } else { 0.0 };
+        Ok(angle_in_degrees((1.0 - sine * sine).sqrt(), sine))
+    }
+
     fn counts(&self, t: u32) -> bool {
         self.mesh.is_live(t) && self.mesh.region(t) != NONE
     }
@@ -362,6 +380,7 @@ impl Optimise<'_> {
         } else if after > before {
             self.clock += 1;
             self.moved[at] = self.clock;
+            self.steps.moves += 1;
             return Ok(true);
         }
         self.stuck[at] = self.clock;
@@ -404,6 +423,7 @@ impl Optimise<'_> {
     /// Improves bad tetrahedra, the worst first, each once per shape. What has failed is tried again if one of its vertices has moved or has
     /// got another tetrahedron since.
     fn reconnect(&mut self, reshape: &mut Reshape, trial: &Trial) -> Result<(), Error> {
+        self.steps.passes += 1;
         let mut left = self.level.patience * (trial.failures[0] + self.mesh.live_count() / trial.failures[1]);
         self.queue.clear();
         for t in self.mesh.all() {
@@ -451,6 +471,7 @@ impl Optimise<'_> {
         let largest = self.bounds.of(self.mesh.region(t));
         let aim = Aim { measure: Measure::Dihedral, enough: ANY, least: ANY, largest };
         let mut done = reshape.improve(self.mesh, self.points, self.isolated, t, &aim, EDGES)?;
+        self.steps.edges_removed += u64::from(done);
         for k in 0..4 {
             if !done {
                 let mut site = Site {
@@ -460,6 +481,7 @@ impl Optimise<'_> {
                     replace: &mut reshape.replace,
                 };
                 done = self.faces.improve(&mut site, 4 * t + k, &aim)?;
+                self.steps.faces_removed += u64::from(done);
             }
         }
         if !done {
@@ -476,6 +498,8 @@ impl Optimise<'_> {
         }
         if !done && !effort.cavities.is_empty() {
             done = reshape.improve(self.mesh, self.points, self.isolated, t, &aim, effort)?;
+            self.steps.edges_removed += u64::from(done && reshape.removed_edge);
+            self.steps.reconnected += u64::from(done && !reshape.removed_edge);
         }
         if done {
             self.renew(&reshape.replace.fresh)?;

@@ -169,6 +169,7 @@ impl Optimise<'_> {
         replace.cavity(self.mesh, &cavity.tets, new, &[])?;
         self.next = None;
         self.budget -= 1;
+        self.steps.points_added += 1;
         let count = self.points.len();
         fallible::resize(&mut self.movable, count, false)?;
         fallible::resize(&mut self.stuck, count, 0)?;
@@ -232,6 +233,7 @@ impl Optimise<'_> {
             coming.replace.cavity(mesh, &search.tets, &coming.new, &[])?;
             mesh.vertex_tet[v as usize] = NONE;
             self.movable[v as usize] = false;
+            self.steps.points_removed += 1;
             let fresh = std::mem::take(&mut self.coming.replace.fresh);
             self.renew(&fresh)?;
             self.coming.replace.fresh = fresh;

@@ -97,6 +97,7 @@ impl Run<'_> {
         // What fails from here on fails for good: other ways to the surface would lead to the same.
         self.is_refining = true;
         self.lap(Phase::Preserve);
+        self.forget_refinement();
         let Freed { inside, isolated, settled, .. } = freed;
         inside.elsewhere = settled.len() as u64;
         mark_isolated(mesh, isolated)?;
@@ -104,6 +105,11 @@ impl Run<'_> {
         self.fill_and_optimise(options, engine, interior, input)?;
         self.is_refining = false;
         Ok(())
+    }
+
+    /// Forgets counts of a mesh that was given up.
+    pub(super) fn forget_refinement(&mut self) {
+        (self.statistics.refine, self.statistics.optimize) = Default::default();
     }
 
     /// Points inside between walls that stay, and optimisation, as the options say.
@@ -125,9 +131,12 @@ impl Run<'_> {
             let mut size = Size::new(mesh, &engine.points, isolated, given, options.gradation, &part)?;
             estimate(mesh, &engine.points, &size, &part)?;
             let shape = Shape { ratio: options.quality.unwrap_or(Options::USUAL_RATIO), delaunay: false };
-            fill(mesh, &mut engine.points, inside, &mut size, shape, part.part(0.0, 0.8))?;
+            let counts = &mut self.statistics.refine;
+            let points = &mut engine.points;
+            counts.add(&fill(mesh, points, inside, &mut size, shape, part.part(0.0, 0.8))?);
             if !limits.is_empty() {
-                bound_volumes(mesh, &mut engine.points, inside, &mut size, &limits, part.part(0.8, 1.0))?;
+                let part = part.part(0.8, 1.0);
+                counts.add(&bound_volumes(mesh, points, inside, &mut size, &limits, part)?);
             }
             self.lap(Phase::Refine);
         }
@@ -147,7 +156,8 @@ impl Run<'_> {
         if let Some(request) = request(options) {
             let part = self.control.whole(Phase::Optimize);
             part.progress(0.0)?;
-            optimise(mesh, &mut engine.points, inside, isolated, bounds, request, part)?;
+            let done = optimise(mesh, &mut engine.points, inside, isolated, bounds, request, part)?;
+            self.statistics.optimize.add(&done);
             self.lap(Phase::Optimize);
         }
         Ok(())

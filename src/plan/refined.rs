@@ -133,6 +133,7 @@ impl Run<'_> {
         input: Input,
         keeps: &Keeps,
     ) -> Result<Refined, Error> {
+        self.forget_refinement();
         let Recovery { segments, polygons, subfaces } = recovery;
         let control = self.control;
         let mut mesh = std::mem::take(&mut engine.mesh);
@@ -164,13 +165,18 @@ impl Run<'_> {
             let mut model = Model { mesh: &mut mesh, points, segments, inside, frames: &frames };
             let bounds = &refined.bounds;
             let mut goal = Goal { size: &mut size, ratio, bounds, wishes: &wishes, kept: &keeps.balls };
-            refined.on_facets = refine(&mut model, &mut goal, What::Walls, part.part(0.0, 0.2))?;
+            let counts = &mut self.statistics.refine;
+            let walls = refine(&mut model, &mut goal, What::Walls, part.part(0.0, 0.2))?;
+            counts.add(&walls.counts);
+            refined.on_facets = walls.on_facets;
             let added = model.points.len() - model.segments.first_steiner as usize;
             model.inside.elsewhere = (added - model.inside.list.len()) as u64;
             let shape = Shape { ratio, delaunay: true };
-            fill(model.mesh, model.points, model.inside, goal.size, shape, part.part(0.2, 0.6))?;
+            let filling = part.part(0.2, 0.6);
+            counts.add(&fill(model.mesh, model.points, model.inside, goal.size, shape, filling)?);
             let more = refine(&mut model, &mut goal, What::Tetrahedra, part.part(0.6, 1.0))?;
-            fallible::append(&mut refined.on_facets, &more)?;
+            counts.add(&more.counts);
+            fallible::append(&mut refined.on_facets, &more.on_facets)?;
             let count = engine.points.len() - segments.first_steiner as usize;
             fallible::resize(&mut segments.steiner_segment, count, NONE)?;
             fallible::resize(&mut segments.steiner_t, count, 0.0)?;

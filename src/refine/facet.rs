@@ -167,7 +167,7 @@ impl Refine<'_, '_> {
         if !matches!(attempt, Attempt::Done) {
             self.points.pop();
         }
-        if matches!(attempt, Attempt::Refused) && crowded && self.what == What::Walls {
+        if matches!(attempt, Attempt::TooNear) && crowded && self.what == What::Walls {
             fallible::add(&mut self.near.walls, key)?;
         }
         Ok(attempt)
@@ -190,7 +190,7 @@ impl Refine<'_, '_> {
         let most = self.wishes.of(patch).length;
         let wanted = Wanted { length: wanted.length.min(most), wish: wanted.wish.min(most) };
         let Refine { mesh, points, insert, .. } = self;
-        let mut attempt = Attempt::Refused;
+        let mut attempt = Attempt::TooNear;
         let accept = |opening: Opening| {
             let encroached = if strict { encroached(&opening, &at, false) } else { None };
             let rim = opening.rim_vertices().map(|v| distance(opening.points.xyz(v), &at));
@@ -213,6 +213,7 @@ impl Refine<'_, '_> {
             None => return Ok(attempt),
         }
         fallible::push(&mut self.on_facets, OnFacet { v: p, patch })?;
+        self.counts.on_facets += 1;
         self.size.set(p, wanted)?;
         self.floor.set(p, floor)?;
         self.count()?;

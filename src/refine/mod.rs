@@ -30,6 +30,7 @@ use crate::kernel::around::{EdgeRing, StarSearch};
 use crate::kernel::budget::Budget;
 use crate::kernel::{Mesh, NONE};
 use crate::ops::insert::{Insert, Opening, Outcome};
+use crate::output::RefineStatistics;
 use crate::predicates::{Points, Sign};
 use crate::preserve::inside::Inside;
 use crate::segments::recovery::Segments;
@@ -110,6 +111,14 @@ pub struct Model<'a> {
     pub frames: &'a Frames,
 }
 
+/// What came of it.
+pub struct Refined {
+    /// The points on facets, in ascending order.
+    pub on_facets: Vec<OnFacet>,
+    /// Counts.
+    pub counts: RefineStatistics,
+}
+
 /// A tetrahedron to be split: the bits of how bad it is, its slot (the lowest first), and after which change it came.
 type Entry = (u64, Reverse<u32>, u64);
 
@@ -158,6 +167,8 @@ enum Attempt {
     First(Target),
     /// This comes instead: it is in the way.
     Instead(Target),
+    /// A vertex is too near.
+    TooNear,
     /// It is not good.
     Refused,
 }
@@ -198,6 +209,7 @@ struct Refine<'a, 'b> {
     tets: Budget,
     queue: BinaryHeap<Entry>,
     on_facets: Vec<OnFacet>,
+    counts: RefineStatistics,
 }
 
 /// What is split.
@@ -209,7 +221,7 @@ pub enum What {
     Tetrahedra,
 }
 
-/// Refines a mesh; returns the points on facets, in ascending order.
+/// Refines a mesh.
 ///
 /// # Errors
 /// `OutOfMemory`, `TooLarge`, `SteinerLimit`, `TetrahedraLimit`, what a size function returns, and what ends the run.
@@ -218,7 +230,7 @@ pub fn refine<'a>(
     goal: &'a mut Goal,
     what: What,
     part: Part<'a>,
-) -> Result<Vec<OnFacet>, Error> {
+) -> Result<Refined, Error> {
     let Model { mesh, points, segments, inside, frames } = model;
     let acute = segment::acute(points, segments, &part)?;
     let corners = bounding_box(points);
@@ -248,10 +260,11 @@ pub fn refine<'a>(
         tets: Budget::default(),
         queue: BinaryHeap::new(),
         on_facets: Vec::new(),
+        counts: RefineStatistics::default(),
     };
     refine.run()?;
     part.progress(1.0)?;
-    Ok(refine.on_facets)
+    Ok(Refined { on_facets: refine.on_facets, counts: refine.counts })
 }
 
 impl Refine<'_, '_> {
@@ -281,7 +294,9 @@ impl Refine<'_, '_> {
                 What::Tetrahedra => (Target::Centre(t), self.excess(t)?.need()),
             };
             // What is refused again and again will not get better.
-            if self.insert.is_wasting() || !need.large && self.budget == 0 {
+            let over_budget = !need.large && self.budget == 0;
+            self.counts.over_budget += u64::from(over_budget);
+            if self.insert.is_wasting() || over_budget {
                 continue;
             }
             let middle = need.middle.map(|least| (Target::Middle(t), Need { least, ..need }));
@@ -432,6 +447,18 @@ impl Refine<'_, '_> {
     }
 
     fn attempt(&mut self, target: Target, need: Need, strict: bool) -> Result<Attempt, Error> {
+        let attempt = self.attempt_at(target, need, strict)?;
+        match attempt {
+            Attempt::Done => self.counts.came(need.large),
+            Attempt::First(_) => self.counts.encroaching += 1,
+            Attempt::Instead(_) => self.counts.blocked += 1,
+            Attempt::TooNear => self.counts.too_near += 1,
+            Attempt::Refused => self.counts.elsewhere += 1,
+        }
+        Ok(attempt)
+    }
+
+    fn attempt_at(&mut self, target: Target, need: Need, strict: bool) -> Result<Attempt, Error> {
         match target {
             Target::Centre(t) => {
                 let (centre, radius) = circumcentre(self.mesh.verts(t).map(|v| self.points.xyz(v)));
@@ -481,7 +508,7 @@ impl Refine<'_, '_> {
         let floor = self.floor.at(self.points, &at, around.into_iter());
         let need = need.above(floor);
         let Refine { mesh, points, insert, .. } = self;
-        let mut attempt = Attempt::Refused;
+        let mut attempt = Attempt::TooNear;
         let accept = |opening: Opening| {
             let encroached = if strict { encroached(&opening, &at, true) } else { None };
             match encroached {
@@ -498,6 +525,7 @@ impl Refine<'_, '_> {
             None => return Ok(attempt),
         }
         fallible::push(&mut self.inside.list, p)?;
+        self.counts.inside += 1;
         self.size.set(p, wanted)?;
         self.floor.set(p, floor)?;
         self.count()?;

@@ -55,7 +55,10 @@ impl Refine<'_, '_> {
         // Half of the piece is the most that there can be.
         let too_short = 0.5 * distance(&p, &q) < if need.large { need.on_segment } else { need.least };
         let known = !need.large && self.near.pieces.contains(&piece);
-        if too_short || known || sub.is_deep() || self.is_kept(&half) {
+        if too_short {
+            return Ok(Attempt::TooNear);
+        }
+        if known || sub.is_deep() || self.is_kept(&half) {
             return Ok(Attempt::Refused);
         }
         let Some(t) = self.parameter(&sub)? else { return Ok(Attempt::Refused) };
@@ -90,7 +93,7 @@ impl Refine<'_, '_> {
             }
             _ => self.points.pop(),
         }
-        if matches!(attempt, Attempt::Refused) && crowded && self.what == What::Walls {
+        if matches!(attempt, Attempt::TooNear) && crowded && self.what == What::Walls {
             fallible::add(&mut self.near.pieces, piece)?;
         }
         Ok(attempt)
@@ -140,8 +143,10 @@ impl Refine<'_, '_> {
         match insert.on_segment_after(mesh, points, p, place, &self.part, accept)? {
             Some(Outcome::Inserted | Outcome::Squeezed(_)) => {}
             Some(Outcome::Blocked(edge)) => return Ok(Attempt::Instead(Target::Edge(edge))),
-            Some(_) | None => return Ok(Attempt::Refused),
+            Some(_) => return Ok(Attempt::Refused),
+            None => return Ok(Attempt::TooNear),
         }
+        self.counts.on_segments += 1;
         self.size.set(p, wanted)?;
         self.floor.set(p, floor)?;
         self.count()?;

@@ -351,3 +351,49 @@ fn a_limit_counts_all_tetrahedra() {
         }
     }
 }
+
+/// Points are counted by where they are and by what they came for; the sums are those of the mesh.
+#[test]
+fn statistics_add_up_to_the_points_of_the_mesh() {
+    let mut plc = Plc::default();
+    cuboid(&mut plc, [0.0; 3], [6.0, 1.0, 0.8]);
+    cuboid(&mut plc, [0.5, 0.3, 0.3], [1.5, 0.6, 0.6]);
+    let wanted = [
+        shaped(1.414),
+        Options { size: Some(0.3), ..Options::default() },
+        Options { max_volume: Some(0.01), ..Options::default() },
+        Options { size: Some(0.4), max_volume: Some(0.01), ..shaped(1.5) },
+    ];
+    for (options, optimize, mode) in wanted.iter().flat_map(|options| {
+        [(0, Mode::Constrained), (1, Mode::Constrained), (0, Mode::Preserve), (1, Mode::Preserve)]
+            .map(|(optimize, mode)| (options, optimize, mode))
+    }) {
+        let options = Options { optimize, mode, ..options.clone() };
+        let mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+        let statistics = &mesh.statistics;
+        let (refine, done) = (&statistics.refine, &statistics.optimize);
+        assert!(refine.points() > 0 && refine.points() == refine.for_sizes + refine.for_shapes, "{refine:?}");
+        let count =
+            |f: &dyn Fn(&crate::SteinerPoint) -> bool| mesh.steiner.iter().filter(|p| f(p)).count() as u64;
+        assert_eq!(count(&|p| p.is_on_edge()), statistics.steiner + refine.on_segments);
+        assert_eq!(count(&|p| p.facet != crate::INVALID), refine.on_facets);
+        let inside = refine.inside + statistics.preserve.interior + done.points_added;
+        assert_eq!(count(&|p| p.is_inside()) + done.points_removed, inside);
+        assert_eq!(mode == Mode::Preserve, refine.on_segments + refine.on_facets == 0);
+        // A mesh that was not optimised has none of it; one that was has the angle that is measured.
+        assert_eq!(optimize == 0, *done == crate::OptimizeStatistics::default());
+        if optimize > 0 {
+            let of = |t: &[u32; 4]| TetQuality::of(t.map(|v| mesh.points[v as usize]));
+            let worst = |q: TetQuality| q.min_dihedral().min(180.0 - q.max_dihedral());
+            let worst = mesh.tets.iter().map(|t| worst(of(t))).fold(90.0, f64::min);
+            assert!((worst - done.worst_after).abs() < 1e-6, "{worst} {done:?}");
+            assert!(done.worst_after >= done.worst_before && done.passes >= 2, "{done:?}");
+            assert!(done.moves > 0 && done.edges_removed + done.faces_removed > 0, "{done:?}");
+        }
+        // The same in every run.
+        let again = tetrahedralize(&plc, &options, &mut Silent).unwrap().statistics;
+        assert_eq!((again.refine, again.optimize), (*refine, *done));
+    }
+    let none = mesh(&plc, &Options::default()).statistics;
+    assert_eq!((none.refine, none.optimize), Default::default());
+}

@@ -12,7 +12,8 @@ use crate::kernel::{edge_key, Mesh, NONE};
 use crate::optimise::optimise;
 use crate::options::{Mode, Options};
 use crate::output::{
-    FacetFlip, Guarantee, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh,
+    FacetFlip, Guarantee, OptimizeStatistics, RefineStatistics, Region, Statistics, SteinerPoint,
+    SteinerTerm, Subface, Subsegment, TetMesh,
 };
 use crate::plan::assemble;
 use crate::plan::given::complex::{is_odd, Complex};
@@ -40,6 +41,8 @@ struct Work<'a> {
     stays: Vec<bool>,
     /// Subsegments on no subface.
     isolated: FxHashSet<[u32; 2]>,
+    refine: RefineStatistics,
+    optimize: OptimizeStatistics,
 }
 
 /// Refines or improves a mesh.
@@ -81,6 +84,7 @@ pub(super) fn refined(
     statistics.steiner = on_edges().count() as u64;
     statistics.steiner_exact = on_edges().filter(|point| point.exact).count() as u64;
     statistics.duplicate_points = mesh.statistics.duplicate_points;
+    (statistics.refine, statistics.optimize) = (work.refine, work.optimize);
     out.statistics = statistics;
     out.ratio = options.quality.or(mesh.ratio);
     Ok(out)
@@ -187,7 +191,8 @@ impl<'a> Work<'a> {
         let Complex { points, exponent, alias, .. } = complex;
         let mut inside = Inside::of(inside);
         inside.sweep(&mesh);
-        Ok(Work { given, points, exponent, alias, mesh, inside, stays, isolated })
+        let (refine, optimize) = Default::default();
+        Ok(Work { given, points, exponent, alias, mesh, inside, stays, isolated, refine, optimize })
     }
 
     /// Fills and optimises.
@@ -200,20 +205,21 @@ impl<'a> Work<'a> {
         let bounds = if wishes || fills(options) { self.bounds(options)? } else { Bounds::default() };
         if wishes || fills(options) {
             let given = self.wanted(sizes, options)?;
-            let Work { mesh, points, inside, isolated, .. } = self;
+            let Work { mesh, points, inside, isolated, refine, .. } = self;
             let mut size = Size::new(mesh, points, isolated, given, options.gradation, &part)?;
             let ratio = options.quality.unwrap_or(Options::USUAL_RATIO);
             estimate(mesh, points, &size, &part)?;
             let shape = Shape { ratio, delaunay: false };
-            fill(mesh, points, inside, &mut size, shape, part.part(0.0, 0.4))?;
+            refine.add(&fill(mesh, points, inside, &mut size, shape, part.part(0.0, 0.4))?);
             if !bounds.is_empty() {
-                bound_volumes(mesh, points, inside, &mut size, &bounds, part.part(0.4, 0.45))?;
+                let part = part.part(0.4, 0.45);
+                refine.add(&bound_volumes(mesh, points, inside, &mut size, &bounds, part)?);
             }
         }
         if let Some(request) = request(options) {
             let part = part.part(0.45, 1.0);
-            let Work { mesh, points, inside, isolated, .. } = self;
-            optimise(mesh, points, inside, isolated, &bounds, request, part)?;
+            let Work { mesh, points, inside, isolated, optimize, .. } = self;
+            optimize.add(&optimise(mesh, points, inside, isolated, &bounds, request, part)?);
         }
         self.inside.sweep(&self.mesh);
         Ok(())

@@ -2,6 +2,7 @@
 use super::*;
 use crate::check::{check_mesh, check_preserved};
 use crate::error::{DefectKind, Element};
+use crate::fill::tests::grid_box;
 use crate::output::{Guarantee, SteinerPoint};
 use crate::plc::{Plc, RegionSeed, Segment};
 use crate::{tetrahedralize, CancelToken, Mode, INVALID};
@@ -587,4 +588,28 @@ fn a_run_can_be_cancelled_at_any_report() {
     cancel.cancel();
     let options = Options { cancel: Some(cancel), ..Options::default() };
     assert_eq!(improve(&mesh, &options, &mut Silent).map_err(|e| e.status), Err(Status::Cancelled));
+}
+
+/// What refining and improving count are the points that come and go.
+#[test]
+fn statistics_of_given_meshes_add_up() {
+    let plc = grid_box(3);
+    let mesh =
+        tetrahedralize(&plc, &Options { mode: Mode::Preserve, ..Options::default() }, &mut Silent).unwrap();
+    let options = Options { size: Some(0.5), max_volume: Some(0.02), ..Options::default() };
+    let fine = refine(&mesh, &MeshSizes::default(), &options, &mut Silent).unwrap();
+    let counts = &fine.statistics.refine;
+    let before = mesh.steiner.len() as u64;
+    assert!(counts.inside > 0 && counts.inside == counts.points(), "{counts:?}");
+    assert_eq!(fine.steiner.len() as u64, before + counts.inside);
+    assert_eq!((fine.statistics.optimize, fine.ratio), (Default::default(), None));
+    let options = Options { optimize: 2, ..Options::default() };
+    let good = improve(&fine, &options, &mut Silent).unwrap();
+    let done = &good.statistics.optimize;
+    assert_eq!(
+        good.steiner.len() as u64 + done.points_removed,
+        fine.steiner.len() as u64 + done.points_added
+    );
+    assert!(done.moves > 0 && done.worst_after >= done.worst_before, "{done:?}");
+    assert_eq!(good.statistics.refine, Default::default());
 }
