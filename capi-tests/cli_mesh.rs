@@ -784,7 +784,14 @@ fn a_mesh_is_refined_and_improved() {
     let told =
         done(&["refine", "c.vtu", "-o", "r.ele", "--size", "0.4", "--stats", "s.json", "--report", "r.json"]);
     assert!(told.contains("8 in") && told.contains("volume 1.000000"), "{told}");
-    assert!(text(dir.join("s.json")).contains("\"points_in\": 8"));
+    let stats: serde_json::Value = serde_json::from_str(&text(dir.join("s.json"))).unwrap();
+    let count = |part: &str, key: &str| stats[part][key].as_u64().unwrap();
+    assert_eq!(
+        (&stats["points_in"], stats["points"].as_u64()),
+        (&8.into(), Some(8 + count("refine", "inside")))
+    );
+    assert_eq!(count("refine", "inside"), count("refine", "for_sizes") + count("refine", "for_shapes"));
+    assert!(count("refine", "on_segments") + count("refine", "on_facets") + count("optimize", "passes") == 0);
     assert!(text(dir.join("r.json")).contains("\"status\": \"Ok\""));
     let node = text(dir.join("r.node"));
     let points: usize = node.split_whitespace().next().unwrap().parse().unwrap();
@@ -833,6 +840,64 @@ fn a_mesh_is_refined_and_improved() {
     assert!(text(dir.join("flat.json")).contains("tetrahedron not positive"));
     let unused = delotet(&["refine", "r.ele", "-o", "same.ele"], &dir);
     assert!(String::from_utf8_lossy(&unused.stderr).contains("nothing is refined"));
+}
+
+/// The rows of numbers in a file of TetGen's, without its header.
+fn rows(path: PathBuf) -> Vec<Vec<f64>> {
+    let lines = text(path);
+    let lines = lines.lines().map(|line| line.split('#').next().unwrap_or_default());
+    let numbers =
+        |line: &str| line.split_whitespace().map(|word| word.parse().unwrap()).collect::<Vec<f64>>();
+    lines.map(numbers).filter(|row| !row.is_empty()).skip(1).collect()
+}
+
+/// The smallest dihedral angle of a mesh in `.node` and `.ele`, in degrees: between the parts of two edges across a third.
+fn smallest_dihedral(dir: &Path, stem: &str) -> f64 {
+    let points: Vec<[f64; 3]> =
+        rows(dir.join(format!("{stem}.node"))).iter().map(|row| [row[1], row[2], row[3]]).collect();
+    let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    let mut least = 180.0f64;
+    for row in rows(dir.join(format!("{stem}.ele"))) {
+        let at = [1, 2, 3, 4].map(|k| points[row[k] as usize]);
+        for (i, j) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
+            let minus = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| p[k] - q[k]);
+            let axis = minus(at[j], at[i]);
+            let across = |k: usize| {
+                let edge = minus(at[k], at[i]);
+                let along = dot(edge, axis) / dot(axis, axis);
+                [0, 1, 2].map(|k| edge[k] - along * axis[k])
+            };
+            let mut others = (0..4).filter(|&k| k != i && k != j).map(across);
+            let (u, v) = (others.next().unwrap(), others.next().unwrap());
+            least = least.min((dot(u, v) / (dot(u, u) * dot(v, v)).sqrt()).acos().to_degrees());
+        }
+    }
+    least
+}
+
+/// The angle is that of the mesh in the files; the usual effort does not reach it.
+#[test]
+fn a_wanted_angle_is_reached() {
+    let dir = folder("angle");
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    let reached = |arguments: &[&str]| {
+        let result = delotet(arguments, &dir);
+        assert_eq!(result.status.code(), Some(0), "{arguments:?}: {}", error_line(&result));
+        smallest_dihedral(&dir, arguments[3].strip_suffix(".ele").unwrap())
+    };
+    let before = reached(&["mesh", "cube.off", "-o", "c.ele", "--size", "0.3"]);
+    assert!(before < 25.0, "{before}");
+    for command in ["refine", "improve"] {
+        let usual = reached(&[command, "c.ele", "-o", "m.ele", "--optimize=1"]);
+        assert!(usual > before && usual < 30.0, "{command}: {before} {usual}");
+        let angle = reached(&[command, "c.ele", "-o", "m.ele", "--min-angle", "30"]);
+        assert!(angle >= 30.0, "{command}: {angle}");
+        // What nothing reaches is come as near to as can be.
+        let most = reached(&[command, "c.ele", "-o", "m.ele", "--min-angle", "60"]);
+        assert!((usual..60.0).contains(&most), "{command}: {usual} {most}");
+    }
+    let made = reached(&["mesh", "cube.off", "-o", "c.ele", "--size", "0.3", "--min-angle", "30"]);
+    assert!(made >= 30.0, "{made}");
 }
 
 #[test]
