@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Sizes and shapes of meshes on models of the corpus, beside TetGen, by the independent tool.
 
-  python3 capi-tests/quality_figures.py --bin target/release/delotet [--set clean|needle|cad|all] [--size] [--refined] [--tetgen] [--options "..."] [MODEL ...]
+  python3 capi-tests/quality_figures.py --bin target/release/delotet [--set clean|needle|cad|all] [--size] [--refined] [--tetgen] [--hxt PYTHON] [--options "..."] [MODEL ...]
 
 Each model's surface is kept, or with `--refined` split as well (mode cdt). Peer and we run one after the other in one run, so their times compare; seconds are processor seconds of the
-whole process, files included. `--size` asks for one edge length, a fortieth of the model's diagonal, else sizes come from the surface. The
+whole process, files included. HXT (`--hxt`, a Python that has the package gmsh) only keeps surfaces. `--size` asks for one edge length, a fortieth of the model's diagonal, else sizes come from the surface. The
 measure is ../shared/tools/quality.py (numpy, scipy: of this Python or the system's), models are those of ../shared/corpus; without them the script says so and ends. Columns
 with an x leave out what the input forces, by the tool's own rule.
 """
@@ -15,6 +15,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SHARED = os.path.join(ROOT, "..", "shared")
 MODELS = os.path.join(SHARED, "corpus", "models")
 TOOL = os.path.join(SHARED, "tools", "quality.py")
+HXT = os.path.join(ROOT, "capi-tests", "peers", "hxt.py")
 SETS = {
     "clean": ["elephant.off", "spot.off", "sofa_pelvis.off", "goathead.off", "fandisk_large.off", "of_flange.off",
               "regions_tinyBoxt.off", "regions8_freefem_Th.off"],
@@ -98,6 +99,7 @@ def main():
     parser.add_argument("--size", action="store_true")
     parser.add_argument("--refined", action="store_true", help="the surface may be split")
     parser.add_argument("--tetgen", action="store_true", help="also the program tetgen")
+    parser.add_argument("--hxt", metavar="PYTHON", help="also HXT, by this Python's package gmsh, where surfaces are kept")
     parser.add_argument("--options", default="--quality --optimize", help="instead of --quality --optimize")
     parser.add_argument("--limit", type=float, default=90, help="seconds for a run")
     parser.add_argument("models", nargs="*")
@@ -106,7 +108,9 @@ def main():
         print("NOT RUN: no models or no independent tool in ../shared")
         return 0
     need_numpy(__file__)
-    binary, ours, theirs = os.path.abspath(args.bin), [], []
+    if args.hxt and args.refined:
+        parser.error("--hxt keeps surfaces: not with --refined")
+    binary, ours, theirs, hxts = os.path.abspath(args.bin), [], [], []
     for name in args.models or SETS[args.set]:
         with tempfile.TemporaryDirectory() as folder:
             surface, path = os.path.join(MODELS, name), lambda file: os.path.join(folder, file)
@@ -124,6 +128,14 @@ def main():
                 found = measured(surface, path("t.1.ele"), size, reference) if seconds is not None else {}
                 theirs.append((seconds, found))
                 row(name, "tetgen", seconds, found)
+            if args.hxt:
+                start = path("start.mesh")
+                subprocess.run([binary, "mesh", surface, "-o", start, "--mode", "preserve", "--quiet"], check=True)
+                command = [args.hxt, HXT, start, path("h.mesh")] + ([repr(size)] if size else [])
+                seconds = timed(command, args.limit)
+                found = measured(surface, path("h.mesh"), size) if seconds is not None else {}
+                hxts.append((seconds, found))
+                row(name, "hxt", seconds, found)
             command = [binary, "mesh", surface, "-o", path("m.ele"), "--mode",
                        "cdt" if args.refined else "preserve", "--quiet", "--threads", "1"]
             sizes = ["--size", repr(size), "--max-volume", repr(size ** 3 / 8.485)] if size else []
@@ -133,6 +145,7 @@ def main():
             ours.append((seconds, found))
             row(name, "delotet", seconds, found)
     total("tetgen", theirs)
+    total("hxt", hxts)
     total("delotet", ours)
     return sum(1 for seconds, found in ours if seconds is None or "fault" in found)
 
