@@ -19,8 +19,45 @@ const HALVINGS: usize = 5;
 const NEARLY: [f64; 3] = [0.08, 0.03, 0.006];
 /// The most gradients.
 const MOST: usize = 16;
+/// Slopes below this lead nowhere.
+const FLAT: f64 = 1e-3;
 /// The least gain of a step. A fiftieth of it takes a third longer for the same angles.
 const GAIN: f64 = 0.005;
+
+/// Where a vertex may go.
+pub trait Freedom {
+    /// The part of a direction that it may follow.
+    fn along(&self, way: [f64; 3]) -> [f64; 3];
+
+    /// The place next to a wanted one that it may go to; `None` if there is none.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    fn place(&mut self, points: &Points, wanted: [f64; 3]) -> Result<Option<[f64; 3]>, Error>;
+
+    /// The vertex is at the last place from now on.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    fn take(&mut self) -> Result<(), Error>;
+}
+
+/// Anywhere.
+pub struct Free;
+
+impl Freedom for Free {
+    fn along(&self, way: [f64; 3]) -> [f64; 3] {
+        way
+    }
+
+    fn place(&mut self, _: &Points, wanted: [f64; 3]) -> Result<Option<[f64; 3]>, Error> {
+        Ok(wanted.iter().all(|&x| in_range(x)).then_some(wanted))
+    }
+
+    fn take(&mut self) -> Result<(), Error> {
+        Ok(())
+    }
+}
 
 /// Moves vertices; keeps its scratch space.
 #[derive(Default)]
@@ -38,6 +75,18 @@ impl Descend {
         faces: &mut [[u32; 3]],
         enough: f64,
     ) -> Result<(f64, f64), Error> {
+        self.smooth_within(points, p, faces, enough, &mut Free)
+    }
+
+    /// The same for a vertex that may not go anywhere.
+    pub fn smooth_within(
+        &mut self,
+        points: &mut Points,
+        p: u32,
+        faces: &mut [[u32; 3]],
+        enough: f64,
+        freedom: &mut impl Freedom,
+    ) -> Result<(f64, f64), Error> {
         let mut at = *points.xyz(p);
         let mut worst = self.rate(points, &at, faces)?;
         let first = worst;
@@ -48,20 +97,26 @@ impl Descend {
                 break;
             }
             self.slopes(points, &at, faces, worst + NEARLY[level], scale)?;
+            self.gradients.iter_mut().for_each(|slope| *slope = freedom.along(*slope));
             let way = shortest(&self.gradients);
             let steep = dot(&way, &way).sqrt();
-            if steep < 1e-3 {
+            if steep < FLAT {
                 level += 1;
                 continue;
             }
             let mut moved = false;
             let mut step = length;
             for _ in 0..HALVINGS {
-                let to = [0, 1, 2].map(|k| at[k] + step * way[k] / steep);
-                let better = least_above(points, &to, faces, worst + GAIN);
-                if let Some(better) = better.filter(|_| to.iter().all(|&x| in_range(x))) {
+                let wanted = [0, 1, 2].map(|k| at[k] + step * way[k] / steep);
+                let mut better = least_above(points, &wanted, faces, worst + GAIN);
+                let to = if better.is_some() { freedom.place(points, wanted)? } else { None };
+                if let Some(to) = to.filter(|to| *to != wanted) {
+                    better = least_above(points, &to, faces, worst + GAIN);
+                }
+                if let (Some(to), Some(better)) = (to, better) {
                     points.move_to(p, to)?;
                     if sees_all(points, p, faces) {
+                        freedom.take()?;
                         (at, worst, moved) = (to, better, true);
                         length = (1.5 * step).min(0.3 * scale);
                         break;
@@ -153,7 +208,7 @@ fn reach(points: &Points, at: &[f64; 3], faces: &[[u32; 3]]) -> f64 {
     faces.iter().flatten().map(far).sum::<f64>() / (3 * faces.len()).max(1) as f64
 }
 
-/// The shortest vector in the convex hull.
+/// The shortest vector in the convex hull, or one below [`FLAT`].
 fn shortest(vectors: &[[f64; 3]]) -> [f64; 3] {
     let Some(&first) = vectors.first() else { return [0.0; 3] };
     let mut best = first;
@@ -161,7 +216,7 @@ fn shortest(vectors: &[[f64; 3]]) -> [f64; 3] {
         let square = dot(&best, &best);
         let along = |v: &[f64; 3]| dot(v, &best);
         let Some(low) = vectors.iter().min_by(|x, y| along(x).total_cmp(&along(y))) else { break };
-        if along(low) >= 0.99 * square {
+        if along(low) >= 0.99 * square || square < FLAT * FLAT {
             break;
         }
         let back = sub(low, &best);

@@ -1,13 +1,15 @@
-//! Optimisation of a mesh whose surface is kept: the worst tetrahedra get better, by their smallest dihedral angle.
+//! Optimisation of a mesh: the worst tetrahedra get better, by their smallest dihedral angle.
 //!
 //! Hill climbing (Freitag & Ollivier-Gooch 1997; Klingner & Shewchuk 2007), the worst first, by smoothing ([`descend`]), removal of edges and
 //! of faces, reconnection of small cavities ([`reshape`](crate::ops::reshape)), points that come with their cavity and points that go
 //! ([`point`]). A step counts only if the worst of what it touches gets strictly better, so no mesh gets worse, and a pass ends. Passes go on
 //! while they gain something. What comes is above the bound on volume only if what goes is larger.
 //!
-//! Invariants: walls, input points, edges on no facet and regions stay; every tetrahedron is positive by exact signs.
+//! Invariants: walls, input points, edges on no facet and regions stay; every tetrahedron is positive by exact signs. Where the surface may be
+//! refined, points that were added on it slide on it ([`slide`]).
 pub mod descend;
 mod point;
+pub mod slide;
 
 use crate::control::Part;
 use crate::elementary::{angle_in_degrees, quotient};
@@ -26,6 +28,7 @@ use crate::size::{volume, Bounds};
 use descend::Descend;
 use point::Coming;
 use rustc_hash::FxHashSet;
+use slide::Slides;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::time::{Duration, Instant};
@@ -136,6 +139,8 @@ struct Optimise<'a> {
     points: &'a mut Points,
     inside: &'a mut Inside,
     isolated: &'a FxHashSet<[u32; 2]>,
+    /// The vertices of the surface that may slide.
+    slides: Option<&'a mut Slides>,
     bounds: &'a Bounds,
     level: Level,
     part: Part<'a>,
@@ -168,20 +173,28 @@ struct Optimise<'a> {
     steps: OptimizeStatistics,
 }
 
+/// What is optimised.
+pub struct Subject<'a> {
+    /// With isolated edges marked as subsegments.
+    pub mesh: &'a mut Mesh,
+    /// All points, explicit.
+    pub points: &'a mut Points,
+    /// Those that move and go.
+    pub inside: &'a mut Inside,
+    /// Edges on no wall that stay.
+    pub isolated: &'a FxHashSet<[u32; 2]>,
+    /// Vertices of the surface that slide on it, if it may be refined.
+    pub slides: Option<&'a mut Slides>,
+    /// The largest volumes.
+    pub bounds: &'a Bounds,
+}
+
 /// Optimises a mesh; larger efforts take longer and find more.
 ///
 /// # Errors
 /// `OutOfMemory`, `TetrahedraLimit`, and what ends the run.
-pub fn optimise(
-    mesh: &mut Mesh,
-    points: &mut Points,
-    inside: &mut Inside,
-    isolated: &FxHashSet<[u32; 2]>,
-    bounds: &Bounds,
-    request: Request,
-    part: Part,
-) -> Result<OptimizeStatistics, Error> {
-    let mut optimise = Optimise::new(mesh, points, inside, isolated, bounds, part)?;
+pub fn optimise(subject: Subject, request: Request, part: Part) -> Result<OptimizeStatistics, Error> {
+    let mut optimise = Optimise::new(subject, part)?;
     let effort = match request.extent {
         Extent::Effort(effort) => effort.min(LARGEST_EFFORT),
         Extent::Seconds(seconds) => {
@@ -195,14 +208,8 @@ pub fn optimise(
 }
 
 impl<'a> Optimise<'a> {
-    fn new(
-        mesh: &'a mut Mesh,
-        points: &'a mut Points,
-        inside: &'a mut Inside,
-        isolated: &'a FxHashSet<[u32; 2]>,
-        bounds: &'a Bounds,
-        part: Part<'a>,
-    ) -> Result<Optimise<'a>, Error> {
+    fn new(subject: Subject<'a>, part: Part<'a>) -> Result<Optimise<'a>, Error> {
+        let Subject { mesh, points, inside, isolated, slides, bounds } = subject;
         let count = points.len();
         let mut movable = fallible::filled(false, count)?;
         for &v in &inside.list {
@@ -213,6 +220,7 @@ impl<'a> Optimise<'a> {
             points,
             inside,
             isolated,
+            slides,
             bounds,
             level: LEVELS[0],
             part,
@@ -356,6 +364,13 @@ impl Optimise<'_> {
             let v = self.inside.list[i];
             self.smooth(v, below)?;
         }
+        let slider = |this: &Self, i: usize| this.slides.as_ref()?.list().get(i).map(|slider| slider.v);
+        let mut next = 0;
+        while let Some(v) = slider(self, next).filter(|_| !self.is_over()) {
+            self.part.step()?;
+            self.smooth(v, below)?;
+            next += 1;
+        }
         Ok(())
     }
 
@@ -363,10 +378,15 @@ impl Optimise<'_> {
     fn smooth(&mut self, v: u32, enough: f64) -> Result<bool, Error> {
         let at = v as usize;
         let there = self.mesh.vertex_tet.get(at).is_some_and(|&t| t != NONE);
-        if !there || !self.movable.get(at).is_some_and(|&m| m) {
+        let inside = self.movable.get(at).is_some_and(|&m| m);
+        let slides = || self.slides.as_ref().is_some_and(|slides| slides.of(v).is_some());
+        if !there || !inside && !slides() {
             return Ok(false);
         }
         self.search.link(self.mesh, v, &mut self.link)?;
+        if !inside {
+            self.link.retain(|face| !face.contains(&GHOST));
+        }
         self.part.worked(self.link.len());
         let latest =
             self.link.iter().flatten().map(|&w| self.moved[w as usize]).fold(self.moved[at], u64::max);
@@ -374,8 +394,11 @@ impl Optimise<'_> {
             return Ok(false);
         }
         let old = *self.points.xyz(v);
-        let (before, after) = self.descend.smooth(self.points, v, &mut self.link, enough)?;
-        if after > before && self.too_large(v, &old) {
+        let (before, after) = match inside {
+            true => self.descend.smooth(self.points, v, &mut self.link, enough)?,
+            false => self.slide(v, enough)?,
+        };
+        if after > before && inside && self.too_large(v, &old) {
             self.points.move_to(v, old)?;
         } else if after > before {
             self.clock += 1;
@@ -515,5 +538,7 @@ fn largest(points: &Points, at: &[f64; 3], faces: &[[u32; 3]]) -> f64 {
     faces.iter().map(of).fold(0.0, f64::max)
 }
 
+#[cfg(test)]
+mod slide_tests;
 #[cfg(test)]
 mod tests;

@@ -33,6 +33,7 @@ mod preserve;
 mod promise;
 mod refine;
 mod refined;
+mod slides;
 mod unmeshed;
 mod unrounded;
 mod warn;

@@ -6,7 +6,8 @@ use crate::fallible;
 use crate::fill::{bound_volumes, estimate, fill, Shape};
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, Mesh};
-use crate::optimise::{optimise, Extent, Request};
+use crate::optimise::slide::Slides;
+use crate::optimise::{optimise, Extent, Request, Subject};
 use crate::options::{Mode, Options};
 use crate::output::Region;
 use crate::plan::{Engine, Run};
@@ -101,7 +102,7 @@ impl Run<'_> {
         let Freed { inside, isolated, settled, .. } = freed;
         inside.elsewhere = settled.len() as u64;
         mark_isolated(mesh, isolated)?;
-        let interior = Interior { mesh, inside, isolated };
+        let interior = Interior { mesh, inside, isolated, slides: None };
         self.fill_and_optimise(options, engine, interior, input)?;
         self.is_refining = false;
         Ok(())
@@ -120,7 +121,7 @@ impl Run<'_> {
         interior: Interior,
         input: Input,
     ) -> Result<(), Error> {
-        let Interior { mesh, inside, isolated } = interior;
+        let Interior { mesh, inside, isolated, slides } = interior;
         let mut limits = Bounds::default();
         if fills(options) {
             let part = self.control.whole(Phase::Refine);
@@ -140,7 +141,7 @@ impl Run<'_> {
             }
             self.lap(Phase::Refine);
         }
-        let interior = Interior { mesh, inside, isolated };
+        let interior = Interior { mesh, inside, isolated, slides };
         self.optimise(options, engine, interior, &limits)
     }
 
@@ -152,12 +153,13 @@ impl Run<'_> {
         interior: Interior,
         bounds: &Bounds,
     ) -> Result<(), Error> {
-        let Interior { mesh, inside, isolated } = interior;
+        let Interior { mesh, inside, isolated, slides } = interior;
         if let Some(request) = request(options) {
             let part = self.control.whole(Phase::Optimize);
             part.progress(0.0)?;
-            let done = optimise(mesh, &mut engine.points, inside, isolated, bounds, request, part)?;
-            self.statistics.optimize.add(&done);
+            let points = &mut engine.points;
+            let subject = Subject { mesh, points, inside, isolated, slides, bounds };
+            self.statistics.optimize.add(&optimise(subject, request, part)?);
             self.lap(Phase::Optimize);
         }
         Ok(())
@@ -171,6 +173,8 @@ pub(super) struct Interior<'a> {
     pub inside: &'a mut Inside,
     /// Edges on no wall that stay.
     pub isolated: &'a FxHashSet<[u32; 2]>,
+    /// Points of the surface that may slide on it.
+    pub slides: Option<&'a mut Slides>,
 }
 
 /// Marks these edges, and no others, as subsegments.

@@ -8,10 +8,12 @@ use crate::fill::{estimate, fill, Shape};
 use crate::kernel::around::StarSearch;
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, face_key, Mesh, GHOST, NONE};
+use crate::optimise::slide::{Slides, Track};
 use crate::options::Options;
 use crate::output::{Guarantee, SteinerPoint, TetMesh};
 use crate::plan::assemble::{self, Origin};
 use crate::plan::refine::{bounds, fills, given, mark_isolated, request, Input, Interior};
+use crate::plan::slides::{slides, Facets};
 use crate::plan::{Engine, Run};
 use crate::plc::surface::Surface;
 use crate::predicates::{scale, Points, Position};
@@ -102,6 +104,9 @@ pub(super) struct Refined {
     inside: Inside,
     /// Points on facets.
     on_facets: Vec<OnFacet>,
+    /// Of the patches, if points may have come on facets.
+    frames: Frames,
+    wishes: Wishes,
     /// Edges on no wall that stay.
     isolated: FxHashSet<[u32; 2]>,
     bounds: Bounds,
@@ -141,6 +146,8 @@ impl Run<'_> {
         let mut refined = Refined {
             inside: Inside::default(),
             on_facets: Vec::new(),
+            frames: Frames::default(),
+            wishes: Wishes::default(),
             isolated: isolated(&mesh, segments, control)?,
             bounds: Bounds::default(),
             facet_of: facet_of(subfaces, control)?,
@@ -157,14 +164,15 @@ impl Run<'_> {
                 Size::new(&mesh, &engine.points, &refined.isolated, given, options.gradation, &part)?;
             let ratio = options.quality.unwrap_or(Options::USUAL_RATIO);
             estimate(&mesh, &engine.points, &size, &part)?;
-            let frames = frames(engine, input.surface, polygons, control)?;
-            let wishes = wishes(engine, input, subfaces, control)?;
+            refined.frames = frames(engine, input.surface, polygons, control)?;
+            refined.wishes = wishes(engine, input, subfaces, control)?;
+            let (frames, wishes) = (&refined.frames, &refined.wishes);
             wishes.estimate(&mesh, &engine.points, &part)?;
             let Engine { points, .. } = engine;
             let inside = &mut refined.inside;
-            let mut model = Model { mesh: &mut mesh, points, segments, inside, frames: &frames };
+            let mut model = Model { mesh: &mut mesh, points, segments, inside, frames };
             let bounds = &refined.bounds;
-            let mut goal = Goal { size: &mut size, ratio, bounds, wishes: &wishes, kept: &keeps.balls };
+            let mut goal = Goal { size: &mut size, ratio, bounds, wishes, kept: &keeps.balls };
             let counts = &mut self.statistics.refine;
             let walls = refine(&mut model, &mut goal, What::Walls, part.part(0.0, 0.2))?;
             counts.add(&walls.counts);
@@ -196,11 +204,18 @@ impl Run<'_> {
         refined: &mut Refined,
     ) -> Result<TetMesh, Error> {
         let control = self.control;
-        let steiner = steiner(engine, origin, rounded, refined, control)?;
+        let mut steiner = steiner(engine, origin, rounded, refined, control)?;
         let mut replaced = fallible::copied(&rounded.replaced)?;
         let changes = request(options).is_some() || fills(options) && refined.plain;
         let mut mesh = std::mem::take(&mut engine.mesh);
+        // Points that slide keep their order along a segment.
+        let unmeshed = split_unmeshed(&refined.unmeshed, origin.segments, control)?;
         if changes {
+            let Refined { on_facets, frames, wishes, .. } = &*refined;
+            let mut slides = match request(options) {
+                Some(_) => slides(engine, origin.segments, Facets { on_facets, frames, wishes }, control)?,
+                None => None,
+            };
             for v in origin.segments.first_steiner..engine.points.len() as u32 {
                 control.step()?;
                 let at = rounded.xyz[v as usize];
@@ -213,13 +228,15 @@ impl Run<'_> {
             mark_isolated(&mut mesh, &refined.isolated)?;
             let Refined { inside, isolated, .. } = refined;
             inside.elsewhere = steiner.len() as u64;
-            let interior = Interior { mesh: &mut mesh, inside, isolated };
+            let interior = Interior { mesh: &mut mesh, inside, isolated, slides: slides.as_mut() };
             let input = Input { plc: origin.plc, surface: origin.surface, regions: origin.regions };
             // Where subsegments that may not be split are in the way, a constrained Delaunay mesh has no room for points; this one has.
             self.fill_and_optimise(options, engine, interior, input)?;
             replaced.clear();
+            if let Some(slides) = &slides {
+                record(engine, slides, &mut steiner, control)?;
+            }
         }
-        let unmeshed = split_unmeshed(&refined.unmeshed, origin.segments, control)?;
         let parts = assemble::Parts {
             steiner: &steiner,
             inside: &refined.inside.list,
@@ -397,12 +414,7 @@ fn steiner(
 ) -> Result<Vec<(u32, SteinerPoint)>, Error> {
     let Origin { surface, segments, .. } = origin;
     let input = |v: u32| engine.input_of[v as usize];
-    let is_exact = |v: u32| {
-        let at = rounded.xyz[v as usize];
-        // Scaling back may lose bits of subnormal coordinates.
-        let returned = at.map(|x| scale(scale(x, -engine.scale), engine.scale)) == at;
-        engine.points.is_explicit(v) && at == *engine.points.xyz(v) && returned
-    };
+    let is_exact = |v: u32| is_exact(&engine.points, v, &rounded.xyz[v as usize], engine.scale);
     let mut out = fallible::reserved(segments.steiner_t.len())?;
     for (v, (&s, &t)) in
         (segments.first_steiner..).zip(segments.steiner_segment.iter().zip(&segments.steiner_t))
@@ -423,6 +435,35 @@ fn steiner(
     }
     control.sort_by(&mut out, |x, y| x.0.cmp(&y.0))?;
     Ok(out)
+}
+
+/// Whether a point that comes back at these doubles is there exactly.
+fn is_exact(points: &Points, v: u32, at: &[f64; 3], exponent: i32) -> bool {
+    // Scaling back may lose bits of subnormal coordinates.
+    let returned = at.map(|x| scale(scale(x, -exponent), exponent)) == *at;
+    points.is_explicit(v) && at == points.xyz(v) && returned
+}
+
+/// Where the points on segments and facets that have slid lie now.
+fn record(
+    engine: &Engine,
+    slides: &Slides,
+    steiner: &mut [(u32, SteinerPoint)],
+    control: &Control,
+) -> Result<(), Error> {
+    let input = |v: u32| engine.input_of[v as usize];
+    for (v, point) in steiner {
+        control.step()?;
+        let Some(slider) = slides.of(*v).filter(|slider| slider.moved) else { continue };
+        let exact = is_exact(slides.exact(), *v, engine.points.xyz(*v), engine.scale);
+        *point = match slider.track {
+            Track::Segment { t, .. } => SteinerPoint { t, exact, ..*point },
+            Track::Facet { .. } => {
+                SteinerPoint { facet: point.facet, exact, ..on_facet(slides.exact(), *v, input) }
+            }
+        };
+    }
+    Ok(())
 }
 
 /// The position of a point on a facet.

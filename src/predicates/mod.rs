@@ -14,6 +14,7 @@ mod insphere;
 mod located;
 mod on_facet;
 mod orient;
+mod placed;
 mod plane;
 mod points;
 mod position;
@@ -24,9 +25,10 @@ mod wide;
 
 pub use expansion::Expansion;
 pub(crate) use insphere::Glance;
+pub use placed::Placed;
 pub use points::Points;
 pub use position::Position;
-pub use range::{far_from_most, in_range, is_parameter, range_scale, scale, to_range};
+pub use range::{far_from_most, in_range, is_parameter, range_scale, scale, surviving};
 
 /// The sign of a determinant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -1,4 +1,4 @@
-//! Choosing a position on a facet: near a wanted one, strictly inside a triangle, with parameters of few bits.
+//! Choosing a position on a facet: near a wanted one, strictly inside a triangle or anywhere in its plane, with parameters of few bits.
 //!
 //! Where a Steiner point lies on its facet is free within a region, in which triangle it lies is not. So the position is found in
 //! floating-point arithmetic, as weights of the triangle's corners, and its parameters `u`, `v` are rounded to the coarsest powers of two
@@ -12,7 +12,8 @@
 
 use crate::elementary::{power_of_two, quotient};
 use crate::error::Error;
-use crate::predicates::located::{Implicit, Located};
+use crate::predicates::located::Located;
+use crate::predicates::placed::Placed;
 use crate::predicates::{orient3d, range, Points, Sign};
 
 /// The least weight that a corner gets, before the three are scaled to a sum of one: a wanted position nearer to an edge, or beyond it, moves
@@ -30,20 +31,6 @@ const MORE_BITS: [i32; 4] = [0, 4, 16, 40];
 
 /// The second and third weight of the middle of a triangle.
 const MIDDLE: [f64; 2] = [1.0 / 3.0; 2];
-
-/// A position that has been found.
-struct Chosen {
-    /// The nearest doubles.
-    xyz: [f64; 3],
-    /// If they are not exact.
-    implicit: Option<Implicit>,
-}
-
-impl Chosen {
-    fn located(&self) -> Located<'_> {
-        Located { xyz: &self.xyz, implicit: self.implicit.as_ref() }
-    }
-}
 
 /// Two directions in a projection.
 struct Basis([[f64; 2]; 2]);
@@ -89,13 +76,44 @@ impl Place<'_> {
         [1, 2].map(|k| to.minus(from, (self.axis + k) % 3))
     }
 
-    fn choose(&self, wanted: &[f64; 3]) -> Option<Chosen> {
-        let [o, a, b] = self.points.located(self.frame);
+    /// The triangle's edges from its first corner.
+    fn edges(&self) -> Basis {
         let [x, y, z] = self.points.located(self.triangle);
-        let edges = Basis([self.difference(&y, &x), self.difference(&z, &x)]);
-        let axes = Basis([self.difference(&a, &o), self.difference(&b, &o)]);
+        Basis([self.difference(&y, &x), self.difference(&z, &x)])
+    }
+
+    /// The second and third weight of a place.
+    fn weights_of(&self, place: &Located) -> Option<[f64; 2]> {
+        let [x, ..] = self.points.located(self.triangle);
+        self.edges().coordinates(self.difference(place, &x))
+    }
+
+    /// Strictly inside the triangle.
+    fn choose(&self, wanted: &[f64; 3]) -> Option<Placed> {
         let wanted = Located { xyz: wanted, implicit: None };
-        let weights = inner_weights(edges.coordinates(self.difference(&wanted, &x)).unwrap_or(MIDDLE));
+        let weights = inner_weights(self.weights_of(&wanted).unwrap_or(MIDDLE));
+        let chosen = self.approach(weights, |chosen| self.contains(&chosen.located()))?;
+        let in_doubles = self.in_doubles(&chosen).filter(|doubles| self.contains(&doubles.located()));
+        Some(in_doubles.unwrap_or(chosen))
+    }
+
+    /// Anywhere in the plane.
+    fn choose_near(&self, wanted: &[f64; 3]) -> Option<Placed> {
+        let [second, third] = self.weights_of(&Located { xyz: wanted, implicit: None })?;
+        let is_near = |chosen: &Placed| {
+            let found = self.weights_of(&chosen.located());
+            found.is_some_and(|w| (w[0] - second).abs().max((w[1] - third).abs()) <= 2.0 * LARGEST_CHANGE)
+        };
+        let chosen = self.approach([1.0 - second - third, second, third], is_near)?;
+        Some(self.in_doubles(&chosen).unwrap_or(chosen))
+    }
+
+    /// Approaches the position with these weights until it is good.
+    fn approach(&self, weights: [f64; 3], is_good: impl Fn(&Placed) -> bool) -> Option<Placed> {
+        let [o, a, b] = self.points.located(self.frame);
+        let [x, ..] = self.points.located(self.triangle);
+        let edges = self.edges();
+        let axes = Basis([self.difference(&a, &o), self.difference(&b, &o)]);
         let [first, second] = axes.0;
         let steps = [step(edges.coordinates(first)?)?, step(edges.coordinates(second)?)?];
         // From a point to the one with these weights.
@@ -110,8 +128,8 @@ impl Place<'_> {
                 *parameter = quotient(*parameter, step)?.round() * step;
             }
             let chosen = self.at(parameters)?;
-            if self.contains(&chosen.located()) {
-                return Some(self.in_doubles(chosen));
+            if is_good(&chosen) {
+                return Some(chosen);
             }
             let correction = axes.coordinates(way(&chosen.located()))?;
             parameters = [0, 1].map(|k| parameters[k] + correction[k]);
@@ -119,24 +137,18 @@ impl Place<'_> {
         None
     }
 
-    fn at(&self, parameters: [f64; 2]) -> Option<Chosen> {
+    fn at(&self, parameters: [f64; 2]) -> Option<Placed> {
         let (xyz, implicit) = self.points.on_facet(self.frame, parameters)?;
-        Some(Chosen { xyz, implicit })
+        Some(Placed { xyz, implicit })
     }
 
-    /// The nearest doubles instead, if they are strictly inside the triangle as well.
-    fn in_doubles(&self, chosen: Chosen) -> Chosen {
-        let doubles = Chosen { xyz: chosen.xyz, implicit: None };
+    /// The nearest doubles instead, if they lie in the plane themselves.
+    fn in_doubles(&self, chosen: &Placed) -> Option<Placed> {
         let [o, a, b] = self.frame.map(|i| self.points.xyz(i));
-        let inside = chosen.implicit.is_some()
-            && doubles.xyz.iter().all(|&x| range::in_range(x))
-            && orient3d(o, a, b, &doubles.xyz) == Sign::Zero
-            && self.contains(&doubles.located());
-        if inside {
-            doubles
-        } else {
-            chosen
-        }
+        let is_in_plane = chosen.implicit.is_some()
+            && chosen.xyz.iter().all(|&x| range::in_range(x))
+            && orient3d(o, a, b, &chosen.xyz) == Sign::Zero;
+        is_in_plane.then_some(Placed { xyz: chosen.xyz, implicit: None })
     }
 
     /// Whether a point of the facet is strictly inside the triangle.
@@ -187,7 +199,15 @@ impl Points {
         let chosen = Place::of(self, frame, triangle).and_then(|place| place.choose(wanted));
         match chosen {
             None => Ok(None),
-            Some(Chosen { xyz, implicit }) => self.push_rounded(xyz, implicit).map(Some),
+            Some(Placed { xyz, implicit }) => self.push_rounded(xyz, implicit).map(Some),
         }
+    }
+
+    /// A position in the plane of a facet, near the wanted doubles: nearer than a small part of the triangle's size. The triangle, whose
+    /// corners must lie in the plane, tells how near, and so how many bits the parameters have; the position may be outside of it.
+    ///
+    /// `None` if none was found.
+    pub fn place_in_plane(&self, frame: [u32; 3], triangle: [u32; 3], wanted: &[f64; 3]) -> Option<Placed> {
+        Place::of(self, frame, triangle)?.choose_near(wanted)
     }
 }

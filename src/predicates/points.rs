@@ -18,12 +18,12 @@ use crate::predicates::{located, position, range};
 /// All points of a triangulation, with exact predicates on them by index.
 #[derive(Debug)]
 pub struct Points {
-    xyz: Vec<[f64; 3]>,
+    pub(super) xyz: Vec<[f64; 3]>,
     /// The first implicit point; `u32::MAX` if there is none.
-    first_implicit: u32,
+    pub(super) first_implicit: u32,
     /// For points from `first_implicit` on: index into `implicit`, or `u32::MAX` for explicit ones.
-    slots: Vec<u32>,
-    implicit: Vec<Implicit>,
+    pub(super) slots: Vec<u32>,
+    pub(super) implicit: Vec<Implicit>,
     min: [f64; 3],
     max: [f64; 3],
     /// The power of two that divides all explicit coordinates.
@@ -34,7 +34,7 @@ pub struct Points {
     pub(super) incircle_bounds: [f64; 3],
 }
 
-const NONE: u32 = u32::MAX;
+pub(super) const NONE: u32 = u32::MAX;
 
 impl Points {
     /// A store of explicit points. All must be finite and in the exact range (see [`range_scale`](crate::predicates::range_scale)).
@@ -80,7 +80,7 @@ impl Points {
     }
 
     /// Recomputes the static bounds from the box.
-    fn update_bounds(&mut self) {
+    pub(super) fn update_bounds(&mut self) {
         if self.xyz.is_empty() {
             return;
         }
@@ -200,7 +200,12 @@ impl Points {
     }
 
     /// The nearest doubles of `a + t (b − a)`, and the implicit point if they are not exact.
-    fn on_segment(&self, a: u32, b: u32, t: &Expansion) -> Result<([f64; 3], Option<Implicit>), Error> {
+    pub(super) fn on_segment(
+        &self,
+        a: u32,
+        b: u32,
+        t: &Expansion,
+    ) -> Result<([f64; 3], Option<Implicit>), Error> {
         if !self.known(a) || !self.known(b) || !range::is_parameter(t) {
             return Err(Error::internal(format_args!(
                 "invalid Steiner point: {a}, {b}, {}",
@@ -321,14 +326,14 @@ impl Points {
     }
 
     /// Updates grid, box and bounds for a new explicit point.
-    fn take_explicit(&mut self, p: [f64; 3]) {
+    pub(super) fn take_explicit(&mut self, p: [f64; 3]) {
         let lowest = p.iter().filter_map(|&x| range::lowest_exponent(x)).min().unwrap_or(1000);
         self.grid = self.grid.min(range::scale(1.0, lowest));
         self.cover(&p);
     }
 
     /// Enlarges the box, and with it the bounds, to contain these doubles.
-    fn cover(&mut self, p: &[f64; 3]) {
+    pub(super) fn cover(&mut self, p: &[f64; 3]) {
         if (0..3).any(|i| p[i] < self.min[i] || p[i] > self.max[i]) {
             for (i, &x) in p.iter().enumerate() {
                 self.min[i] = self.min[i].min(x);

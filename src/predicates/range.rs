@@ -71,6 +71,11 @@ pub fn to_range(x: f64) -> f64 {
     }
 }
 
+/// The nearest number within the range of exact arithmetic that the caller's scale can represent; subnormal numbers may lose bits.
+pub fn surviving(x: f64, scale_exponent: i32) -> f64 {
+    scale(scale(to_range(x), -scale_exponent), scale_exponent)
+}
+
 /// All parameters of Steiner points are multiples of two to this power. Segments at an angle α need a precision of α²: this is enough down
 /// to angles of `2^-390`, and doubles in range reach `2^-415`.
 const LOWEST_PARAMETER_EXPONENT: i32 = -800;

@@ -99,6 +99,11 @@ impl Wishes {
         self.0.get(patch as usize).copied().unwrap_or(Wish::NONE)
     }
 
+    /// All of them, by patch.
+    pub fn list(&self) -> &[Wish] {
+        &self.0
+    }
+
     /// Refuses lengths that ask for more points on facets than a mesh can have, before it has filled the memory.
     ///
     /// # Errors

@@ -21,7 +21,7 @@ use crate::error::Error;
 use crate::fallible;
 use crate::kernel::around::StarSearch;
 use crate::kernel::{Mesh, NONE};
-use crate::predicates::{orient3d, scale, to_range, Points, Sign};
+use crate::predicates::{orient3d, surviving, Points, Sign};
 use crate::segments::recovery::Segments;
 use precise::Reach;
 use rustc_hash::FxHashSet;
@@ -141,11 +141,6 @@ pub fn round(
     fallible::extend(&mut rounded.replaced, replaced)?;
     rounded.replaced.sort_unstable();
     Ok(rounded)
-}
-
-/// The nearest number within the range of exact arithmetic that the caller's scale can represent; subnormal numbers may lose bits.
-fn surviving(x: f64, scale_exponent: i32) -> f64 {
-    scale(scale(to_range(x), -scale_exponent), scale_exponent)
 }
 
 /// The implicit vertices of tetrahedra that are not positive.

@@ -9,7 +9,7 @@ use crate::fallible;
 use crate::fill::{bound_volumes, estimate, fill, Shape};
 use crate::kernel::tables::EDGE;
 use crate::kernel::{edge_key, Mesh, NONE};
-use crate::optimise::optimise;
+use crate::optimise::{optimise, Subject};
 use crate::options::{Mode, Options};
 use crate::output::{
     FacetFlip, Guarantee, OptimizeStatistics, RefineStatistics, Region, Statistics, SteinerPoint,
@@ -219,7 +219,8 @@ impl<'a> Work<'a> {
         if let Some(request) = request(options) {
             let part = part.part(0.45, 1.0);
             let Work { mesh, points, inside, isolated, optimize, .. } = self;
-            optimize.add(&optimise(mesh, points, inside, isolated, &bounds, request, part)?);
+            let subject = Subject { mesh, points, inside, isolated, slides: None, bounds: &bounds };
+            optimize.add(&optimise(subject, request, part)?);
         }
         self.inside.sweep(&self.mesh);
         Ok(())

@@ -195,3 +195,55 @@ fn refused_triangles() {
         strictly_inside(&points, frame, [0, 2, on_side], i);
     }
 }
+
+/// Wherever it is wanted, inside of the triangle or not, a position is in the plane and near; a point takes it and gives it back.
+#[test]
+fn places_in_a_plane() {
+    let mut random = Random(63);
+    let (mut implicit, mut count) = (0, 0);
+    for round in 0..positions::cases() {
+        let corners = [0; 3].map(|_| if round % 2 == 0 { random.decimals() } else { random.grid(5) });
+        let mut points = Points::new(corners.to_vec());
+        if points.collinear(0, 1, 2) {
+            continue;
+        }
+        let explicit = points.push(random.decimals()).expect("in range");
+        let p = points.push_in_triangle([0, 1, 2], [0, 1, 2], &[0.4; 3]).expect("valid").expect("room");
+        points.allow_implicit(explicit).expect("memory");
+        let shares = [0; 2].map(|_| random.unit() * 4.0 - 2.0);
+        let of = |[s, t]: [f64; 2]| {
+            let [o, a, b] = [0, 1, 2].map(|i| *points.xyz(i));
+            [0, 1, 2].map(|k| o[k] + s * (a[k] - o[k]) + t * (b[k] - o[k]))
+        };
+        let wanted = of(shares);
+        let old = of_point(&points, p);
+        let Some(placed) = points.place_in_plane([0, 1, 2], [0, 1, p], &wanted) else { continue };
+        count += 1;
+        let [at, is_explicit] = [*placed.xyz(), [f64::from(u8::from(placed.is_explicit())); 3]];
+        let turns = [0, 1, 2].map(|axis| points.orient_placed(axis, &placed, 0, 1));
+        // One that was explicit, and one that may not have been.
+        for i in [explicit, p] {
+            let placed = points.place_in_plane([0, 1, 2], [0, 1, p], &wanted).expect("as before");
+            points.take(i, placed).expect("memory");
+            assert_eq!((*points.xyz(i), points.is_explicit(i)), (at, is_explicit[0] == 1.0));
+            let exact = [0, 1, 2, i].map(|i| of_point(&points, i));
+            assert_eq!(exact_orient3d(&exact), Sign::Zero);
+            assert_eq!(turns, [0, 1, 2].map(|axis| points.orient_in_plane(axis, i, 0, 1)));
+        }
+        implicit += usize::from(!points.is_explicit(p));
+        // Near for the triangle to p, which is smaller than the frame.
+        let size =
+            (0..3).map(|k| (corners[0][k] - corners[1][k]).abs() + (corners[0][k] - corners[2][k]).abs());
+        let off = (0..3).map(|k| (at[k] - wanted[k]).abs()).fold(0.0, f64::max);
+        assert!(off < 0.05 * size.fold(0.0, f64::max), "{off} {at:?} {wanted:?}");
+        assert_ne!(old, of_point(&points, p));
+    }
+    assert!(10 * count > 9 * positions::cases() && 5 * implicit > count, "{count} {implicit}");
+    // Below the first that may be implicit there are none.
+    let mut points = Points::new(vec![[0.1, 0.2, 0.3], [0.7, 0.45, 0.11], [0.0, 1.0, 0.6]]);
+    let placed = points.place_on_segment([0, 1], 0.3).expect("valid");
+    assert!(points.take(2, placed).is_err());
+    points.allow_implicit(2).expect("memory");
+    let placed = points.place_on_segment([0, 1], 0.3).expect("valid");
+    assert!(points.take(2, placed).is_ok() && points.collinear(0, 1, 2) && !points.is_explicit(2));
+}
