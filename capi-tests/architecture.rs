@@ -18,6 +18,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("options", &["error", "control"]),
     ("warning", &["error", "control"]),
     ("threads", &[]),
+    ("workers", &["error", "panics", "threads"]),
     ("vector", &[]),
     ("output", &["progress", "error", "warning"]),
     ("predicates", &["error"]),
@@ -69,8 +70,38 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     ("size", &["kernel", "predicates", "vector", "error", "options"]),
-    ("optimise", &["preserve", "ops", "size", "kernel", "predicates", "vector", "output", "error"]),
-    ("fill", &["preserve", "ops", "size", "kernel", "predicates", "vector", "output", "error", "options"]),
+    ("blocks", &["preserve", "kernel", "predicates", "vector", "error", "progress"]),
+    (
+        "optimise",
+        &[
+            "blocks",
+            "preserve",
+            "ops",
+            "size",
+            "kernel",
+            "predicates",
+            "vector",
+            "output",
+            "error",
+            "progress",
+        ],
+    ),
+    (
+        "fill",
+        &[
+            "blocks",
+            "preserve",
+            "ops",
+            "size",
+            "kernel",
+            "predicates",
+            "vector",
+            "output",
+            "error",
+            "options",
+            "progress",
+        ],
+    ),
     (
         "refine",
         &["fill", "preserve", "segments", "ops", "size", "kernel", "predicates", "vector", "output", "error"],
@@ -78,6 +109,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "plan",
         &[
+            "blocks",
             "fill",
             "refine",
             "optimise",
@@ -118,11 +150,21 @@ const ALLOWED: &[(&str, &[&str])] = &[
 ];
 
 /// Modules that may be imported anywhere, and may refer to each other.
-const LEAVES: &[&str] =
-    &["control", "elementary", "error", "fallible", "options", "panics", "progress", "threads", "warning"];
+const LEAVES: &[&str] = &[
+    "control",
+    "elementary",
+    "error",
+    "fallible",
+    "options",
+    "panics",
+    "progress",
+    "threads",
+    "warning",
+    "workers",
+];
 
 /// Leaves that need not be listed: general tools.
-const OPEN: &[&str] = &["control", "elementary", "fallible", "panics", "threads"];
+const OPEN: &[&str] = &["control", "elementary", "fallible", "panics", "threads", "workers"];
 
 /// Files outside of `ffi` that may use `unsafe`, each with the reason.
 const UNSAFE_FILES: &[(&str, &str)] = &[

@@ -1,4 +1,5 @@
 //! Random meshes as given ones: they come back from arrays, and refining and improving keep what must be kept.
+use delotet::query::TetQuality;
 use delotet::{
     check_mesh, improve, mesh_from_arrays, refine, tetrahedralize, Error, MeshArrays, MeshSizes, Mode,
     Options, Plc, RegionSeed, Segment, Silent, Sizes, Status, TetMesh,
@@ -204,4 +205,26 @@ proptest! {
             ),
         }
     }
+}
+
+/// The smallest dihedral angle, or what the largest lacks to 180 degrees.
+fn smallest_angle(mesh: &TetMesh) -> f64 {
+    let angles = mesh.tets.iter().flat_map(|t| TetQuality::of_tet(mesh, t).dihedrals);
+    angles.map(|angle| angle.min(180.0 - angle)).fold(180.0, f64::min)
+}
+
+/// It ended at 10 degrees: from what effort 1 had left, effort 2 could not reach what it reaches alone.
+#[test]
+fn an_angle_is_reached_that_one_of_the_efforts_reaches() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/capi-tests/data/nested.off");
+    let plc = delotet::io::read(file.as_ref()).unwrap();
+    let made = |optimize, min_angle| {
+        let shape =
+            Options { mode: Mode::Preserve, quality: Some(2.0), gradation: 1.0, ..Options::default() };
+        smallest_angle(&tetrahedralize(&plc, &Options { optimize, min_angle, ..shape }, &mut Silent).unwrap())
+    };
+    let alone = [1, 2].map(|optimize| made(optimize, None));
+    assert!(alone[0] < 10.0 && alone[1] > 20.0, "{alone:?}");
+    let reached = made(0, Some(20.0));
+    assert!(reached >= 20.0, "{reached}");
 }

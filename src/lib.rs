@@ -15,6 +15,7 @@
 //! rim       ffi  cli  io  query  check       the C interface, the program, files, queries and audits of finished meshes
 //! plan                                       the pipeline and its retries: the only place that knows the order
 //! stages    fill  optimise                   points inside by size; better angles
+//!           blocks                           parts of a mesh as meshes of their own, for several threads
 //!           preserve  rounding               the surface as it was (recover/, release/, settle); doubles for implicit points
 //!           domain                           carving, holes, regions
 //!           facets                           D1 → D2: every facet a union of faces
@@ -25,7 +26,7 @@
 //! ops                                        local operations on a few tetrahedra: reconnection, sheets, insertion, positions
 //! kernel                                     tetrahedra and their adjacency: topology alone, no coordinates
 //! predicates                                 signs
-//! leaves    control  elementary  error  fallible  options  output  panics  progress  threads  vector  warning
+//! leaves    control  elementary  error  fallible  options  output  panics  progress  threads  vector  warning  workers
 //! ```
 //!
 //! What is below the rim is private to the crate.
@@ -39,6 +40,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_macros, clippy::disallowed_methods))]
 #![cfg_attr(test, allow(clippy::disallowed_macros, clippy::disallowed_methods))]
 
+mod blocks;
 pub mod check;
 mod control;
 mod delaunay;
@@ -75,6 +77,7 @@ mod size;
 mod threads;
 mod vector;
 pub mod warning;
+mod workers;
 
 pub use check::{check_guarantee, check_mesh, check_preserved, check_preserved_outer};
 pub use control::{controlled, CancelToken, Control, Limits};

@@ -190,8 +190,8 @@ pub struct Options {
     /// then is the result, which so depends on the machine and its load. They count from the beginning of the optimisation, and are no limit:
     /// [`Options::time_limit`] ends the run. Positive and finite. Default: None (the effort counts).
     pub optimize_seconds: Option<f64>,
-    /// The smallest dihedral angle that is wanted, in degrees: what is below it after the optimisation, or above 180 less it, is improved as far
-    /// as can be, with efforts of up to 3. Angles of the input bound what can be reached. Above 0, at most 60. Default: None.
+    /// The smallest dihedral angle that is wanted, in degrees: what is below it after the optimisation, or above 180 less it, is worked on
+    /// further; if it is not reached, larger efforts of up to 3 are tried from the start, and the best counts. Angles of the input bound what can be reached. Above 0, at most 60. Default: None.
     pub min_angle: Option<f64>,
     /// The points are already in a spatially coherent order: skip sorting. Default: false.
     pub points_sorted: bool,

@@ -117,6 +117,37 @@ impl<'a> Size<'a> {
         Ok(())
     }
 
+    /// The same for some vertices, numbered anew.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn part(&self, vertices: &[u32]) -> Result<Size<'a>, Error> {
+        let of = |list: &[f64]| fallible::collect(vertices.iter().map(|&v| at_vertex(list, v)));
+        let Given { length, function, exponent, .. } = self.given;
+        Ok(Size {
+            own: of(&self.own)?,
+            wished: if self.wished.is_empty() { Vec::new() } else { of(&self.wished)? },
+            grading: self.grading,
+            given: Given {
+                length,
+                of_region: fallible::copied(&self.given.of_region)?,
+                at_vertices: Vec::new(),
+                function,
+                exponent,
+            },
+        })
+    }
+
+    /// What is noted of a vertex.
+    pub fn noted(&self, v: u32) -> Wanted {
+        Wanted { length: self.of(v), wish: at_vertex(&self.wished, v) }
+    }
+
+    /// Whether a function of the caller is asked.
+    pub fn has_function(&self) -> bool {
+        self.given.function.is_some()
+    }
+
     /// The length of the surface at a vertex; infinite where it states none.
     pub fn of(&self, v: u32) -> f64 {
         at_vertex(&self.own, v)

@@ -2410,8 +2410,8 @@ enum DelotetStatus delotet_options_set_optimize_seconds(struct DelotetOptions *o
 DELOTET_API double delotet_options_optimize_seconds(const struct DelotetOptions *options);
 
 /**
- * Sets the smallest dihedral angle that is wanted, in degrees: what is below it after the optimisation, or above 180 less it, is improved as far
- * as can be, with efforts of up to 3. Angles of the input bound what can be reached. At most 60. Otherwise as
+ * Sets the smallest dihedral angle that is wanted, in degrees: what is below it after the optimisation, or above 180 less it, is worked on
+ * further; if it is not reached, larger efforts of up to 3 are tried from the start, and the best counts. Angles of the input bound what can be reached. At most 60. Otherwise as
  * delotet_options_set_optimize(). 0, the default: none. Errors: INVALID_ARGUMENT (negative, above 60, not finite).
  */
 DELOTET_API

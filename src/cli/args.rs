@@ -165,7 +165,7 @@ pub struct RefineArgs {
     /// Optimise the smallest dihedral angles; larger efforts take longer. Or for some seconds, as in 10s
     #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1", value_parser = extent)]
     pub optimize: Option<Extent>,
-    /// Optimise what has a smaller dihedral angle, in degrees, as far as can be
+    /// The smallest dihedral angle wanted, in degrees: larger efforts are tried until it is reached
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = angle)]
     pub min_angle: Option<f64>,
     #[command(flatten)]
@@ -182,7 +182,7 @@ pub struct ImproveArgs {
     /// The effort: larger ones take longer. Or some seconds, as in 10s
     #[arg(long, value_name = "EFFORT", require_equals = true, num_args = 0..=1, default_value = "1", default_missing_value = "1", value_parser = extent)]
     pub optimize: Extent,
-    /// Go on with what has a smaller dihedral angle, in degrees, as far as can be
+    /// The smallest dihedral angle wanted, in degrees: larger efforts are tried until it is reached
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = angle)]
     pub min_angle: Option<f64>,
     #[command(flatten)]

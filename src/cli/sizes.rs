@@ -23,7 +23,7 @@ pub struct SizeArgs {
     /// Optimise the smallest dihedral angles; larger efforts take longer. Or for some seconds, as in 10s
     #[arg(long, value_name = "EFFORT", num_args = 0..=1, require_equals = true, default_missing_value = "1", value_parser = extent)]
     pub optimize: Option<Extent>,
-    /// Optimise what has a smaller dihedral angle, in degrees, as far as can be
+    /// The smallest dihedral angle wanted, in degrees: larger efforts are tried until it is reached
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = angle)]
     pub min_angle: Option<f64>,
     /// The edge length wanted in the regions with an attribute (may be repeated)

@@ -39,13 +39,13 @@ use crate::control::{Control, Part};
 use crate::delaunay::insert::Inserter;
 use crate::delaunay::locate::{walk, Walk};
 use crate::delaunay::ranges::{Division, FEWEST};
-use crate::delaunay::workers::together;
 use crate::delaunay::Construction;
 use crate::error::{Error, Status};
 use crate::fallible;
 use crate::kernel::slots::Slots;
 use crate::kernel::{flag, Mesh, NONE};
 use crate::predicates::Points;
+use crate::workers::together;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 

@@ -246,8 +246,8 @@ pub unsafe extern "C" fn delotet_options_optimize_seconds(options: *const Delote
     unsafe { setting(options, |options| options.optimize_seconds.unwrap_or(0.0)) }
 }
 
-/// Sets the smallest dihedral angle that is wanted, in degrees: what is below it after the optimisation, or above 180 less it, is improved as far
-/// as can be, with efforts of up to 3. Angles of the input bound what can be reached. At most 60. Otherwise as
+/// Sets the smallest dihedral angle that is wanted, in degrees: what is below it after the optimisation, or above 180 less it, is worked on
+/// further; if it is not reached, larger efforts of up to 3 are tried from the start, and the best counts. Angles of the input bound what can be reached. At most 60. Otherwise as
 /// delotet_options_set_optimize(). 0, the default: none. Errors: INVALID_ARGUMENT (negative, above 60, not finite).
 #[no_mangle]
 #[must_use]

@@ -11,6 +11,7 @@
 //! `c = 4·t + f`; the two tetrahedra share the three vertices of that face, and agree on the subface there. ([`check`] tests them.)
 pub mod around;
 pub mod attach;
+pub mod block;
 pub mod budget;
 pub mod cavity;
 pub mod cells;

@@ -262,7 +262,11 @@ impl Mesh {
     fn prepare(&mut self, old: usize, new: usize) -> Result<(), Error> {
         self.reserve(new)?;
         self.free.try_reserve(old)?;
-        let slots = self.verts.len() + new.saturating_sub(old + self.free.len());
+        self.fit_attachments(self.verts.len() + new.saturating_sub(old + self.free.len()))
+    }
+
+    /// Makes room for what hangs on so many slots.
+    pub(super) fn fit_attachments(&mut self, slots: usize) -> Result<(), Error> {
         if !self.region.is_empty() && self.region.len() < slots {
             fallible::resize(&mut self.region, slots, NONE)?;
         }
@@ -276,7 +280,7 @@ impl Mesh {
     }
 
     /// Notes that slots have changed.
-    fn stamp(&mut self, slots: impl Iterator<Item = u32>) {
+    pub(super) fn stamp(&mut self, slots: impl Iterator<Item = u32>) {
         if self.stamps.tracked {
             self.stamps.changes += 1;
             for t in slots {

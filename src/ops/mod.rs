@@ -3,6 +3,7 @@
 //!
 //! Every operation leaves a valid mesh: its tetrahedra are positive by exact signs, subfaces, subsegments and what else must stay are
 //! there, and what hangs on the mesh is carried by [`Replace`](crate::kernel::replace::Replace). Floating-point qualities only choose.
+pub mod apex;
 pub mod approach;
 pub mod center;
 #[cfg(test)]

@@ -6,11 +6,14 @@
 //! while they gain something. What comes is above the bound on volume only if what goes is larger.
 //!
 //! Invariants: walls, input points, edges on no facet and regions stay; every tetrahedron is positive by exact signs. Where the surface may be
-//! refined, points that were added on it slide on it ([`slide`]).
+//! refined, points that were added on it slide on it ([`slide`]). A large mesh is optimised in blocks ([`blocks`]).
+mod aim;
+mod blocks;
 pub mod descend;
 mod point;
 pub mod slide;
 
+use crate::blocks::Crew;
 use crate::control::Part;
 use crate::elementary::{angle_in_degrees, quotient};
 use crate::error::Error;
@@ -25,6 +28,7 @@ use crate::output::OptimizeStatistics;
 use crate::predicates::Points;
 use crate::preserve::inside::Inside;
 use crate::size::{volume, Bounds};
+use aim::{aim, Aims};
 use descend::Descend;
 use point::Coming;
 use rustc_hash::FxHashSet;
@@ -126,7 +130,7 @@ pub enum Extent {
 pub struct Request {
     /// When to end.
     pub extent: Extent,
-    /// Then, what is below this sine is improved as far as can be.
+    /// Then, what is below this sine is improved; as long as something is below it, larger efforts are tried from the start.
     pub sine: f64,
 }
 
@@ -168,9 +172,30 @@ struct Optimise<'a> {
     /// How many more points may come.
     budget: usize,
     tets: Budget,
+    most: Most,
+    /// What is settled already, in another block; `None` if nothing is.
+    settled: Option<Settled>,
     /// A vertex that is not in the mesh: the next point.
     next: Option<u32>,
     steps: OptimizeStatistics,
+}
+
+/// How many there may be, with what the caller allows.
+#[derive(Clone, Copy, Debug)]
+struct Most {
+    /// Tetrahedra and ghosts.
+    tets: usize,
+    /// Points that are not of the input.
+    points: u64,
+}
+
+/// What a block settled that had other borders.
+#[derive(Clone, Copy, Debug)]
+struct Settled {
+    /// How many tetrahedra have a vertex that is not.
+    left: usize,
+    /// How many there are.
+    all: usize,
 }
 
 /// What is optimised.
@@ -189,28 +214,52 @@ pub struct Subject<'a> {
     pub bounds: &'a Bounds,
 }
 
-/// Optimises a mesh; larger efforts take longer and find more.
+impl Subject<'_> {
+    /// The same, for a while.
+    fn again(&mut self) -> Subject<'_> {
+        Subject {
+            mesh: self.mesh,
+            points: self.points,
+            inside: self.inside,
+            isolated: self.isolated,
+            slides: self.slides.as_deref_mut(),
+            bounds: self.bounds,
+        }
+    }
+}
+
+/// Optimises a mesh, a large one in blocks; larger efforts take longer and find more.
 ///
 /// # Errors
 /// `OutOfMemory`, `TetrahedraLimit`, and what ends the run.
-pub fn optimise(subject: Subject, request: Request, part: Part) -> Result<OptimizeStatistics, Error> {
-    let mut optimise = Optimise::new(subject, part)?;
-    let effort = match request.extent {
-        Extent::Effort(effort) => effort.min(LARGEST_EFFORT),
+pub fn optimise(mut subject: Subject, request: Request, crew: Crew) -> Result<OptimizeStatistics, Error> {
+    let worst_before = worst(subject.mesh, subject.points, crew.part)?;
+    let steps = match request.extent {
+        _ if blocks::serves(&subject) => blocks::optimise(subject.again(), request, crew)?,
+        Extent::Effort(effort) => {
+            let aims = Aims { effort: effort.min(LARGEST_EFFORT), sine: request.sine };
+            aim(subject.again(), aims, crew.part, &|_| Ok(()))?
+        }
         Extent::Seconds(seconds) => {
+            let mut optimise = Optimise::new(subject.again(), crew.part)?;
             optimise.time = Some(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX));
-            LARGEST_EFFORT
+            optimise.run(Aims { effort: LARGEST_EFFORT, sine: request.sine })?;
+            optimise.steps
         }
     };
-    let worst_before = optimise.worst()?;
-    optimise.run(effort, request.sine)?;
-    Ok(OptimizeStatistics { worst_before, worst_after: optimise.worst()?, ..optimise.steps })
+    let worst_after = worst(subject.mesh, subject.points, crew.part)?;
+    Ok(OptimizeStatistics { worst_before: degrees(worst_before), worst_after: degrees(worst_after), ..steps })
 }
 
 impl<'a> Optimise<'a> {
     fn new(subject: Subject<'a>, part: Part<'a>) -> Result<Optimise<'a>, Error> {
         let Subject { mesh, points, inside, isolated, slides, bounds } = subject;
         let count = points.len();
+        let mut tets = Budget::default();
+        tets.check(mesh, &part)?;
+        // Points of the optimisation are never needed.
+        let most =
+            Most { tets: mesh.live_count() + tets.room(mesh), points: part.steiner_limit(usize::MAX / 200) };
         let mut movable = fallible::filled(false, count)?;
         for &v in &inside.list {
             movable[v as usize] = true;
@@ -239,7 +288,9 @@ impl<'a> Optimise<'a> {
             faces: Faces::default(),
             coming: Coming::default(),
             budget: 0,
-            tets: Budget::default(),
+            tets,
+            most,
+            settled: None,
             next: None,
             steps: OptimizeStatistics::default(),
         })
@@ -247,22 +298,24 @@ impl<'a> Optimise<'a> {
 }
 
 impl Optimise<'_> {
-    /// Passes with an effort; then, as long as something is below a sine that is wanted, for that alone and with more effort.
-    fn run(&mut self, effort: u32, sine: f64) -> Result<(), Error> {
-        let control = self.part.control();
-        let mut reshape = Reshape::new(control);
-        self.passes(&mut reshape, effort)?;
-        let mut more = effort + 1..=LEVELS.len() as u32;
-        while sine > 0.0 && self.reach(&mut reshape, sine)? > 0.0 && !self.is_over() {
-            let Some(effort) = more.next() else { break };
-            self.passes(&mut reshape, effort)?;
+    /// Passes with an effort, then what can be done for a sine that is wanted; returns the worst, if one is.
+    fn run(&mut self, aims: Aims) -> Result<f64, Error> {
+        let mut reshape = Reshape::new(self.part.control());
+        self.passes(&mut reshape, aims.effort)?;
+        if aims.sine > 0.0 {
+            self.reach(&mut reshape, aims.sine)?;
         }
         if self.next.take().is_some() {
             let count = self.inside.list.len();
             self.inside.shorten(count - 1);
         }
         self.inside.sweep(self.mesh);
-        self.part.progress(1.0)
+        self.part.progress(1.0)?;
+        if aims.sine > 0.0 {
+            worst(self.mesh, self.points, self.part)
+        } else {
+            Ok(0.0)
+        }
     }
 
     /// Passes until the last has gained too little.
@@ -271,8 +324,8 @@ impl Optimise<'_> {
         let effort = effort as usize;
         let most = 1 + PASSES * effort;
         let mut missing = f64::INFINITY;
-        self.budget = LEAST_BUDGET + effort * self.mesh.live_count() / self.level.tets_a_point;
-        self.failed.clear();
+        self.budget = LEAST_BUDGET + effort * self.busy() / self.level.tets_a_point;
+        self.forget()?;
         self.tets.check(self.mesh, self.part.control())?;
         self.smooth_all(self.level.good)?;
         for pass in 0..most {
@@ -289,24 +342,41 @@ impl Optimise<'_> {
         self.smooth_all(self.level.bad)
     }
 
-    /// Does what can be done for tetrahedra below a sine; returns how much is missing.
-    fn reach(&mut self, reshape: &mut Reshape, sine: f64) -> Result<f64, Error> {
+    /// Does what can be done for tetrahedra below a sine.
+    fn reach(&mut self, reshape: &mut Reshape, sine: f64) -> Result<(), Error> {
         let most = LEVELS[LEVELS.len() - 1];
         self.level = Level { bad: sine, awful: sine, poor: sine, ..most };
-        self.budget = LEAST_BUDGET + self.mesh.live_count() / most.tets_a_point;
+        self.budget = LEAST_BUDGET + self.busy() / most.tets_a_point;
         // What failed has failed with less.
-        self.failed.clear();
+        self.forget()?;
         let mut missing = self.missing()?;
         while missing > 0.0 && !self.is_over() {
             self.reconnect(reshape, &LAST)?;
             self.smooth_all(sine)?;
             let now = self.missing()?;
             if now > (1.0 - WORTH) * missing {
-                return Ok(now);
+                break;
             }
             missing = now;
         }
-        Ok(missing)
+        Ok(())
+    }
+
+    /// How many tetrahedra are not settled.
+    fn busy(&self) -> usize {
+        let count = self.mesh.live_count() as u64;
+        let of = |Settled { left, all }: Settled| (count * left as u64 / all.max(1) as u64) as usize;
+        self.settled.map_or(count as usize, of)
+    }
+
+    /// Forgets what has failed here.
+    fn forget(&mut self) -> Result<(), Error> {
+        self.failed.clear();
+        if self.settled.is_some() {
+            // All of it was tried where it was settled.
+            fallible::resize(&mut self.failed, self.mesh.slot_count(), (1, LAST.level))?;
+        }
+        Ok(())
     }
 
     /// Whether the time is over: what has been done so far is the result.
@@ -331,19 +401,6 @@ impl Optimise<'_> {
             }
         }
         Ok(sum)
-    }
-
-    /// The worst angle, in degrees; 0 if there is none.
-    fn worst(&self) -> Result<f64, Error> {
-        let mut worst = f64::INFINITY;
-        for t in self.mesh.all() {
-            self.part.steps(u32::from(t % 16 == 0))?;
-            if self.counts(t) {
-                worst = worst.min(self.sine(t));
-            }
-        }
-        let sine = if worst <= 1.0 { worst } else { 0.0 };
-        Ok(angle_in_degrees((1.0 - sine * sine).sqrt(), sine))
     }
 
     fn counts(&self, t: u32) -> bool {
@@ -530,6 +587,24 @@ impl Optimise<'_> {
         }
         Ok(points && sine < self.level.poor && (self.contract(t)? || self.add(t)?))
     }
+}
+
+/// The smallest sine of the angles of a mesh; infinite if there is no tetrahedron.
+fn worst(mesh: &Mesh, points: &Points, part: Part) -> Result<f64, Error> {
+    let mut worst = f64::INFINITY;
+    for t in mesh.all() {
+        part.steps(u32::from(t % 16 == 0))?;
+        if mesh.is_live(t) && mesh.region(t) != NONE {
+            worst = worst.min(sine(mesh.verts(t).map(|v| points.xyz(v))));
+        }
+    }
+    Ok(worst)
+}
+
+/// The angle of a sine, at most 90; 0 if it is none.
+fn degrees(sine: f64) -> f64 {
+    let sine = if sine <= 1.0 { sine } else { 0.0 };
+    angle_in_degrees((1.0 - sine * sine).sqrt(), sine)
 }
 
 /// The largest volume of a tetrahedron from a place to a face.

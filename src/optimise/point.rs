@@ -10,6 +10,7 @@ use crate::kernel::cavity::{Cavity, Terms};
 use crate::kernel::replace::Replace;
 use crate::kernel::tables::EDGE;
 use crate::kernel::{Mesh, NONE};
+use crate::ops::apex::apex;
 use crate::ops::place::sees_all;
 use crate::ops::shape::sine;
 use crate::optimise::{largest, Optimise};
@@ -82,41 +83,56 @@ impl Coming {
 }
 
 impl Optimise<'_> {
-    /// Puts a point into a tetrahedron or onto its longest edge, if that makes the worst there better.
+    /// Puts a point into a tetrahedron, onto its longest edge that is on no wall, or over its walls, if that makes the worst there better.
     pub(super) fn add(&mut self, t: u32) -> Result<bool, Error> {
-        // Points of the optimisation are never needed.
-        let most = self.part.steiner_limit(usize::MAX / 200);
-        let full = self.inside.total() >= most || self.tets.room(self.mesh) < 2 * MOST + 2;
+        let full = self.inside.total() >= self.most.points
+            || self.most.tets.saturating_sub(self.mesh.live_count()) < 2 * MOST + 2;
         if self.budget == 0 || full {
             return Ok(false);
         }
         let verts = self.mesh.verts(t);
         let at = verts.map(|v| *self.points.xyz(v));
         let middle = [0, 1, 2].map(|k| at.iter().map(|p| p[k]).sum::<f64>() / 4.0);
-        let mut longest = (0.0, 0, 0);
-        for [i, j] in EDGE.map(|e| e.map(usize::from)) {
-            let length = distance(&at[i], &at[j]);
-            if length > longest.0 {
-                longest = (length, i, j);
-            }
-        }
-        let (_, i, j) = longest;
-        let halfway = [0, 1, 2].map(|k| 0.5 * (at[i][k] + at[j][k]));
         self.coming.cavity.set(&[t])?;
         if self.add_at(middle)? {
             return Ok(true);
         }
-        self.coming.cavity.clear();
-        for (t, .., k, l) in EdgeRing::new(self.mesh, t, verts[i], verts[j]) {
-            if self.mesh.is_wall(4 * t + k) || self.mesh.is_wall(4 * t + l) || self.mesh.region(t) == NONE {
-                return Ok(false);
+        let mut edges = EDGE.map(|e| e.map(usize::from));
+        let length = |&[i, j]: &[usize; 2]| distance(&at[i], &at[j]);
+        edges.sort_unstable_by(|e, f| length(f).total_cmp(&length(e)).then(e.cmp(f)));
+        for [i, j] in edges {
+            if self.ring([verts[i], verts[j]], t)? {
+                let halfway = [0, 1, 2].map(|k| 0.5 * (at[i][k] + at[j][k]));
+                if self.add_at(halfway)? {
+                    return Ok(true);
+                }
+                break;
             }
-            if self.coming.cavity.tets.len() == MOST {
+        }
+        // Over a wall, the middle of what is flat on it is no place from which a cavity could grow.
+        for code in 4 * t..4 * t + 4 {
+            let wall = self.mesh.is_wall(code).then(|| self.mesh.face(code));
+            if let Some(apex) = wall.and_then(|wall| apex(self.points, wall)) {
+                self.coming.cavity.set(&[t])?;
+                if self.add_at(apex)? {
+                    return Ok(true);
+                }
+            }
+        }
+        Ok(false)
+    }
+
+    /// Makes the ring of an edge of a tetrahedron the cavity, unless there is a wall or too much.
+    fn ring(&mut self, [a, b]: [u32; 2], t: u32) -> Result<bool, Error> {
+        self.coming.cavity.clear();
+        for (t, .., k, l) in EdgeRing::new(self.mesh, t, a, b) {
+            let walled = self.mesh.is_wall(4 * t + k) || self.mesh.is_wall(4 * t + l);
+            if walled || self.mesh.region(t) == NONE || self.coming.cavity.tets.len() == MOST {
                 return Ok(false);
             }
             self.coming.cavity.add(t)?;
         }
-        self.add_at(halfway)
+        Ok(true)
     }
 
     /// Puts a point there into what grows from the cavity.

@@ -81,8 +81,8 @@ impl Largest {
 
 /// All vertices that may slide, at their exact positions.
 ///
-/// They are known by their numbers in the whole mesh: blocks with numbers of their own leave them where they are, and a pass over the whole
-/// mesh moves them.
+/// They are known by their numbers in the whole mesh: blocks with numbers of their own leave them where they are, and a run on the whole mesh
+/// moves them.
 #[derive(Debug)]
 pub struct Slides {
     exact: Points,
@@ -128,6 +128,21 @@ impl Slides {
     ) -> Result<Slides, Error> {
         exact.allow_implicit(first)?;
         Ok(Slides { exact, list, largest, exponent, walls: Vec::new(), limits: Vec::new() })
+    }
+
+    /// A copy.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn copied(&self) -> Result<Slides, Error> {
+        Ok(Slides {
+            exact: self.exact.copied()?,
+            list: fallible::copied(&self.list)?,
+            largest: fallible::copied(&self.largest)?,
+            exponent: self.exponent,
+            walls: Vec::new(),
+            limits: Vec::new(),
+        })
     }
 
     /// All points at their exact positions.

@@ -1,5 +1,6 @@
 use super::slide::{Largest, Slider, Slides, Track};
 use super::{optimise, Extent, Request, Subject};
+use crate::blocks::Crew;
 use crate::control::Control;
 use crate::kernel::Mesh;
 use crate::ops::shape::sine;
@@ -77,7 +78,7 @@ impl Scene {
         let slides = may_slide.then_some(&mut self.slides);
         let (mesh, points, inside) = (&mut self.mesh, &mut self.points, &mut Inside::default());
         let subject = Subject { mesh, points, inside, isolated: &isolated, slides, bounds };
-        optimise(subject, request, free.whole(Phase::Optimize)).unwrap();
+        optimise(subject, request, Crew { threads: 1, part: free.whole(Phase::Optimize) }).unwrap();
         assert_eq!(before, turns(&self.slides));
         for slider in self.slides.list().iter().filter(|slider| slider.moved) {
             assert_eq!(self.slides.exact().xyz(slider.v), self.points.xyz(slider.v));

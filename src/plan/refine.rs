@@ -1,4 +1,5 @@
 //! Points inside by size and shape, then optimisation ([`Options::size`], [`Options::quality`], [`Options::optimize`]).
+use crate::blocks::{Crew, Model};
 use crate::domain::Domain;
 use crate::elementary::{cosine_of_degrees, exponent, power_of_two};
 use crate::error::{Error, Status};
@@ -134,7 +135,8 @@ impl Run<'_> {
             let shape = Shape { ratio: options.quality.unwrap_or(Options::USUAL_RATIO), delaunay: false };
             let counts = &mut self.statistics.refine;
             let points = &mut engine.points;
-            counts.add(&fill(mesh, points, inside, &mut size, shape, part.part(0.0, 0.8))?);
+            let crew = Crew { threads: options.worker_threads(), part: part.part(0.0, 0.8) };
+            counts.add(&fill(Model { mesh, points, inside }, &mut size, shape, crew)?);
             if !limits.is_empty() {
                 let part = part.part(0.8, 1.0);
                 counts.add(&bound_volumes(mesh, points, inside, &mut size, &limits, part)?);
@@ -159,7 +161,8 @@ impl Run<'_> {
             part.progress(0.0)?;
             let points = &mut engine.points;
             let subject = Subject { mesh, points, inside, isolated, slides, bounds };
-            self.statistics.optimize.add(&optimise(subject, request, part)?);
+            let crew = Crew { threads: options.worker_threads(), part };
+            self.statistics.optimize.add(&optimise(subject, request, crew)?);
             self.lap(Phase::Optimize);
         }
         Ok(())

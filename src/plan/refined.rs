@@ -1,4 +1,5 @@
 //! Refinement in mode cdt: from the exact mesh with its regions to the one that is rounded, and from that to the result.
+use crate::blocks::{self, Crew};
 use crate::control::Control;
 use crate::error::Error;
 use crate::facets::polygons::Retriangulated;
@@ -180,8 +181,9 @@ impl Run<'_> {
             let added = model.points.len() - model.segments.first_steiner as usize;
             model.inside.elsewhere = (added - model.inside.list.len()) as u64;
             let shape = Shape { ratio, delaunay: true };
-            let filling = part.part(0.2, 0.6);
-            counts.add(&fill(model.mesh, model.points, model.inside, goal.size, shape, filling)?);
+            let whole = blocks::Model { mesh: model.mesh, points: model.points, inside: model.inside };
+            let crew = Crew { threads: options.worker_threads(), part: part.part(0.2, 0.6) };
+            counts.add(&fill(whole, goal.size, shape, crew)?);
             let more = refine(&mut model, &mut goal, What::Tetrahedra, part.part(0.6, 1.0))?;
             counts.add(&more.counts);
             fallible::append(&mut refined.on_facets, &more.on_facets)?;

@@ -1,10 +1,11 @@
 //! The pipeline end to end on small models, every mesh proved by the exact checker.
 use crate::check::check_mesh;
 use crate::delaunay::HELPERS_STARTED;
+use crate::fill::tests::grid_box;
 use crate::plan::tetrahedralize;
 use crate::{
-    DefectKind, Element, Error, Facet, Interior, Mode, Observer, Options, Phase, Plc, RegionSeed, Segment,
-    Silent, Status, TetMesh, INVALID,
+    check_guarantee, DefectKind, Element, Error, Facet, Interior, Mode, Observer, Options, Phase, Plc,
+    RegionSeed, Segment, Silent, SizeFunction, Status, TetMesh, INVALID,
 };
 use std::ops::ControlFlow;
 
@@ -414,6 +415,37 @@ fn any_number_of_threads_gives_the_same_mesh() {
         let one = by(1);
         assert!(one.tets.len() > 400_000);
         for threads in [0, 2, 3, 7] {
+            assert!(by(threads) == one, "{mode:?}, {threads} threads");
+        }
+    }
+}
+
+#[test]
+fn blocks_are_the_same_for_any_number_of_threads() {
+    let plc = grid_box(4);
+    let function = SizeFunction::new(|[x, ..]| Ok(0.25 + 0.05 * x));
+    let shapes = [
+        Options { size: Some(0.3), optimize: 1, ..Options::default() },
+        Options { size_function: Some(function), quality: Some(1.6), ..Options::default() },
+        Options { max_volume: Some(0.01), min_angle: Some(16.0), ..Options::default() },
+    ];
+    for (shape, mode) in shapes.iter().flat_map(|shape| [(shape, Mode::Preserve), (shape, Mode::Constrained)])
+    {
+        let by = |threads| {
+            let options = Options { mode, threads, ..shape.clone() };
+            let before = HELPERS_STARTED.get();
+            let mut mesh = tetrahedralize(&plc, &options, &mut Silent).unwrap();
+            let helpers = HELPERS_STARTED.get() - before;
+            let alone = threads == 1 || shape.size_function.is_some();
+            assert_eq!(helpers == 0, alone, "{mode:?}, {threads} threads, {helpers} helpers");
+            check_guarantee(&plc, &mesh, 10).unwrap();
+            mesh.statistics.seconds = Default::default();
+            mesh.statistics.peak_bytes = 0;
+            mesh
+        };
+        let one = by(1);
+        assert!(one.tets.len() > 3_000);
+        for threads in [2, 5] {
             assert!(by(threads) == one, "{mode:?}, {threads} threads");
         }
     }

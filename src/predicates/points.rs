@@ -79,6 +79,47 @@ impl Points {
         })
     }
 
+    /// Some of the points, numbered in the order of the list, which ascends and has all points that its implicit ones refer to.
+    ///
+    /// # Errors
+    /// `Internal` if it has not, `OutOfMemory`.
+    pub fn excerpt(&self, list: &[u32]) -> Result<Points, Error> {
+        if list.iter().all(|&i| self.is_explicit(i)) {
+            return Ok(Points::new(fallible::collect(list.iter().map(|&i| *self.xyz(i)))?));
+        }
+        let number = |i: u32| match list.binary_search(&i) {
+            Ok(at) => Ok(at as u32),
+            Err(_) => Err(Error::internal("a part of the points lacks one that another refers to")),
+        };
+        let mut part = Points::new(Vec::new());
+        for &i in list {
+            match self.implicit(i) {
+                None => part.push(*self.xyz(i))?,
+                Some(implicit) => {
+                    let mut copy = implicit.copied()?;
+                    match &mut copy.position {
+                        Position::Explicit => {}
+                        Position::OnSegment { a, b, .. } => [*a, *b] = [number(*a)?, number(*b)?],
+                        Position::OnFacet { o, a, b, .. } => {
+                            [*o, *a, *b] = [number(*o)?, number(*a)?, number(*b)?];
+                        }
+                    }
+                    part.push_rounded(*self.xyz(i), Some(copy))?
+                }
+            };
+        }
+        Ok(part)
+    }
+
+    /// The points that an implicit point refers to, filled up with `u32::MAX`.
+    pub fn parents(&self, i: u32) -> [u32; 3] {
+        match *self.position(i) {
+            Position::Explicit => [NONE; 3],
+            Position::OnSegment { a, b, .. } => [a, b, NONE],
+            Position::OnFacet { o, a, b, .. } => [o, a, b],
+        }
+    }
+
     /// Recomputes the static bounds from the box.
     pub(super) fn update_bounds(&mut self) {
         if self.xyz.is_empty() {

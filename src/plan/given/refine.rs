@@ -2,6 +2,7 @@
 //!
 //! Vertex ids are the mesh's point indices, slots its tetrahedra. Subfaces are walls that carry their index, so they are found again. What
 //! comes out is audited: every point that stays, orientation, neighbours, each subface and each subsegment.
+use crate::blocks::{Crew, Model};
 use crate::check::{audit, audit_promise, Promise};
 use crate::control::{Control, Part};
 use crate::error::{DefectKind, Element, Error, Status};
@@ -210,7 +211,8 @@ impl<'a> Work<'a> {
             let ratio = options.quality.unwrap_or(Options::USUAL_RATIO);
             estimate(mesh, points, &size, &part)?;
             let shape = Shape { ratio, delaunay: false };
-            refine.add(&fill(mesh, points, inside, &mut size, shape, part.part(0.0, 0.4))?);
+            let crew = Crew { threads: options.worker_threads(), part: part.part(0.0, 0.4) };
+            refine.add(&fill(Model { mesh, points, inside }, &mut size, shape, crew)?);
             if !bounds.is_empty() {
                 let part = part.part(0.4, 0.45);
                 refine.add(&bound_volumes(mesh, points, inside, &mut size, &bounds, part)?);
@@ -220,7 +222,8 @@ impl<'a> Work<'a> {
             let part = part.part(0.45, 1.0);
             let Work { mesh, points, inside, isolated, optimize, .. } = self;
             let subject = Subject { mesh, points, inside, isolated, slides: None, bounds: &bounds };
-            optimize.add(&optimise(subject, request, part)?);
+            let crew = Crew { threads: options.worker_threads(), part };
+            optimize.add(&optimise(subject, request, crew)?);
         }
         self.inside.sweep(&self.mesh);
         Ok(())

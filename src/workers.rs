@@ -49,7 +49,7 @@ impl Office {
 
 /// Runs `own` on this thread, and at the same time `help` on up to `threads − 1` others; then waits until these have ended, calling `wait`
 /// from time to time. `stop` is called at the first failure of any of them, to ask the others to end soon.
-pub(super) fn together(
+pub fn together(
     threads: usize,
     help: &(dyn Fn() -> Result<(), Error> + Sync),
     stop: &(dyn Fn() + Sync),
