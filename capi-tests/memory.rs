@@ -755,6 +755,17 @@ fn jobs() -> Vec<Job> {
         ..Job::new("mesh internal.smesh, preserve, filled and optimised", meshing)
     });
     jobs.push(Job {
+        model: "internal.smesh",
+        mode: DELOTET_MODE_CONSTRAINED,
+        // SAFETY: the options are alive and nothing else uses them.
+        change: |o| unsafe {
+            assert_eq!(delotet_options_set_quality(o, 1.414, null_mut()), DelotetStatus::Ok);
+            assert_eq!(delotet_options_set_min_angle(o, 50.0, null_mut()), DelotetStatus::Ok);
+        },
+        runs: RUNS_PER_MESH,
+        ..Job::new("mesh internal.smesh, cdt, refined for an angle", meshing)
+    });
+    jobs.push(Job {
         mode: DELOTET_MODE_DELAUNAY,
         // SAFETY: the options are alive and nothing else uses them.
         change: |o| {
