@@ -4,6 +4,7 @@
 //! points, which lie in the box; the static bounds hold for all differences between stored points; the points that an implicit one refers
 //! to are explicit. All kinds of positions (see `position`) share this store, and predicates take any mixture of them by index.
 
+use crate::elementary::{exponent_above, power_of_two};
 use crate::error::Error;
 use crate::fallible;
 use crate::predicates::big::Big;
@@ -133,9 +134,17 @@ impl Points {
             }
             spread.size[axis] = self.max[axis] - self.min[axis] + spread.error[axis];
         }
-        self.orient3d_bound = spread.orient3d_bound();
-        self.insphere_bound = spread.insphere_bound();
-        self.incircle_bounds = [0, 1, 2].map(|axis| spread.incircle_bound((axis + 1) % 3, (axis + 2) % 3));
+        // In units of the largest no product overflows, even of factors that a compiler pairs in lanes nobody reads: hosts may trap that.
+        let largest = spread.max();
+        let k = if largest > 0.0 { exponent_above(largest) } else { 0 };
+        spread.size = spread.size.map(|x| x * power_of_two(-k));
+        spread.error = spread.error.map(|x| x * power_of_two(-k));
+        // What underflows there counts in full: bounds may only be too large.
+        let whole = |bound: f64, degree: i32| bound * power_of_two(degree * k) + f64::MIN_POSITIVE;
+        self.orient3d_bound = whole(spread.orient3d_bound(), 3);
+        self.insphere_bound = whole(spread.insphere_bound(), 5);
+        self.incircle_bounds =
+            [0, 1, 2].map(|axis| whole(spread.incircle_bound((axis + 1) % 3, (axis + 2) % 3), 4));
     }
 
     /// The number of points.
