@@ -59,11 +59,7 @@ impl Fill<'_, '_> {
 
     /// The apexes that are far enough from all vertices and from those before them, as far as places tell; in the order of walls.
     fn chosen(&self) -> Result<Vec<Apex>, Error> {
-        let mut near = Near::default();
-        for v in 0..self.points.len() as u32 {
-            self.part.step()?;
-            near.add(*self.points.xyz(v), self.size.of(v))?;
-        }
+        let mut near = Near::of(self.points, self.size, &self.part)?;
         let mut chosen = Vec::new();
         for Wall { corners: wall, region } in self.walls()? {
             self.part.step()?;

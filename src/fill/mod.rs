@@ -37,6 +37,7 @@ use crate::predicates::Points;
 use crate::preserve::inside::Inside;
 use crate::size::{distance, volume, Bounds, Size, Wanted};
 use blocked::Blocked;
+use near::Near;
 use place::{circumcentre, needle_free, snapped, Found};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -54,7 +55,8 @@ const APART_FOR_SHAPE: f64 = 0.5;
 /// and one and a half of it change 2 % of the tetrahedra, and angles by half a degree.
 const AT_WALL: f64 = 0.3;
 /// What is more than so many times too large is split before points come over the walls: with nothing far inside, their cavities reach across. (A
-/// sphere filled with 914,000 tetrahedra of one size takes 43 s without, 7 s with it.) These points are far from walls.
+/// sphere filled with 914,000 tetrahedra of one size takes 43 s without, 7 s with it.) These points are far from walls. What is near to a vertex is
+/// refused by hash grids: a cavity may be a tenth of the mesh. (In a sphere to have 2.9 million, 1,700 refused places took 31 s of 93 s.)
 const SPARSE: f64 = 8.0;
 /// The most points of a mesh, by its tables of 2^30 tetrahedra.
 pub const MOST_POINTS: f64 = 1.5e8;
@@ -80,8 +82,8 @@ pub struct Fill<'a, 'b> {
     /// Where a subsegment blocks vertices.
     blocked: Blocked,
     budget: Budget,
-    /// Only sizes count.
-    sparse: bool,
+    /// Only sizes count, and what is near to one of these is refused without a look at its cavity.
+    sparse: Option<Near>,
     /// Where the mesh is cut off from the rest of a larger one.
     seams: Option<Seams<'a>>,
     /// By vertex, whether a seam was in the way of a point for a tetrahedron that has it.
@@ -106,10 +108,13 @@ pub fn fill(model: Model, size: &mut Size, shape: Shape, crew: Crew) -> Result<R
     let Model { mesh, points, inside } = model;
     let part = crew.part;
     let mut fill = Fill::new(mesh, points, inside, size, part).shaped(shape);
-    fill.sparse = true;
+    fill.sparse = Some(Near::default());
     fill.push_all(|_| true)?;
-    fill.run(SPARSE)?;
-    fill.sparse = false;
+    if fill.queue.peek().is_some_and(|entry| entry.0 > SPARSE.to_bits()) {
+        fill.sparse = Some(Near::of(fill.points, fill.size, &part)?);
+        fill.run(SPARSE)?;
+    }
+    fill.sparse = None;
     fill.queue.clear();
     fill.layer()?;
     part.progress(0.3)?;
@@ -192,7 +197,7 @@ impl<'a, 'b> Fill<'a, 'b> {
         let (insert, queue) = (Insert::squeezing(), BinaryHeap::new());
         let corners = bounding_box(points);
         let (blocked, budget) = (Blocked::default(), Budget::default());
-        let (next, sparse, seams, open) = (None, false, None, Vec::new());
+        let (next, sparse, seams, open) = (None, None, None, Vec::new());
         let counts = RefineStatistics::default();
         Fill {
             mesh,
@@ -219,6 +224,7 @@ impl Fill<'_, '_> {
     fn shaped(mut self, shape: Shape) -> Self {
         self.ratio = shape.ratio;
         self.insert.squeeze = !shape.delaunay;
+        self.insert.rounded = shape.delaunay;
         self
     }
 
@@ -272,7 +278,7 @@ impl Fill<'_, '_> {
             return Ok(());
         }
         let (large, thin) = self.excess(t)?;
-        let worst = if self.sparse { large } else { large.max(thin) };
+        let worst = if self.sparse.is_some() { large } else { large.max(thin) };
         if worst > 1.0 {
             let entry = (worst.min(1e300).to_bits(), Reverse(t), self.mesh.changed(t));
             fallible::push_heap(&mut self.queue, entry)?;
@@ -378,6 +384,9 @@ impl Fill<'_, '_> {
         if near {
             return Ok(Attempt::Refused(Why::TooNear));
         }
+        if self.sparse.as_ref().is_some_and(|sparse| sparse.any(&at, least, wanted.length)) {
+            return Ok(Attempt::Refused(Why::TooNear));
+        }
         if self.blocked.has(&at, wanted.length) {
             return Ok(Attempt::Refused(Why::Blocked));
         }
@@ -408,6 +417,9 @@ impl Fill<'_, '_> {
             None => return Ok(Attempt::Refused(why)),
         }
         self.next = None;
+        if let Some(sparse) = &mut self.sparse {
+            sparse.add(at, wanted.length)?;
+        }
         self.size.set(p, wanted)?;
         self.part.steiner(self.inside.total(), usize::MAX / 200)?;
         self.budget.check(self.mesh, &self.part)?;

@@ -2,11 +2,13 @@
 //!
 //! A vertex is in the grid whose cells are as large as its size, up to the next power of two. Sizes are graded, so what is within a size of
 //! a place has a size of about the same: three grids are looked at.
+use crate::control::Control;
 use crate::elementary::{exponent_above, power_of_two};
 use crate::error::Error;
 use crate::fallible;
 use crate::kernel::NONE;
-use crate::size::distance;
+use crate::predicates::Points;
+use crate::size::{distance, Size};
 use rustc_hash::FxHashMap;
 
 /// A cell of the grid of an exponent.
@@ -26,6 +28,16 @@ pub(super) struct Near {
 }
 
 impl Near {
+    /// All points, by their sizes.
+    pub fn of(points: &Points, size: &Size, control: &Control) -> Result<Near, Error> {
+        let mut near = Near::default();
+        for v in 0..points.len() as u32 {
+            control.step()?;
+            near.add(*points.xyz(v), size.of(v))?;
+        }
+        Ok(near)
+    }
+
     /// Adds a vertex of a size; one without a finite size is left out.
     pub fn add(&mut self, at: [f64; 3], size: f64) -> Result<(), Error> {
         let Some(cell) = cell(&at, size, 0) else { return Ok(()) };

@@ -103,7 +103,10 @@ pub(super) fn optimise(
         let aims = Aims { effort: efforts[count - 1], sine: request.sine };
         let prepare = |optimise: &mut Optimise| {
             (optimise.start, optimise.time) = (start, seconds);
-            optimise.settle(&none, &near, bad(aims))
+            optimise.settle(&none, &near, bad(aims))?;
+            // Those that slide are not settled.
+            optimise.left.copy_from_slice(&near);
+            Ok(())
         };
         steps.add(&aim(subject, aims, part.part(BEFORE_SLIDES, 1.0), &prepare)?);
     }
@@ -184,6 +187,7 @@ impl Optimise<'_> {
             }
         }
         self.settled = Some(Settled { left: busy, all });
+        self.left = fallible::copied(left)?;
         Ok(())
     }
 }

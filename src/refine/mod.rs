@@ -12,6 +12,9 @@
 //! segment or facet that counts along it. A tetrahedron for which nothing can be done is not looked at again. What remains bad is at small angles of
 //! the input, or next to such a tetrahedron.
 //!
+//! No point comes whose tetrahedra would be flat or inverted at the doubles nearest to their points: so rounding, which comes after this, has
+//! nothing to mend where it need not mend the recovered surface.
+//!
 //! Invariants: the mesh is a CDT by exact signs, walls are unions of faces, segments unions of edges. Everything else (which point is tried, what
 //! is in which sphere) is floating-point.
 pub(crate) mod facet;
@@ -249,7 +252,7 @@ pub fn refine<'a>(
         bounds_areas: goal.wishes.bound_areas(),
         kept: goal.kept,
         part,
-        insert: Insert::default(),
+        insert: Insert::rounding(),
         search: StarSearch::default(),
         acute,
         corners,

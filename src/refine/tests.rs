@@ -28,6 +28,19 @@ fn unit_cube() -> Plc {
     plc
 }
 
+/// Squares that are planar only up to rounding, as triangles.
+fn as_triangles(plc: &mut Plc) {
+    plc.triangles = plc
+        .facets
+        .iter()
+        .flat_map(|f| {
+            let q = &f.polygons[0];
+            [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]
+        })
+        .collect();
+    plc.facets.clear();
+}
+
 /// The mesh, which is constrained Delaunay, or valid if it was optimised.
 fn mesh(plc: &Plc, options: &Options) -> TetMesh {
     let mesh = tetrahedralize(plc, options, &mut Silent).unwrap();
@@ -73,16 +86,7 @@ fn points_lie_exactly_on_slanted_facets() {
         let [x, y, z] = *p;
         *p = [x + 0.1 * y, y + 0.3 * z, z + 0.7 * x].map(|x| x * 0.1);
     }
-    // Planar only up to rounding: as triangles.
-    plc.triangles = plc
-        .facets
-        .iter()
-        .flat_map(|f| {
-            let q = &f.polygons[0];
-            [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]
-        })
-        .collect();
-    plc.facets.clear();
+    as_triangles(&mut plc);
     let fine = mesh(&plc, &Options { size: Some(0.03), ..shaped(1.5) });
     let on_facets: Vec<_> = fine.steiner.iter().filter(|p| p.facet != crate::INVALID).collect();
     assert!(on_facets.len() > 10, "{}", on_facets.len());
@@ -95,6 +99,24 @@ fn points_lie_exactly_on_slanted_facets() {
     assert_eq!(check_mesh(&plc, &lost, false, 10).unwrap_err().status, Status::CheckFailed);
     let optimised = mesh(&plc, &Options { size: Some(0.03), optimize: 1, ..shaped(1.5) });
     assert!(optimised.steiner.iter().any(|p| p.third != crate::INVALID));
+}
+
+/// The sides of a slanted plate are a few hundred units in the last place apart: with points on both, rounding would make flat tetrahedra. No
+/// such point comes, so rounding has nothing to mend, and the surface need not be kept.
+#[test]
+fn points_on_facets_leave_nothing_to_mend_to_rounding() {
+    for thickness in [1e-13, 1e-14, 5e-15] {
+        let mut plc = unit_cube();
+        for p in &mut plc.points {
+            let [x, y, z] = [p[0], p[1], p[2] * thickness];
+            *p = [x + 0.1 * y + 0.2 * z, y + 0.3 * z - 0.2 * x, z + 0.7 * x + 0.4 * y].map(|x| x * 0.1);
+        }
+        as_triangles(&mut plc);
+        let plate = mesh(&plc, &Options { size: Some(0.02), ..shaped(1.5) });
+        let on_facets = plate.steiner.iter().filter(|p| p.facet != crate::INVALID).count();
+        assert!(on_facets > 100, "{thickness:e}: {on_facets}");
+        assert_eq!([plate.statistics.steiner_moved, plate.statistics.replaced], [0, 0], "{thickness:e}");
+    }
 }
 
 /// What no theory promises ends as well, and fewer are above it.

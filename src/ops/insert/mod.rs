@@ -38,7 +38,7 @@ use crate::kernel::around::EdgeRing;
 use crate::kernel::replace::{Replace, Sector};
 use crate::kernel::visited::Visited;
 use crate::kernel::{Mesh, GHOST, NONE};
-use crate::predicates::{Points, Sign};
+use crate::predicates::{orient3d, Points, Sign};
 use opening::Beside;
 pub use opening::Face;
 use scene::{Rim, Scene, Split};
@@ -113,6 +113,8 @@ impl Opening<'_> {
 pub struct Insert {
     /// Insert also where a subsegment is in the way.
     pub squeeze: bool,
+    /// Insert only where what comes is positive at the nearest doubles too: then rounding has nothing to mend there.
+    pub rounded: bool,
     /// The tetrahedra of all cavities of vertices that were blocked or not accepted, and those that came with the others.
     wasted: u64,
     made: u64,
@@ -144,6 +146,11 @@ impl Insert {
     /// One that inserts also where a subsegment is in the way, or the mesh is not constrained Delaunay.
     pub fn squeezing() -> Insert {
         Insert { squeeze: true, ..Insert::default() }
+    }
+
+    /// One that inserts only where what comes is positive at the nearest doubles too.
+    pub fn rounding() -> Insert {
+        Insert { rounded: true, ..Insert::default() }
     }
 
     /// Inserts `p`, which must be in tetrahedron `start` (or on its boundary) and on no wall or subsegment.
@@ -182,7 +189,7 @@ impl Insert {
     ) -> Result<Option<Outcome>, Error> {
         let outcome = self.open_interior(mesh, points, p, start, control)?;
         let there = matches!(outcome, Outcome::Inserted | Outcome::Squeezed(_));
-        if there && accept(mesh, points, &self.tets, &self.faces)? {
+        if there && accept(mesh, points, &self.tets, &self.faces)? && self.stays_positive(points, p) {
             return self.fill(mesh, p, outcome, control).map(Some);
         }
         self.wasted += self.tets.len() as u64;
@@ -398,11 +405,22 @@ impl Insert {
             return Ok(Some(outcome));
         }
         let (faces, subsegments) = (&self.faces, &self.subsegments);
-        if !accept(Opening { mesh, points, faces, subsegments, rim: &self.rim })? {
+        let accepted = accept(Opening { mesh, points, faces, subsegments, rim: &self.rim })?;
+        if !accepted || !self.stays_positive(points, p) {
             self.wasted += self.tets.len() as u64;
             return Ok(None);
         }
         self.fill(mesh, p, outcome, control).map(Some)
+    }
+
+    /// Whether what would come is positive at doubles, if it has to be.
+    fn stays_positive(&self, points: &Points, p: u32) -> bool {
+        let at = |v: u32| points.xyz(v);
+        let positive = |&Face { corners: [x, y, z], .. }: &Face| {
+            [p, x, y, z].iter().all(|&v| points.is_explicit(v))
+                || orient3d(at(p), at(x), at(y), at(z)) == Sign::Positive
+        };
+        !self.rounded || self.faces.iter().all(positive)
     }
 
     fn begin(&mut self) {
