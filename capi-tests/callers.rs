@@ -148,6 +148,12 @@ fn layouts() -> Vec<Layout> {
         quality::DelotetForcedTetsView { first, count, stride }
         skinny::DelotetSkinnyTet { tet, cause, facets, radius_edge }
         skinny::DelotetSkinnyTetsView { first, count, stride }
+        voronoi::DelotetVoronoiEdge { vertices, direction }
+        voronoi::DelotetVoronoiEdgesView { first, count, stride }
+        voronoi::DelotetVoronoiFacet { cells, first, count, bounded }
+        voronoi::DelotetVoronoiFacetsView { first, count, stride }
+        voronoi::DelotetVoronoiCell { first, count, bounded }
+        voronoi::DelotetVoronoiCellsView { first, count, stride }
         quality::DelotetQualitySummary {
             struct_size, tet_count, forced_count, worst, worst_tets, histograms, unforced_worst, unforced_worst_tets,
             unforced_histograms

@@ -308,6 +308,51 @@ fn points_alone_are_meshed_to_their_hull() {
 }
 
 #[cfg(unix)]
+/// A grid with a heavy point in it, whose weight is the first of two attributes.
+#[test]
+fn weighted_points_and_their_cells() {
+    let dir = folder("weights");
+    let weight = |i: u32| if i == 21 { 3.5 } else { 0.0 };
+    let point = |i: u32| format!("{i} {} {} {} {} 7\n", i % 4, i / 4 % 4, i / 16, weight(i));
+    std::fs::write(dir.join("p.node"), "64 3 2 0\n".to_string() + &(0..64).map(point).collect::<String>())
+        .unwrap();
+    let run = |extra: &[&str]| {
+        let result =
+            delotet(&[&["mesh", "p.node", "-o", "m.ele", "--voronoi", "cells.vtu"], extra].concat(), &dir);
+        assert_eq!(result.status.code(), Some(0), "{extra:?}: {}", error_line(&result));
+        let cells = text(dir.join("cells.vtu"));
+        let part = |name: &str| {
+            let from = cells.split_once(&format!("Name=\"{name}\"")).expect("an array").1;
+            let rows = from.split_once('\n').and_then(|x| x.1.split_once("</DataArray>")).expect("its end").0;
+            rows.split_whitespace().map(|x| x.parse::<u32>().unwrap()).collect::<Vec<u32>>()
+        };
+        (part("point"), part("faces"), part("faceoffsets"))
+    };
+    let (points, faces, offsets) = run(&[]);
+    assert_eq!(points, [21, 22, 25, 26, 37, 38, 41, 42]);
+    assert_eq!(offsets.last().copied(), Some(faces.len() as u32));
+    // Of the heavy point's inner neighbours three are hidden.
+    let (points, _, _) = run(&["--weights"]);
+    assert_eq!(points, [21, 26, 38, 41, 42]);
+    let check = |extra: &[&str]| delotet(&[&["check", "m.ele", "--input", "p.node"], extra].concat(), &dir);
+    let said = String::from_utf8_lossy(&check(&["--weights"]).stdout).into_owned();
+    assert!(said.contains("correct (64 points") && said.contains("; weighted Delaunay"), "{said}");
+    let said = String::from_utf8_lossy(&check(&[]).stdout).into_owned();
+    assert!(said.contains("without --weights the Delaunay property was not judged"), "{said}");
+    assert_eq!(check(&["--weights=height"]).status.code(), Some(1));
+    std::fs::write(dir.join("cube.off"), CUBE).unwrap();
+    for (arguments, line) in [
+        (vec!["cube.off", "--weights"], "--weights: the points of the input have no attributes"),
+        (vec!["cube.off", "--voronoi", "v.vtu"], "--voronoi requires --mode delaunay"),
+        (vec!["p.node", "--voronoi", "v.obj"], "v.obj: Voronoi cells are written to .vtu files only"),
+        (vec!["p.node", "--weights", "--mode", "cdt"], "weights of points: only mode delaunay counts them"),
+    ] {
+        let result = delotet(&[&["mesh", "-o", "n.vtu"], &arguments[..]].concat(), &dir);
+        assert_eq!(result.status.code(), Some(2), "{arguments:?}");
+        assert!(error_line(&result).contains(line), "{}", error_line(&result));
+    }
+}
+
 #[test]
 fn an_interrupt_ends_cleanly_with_3() {
     let dir = folder("interrupt");

@@ -4,9 +4,9 @@
 use std::path::{Path, PathBuf};
 
 /// In the order in which the header explains them.
-const SOURCES: [&str; 18] = [
-    "version", "status", "view", "error", "options", "limits", "plc", "plc_view", "sizes", "mesh", "warning",
-    "run", "given", "query", "quality", "skinny", "file", "write",
+const SOURCES: [&str; 20] = [
+    "version", "status", "view", "error", "options", "limits", "plc", "plc_view", "sizes", "mesh", "weights",
+    "warning", "run", "given", "query", "quality", "skinny", "voronoi", "file", "write",
 ];
 
 fn root() -> &'static Path {

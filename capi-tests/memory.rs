@@ -24,7 +24,7 @@ use std::sync::Mutex;
 
 use delotet::ffi::{
     error::*, file::*, given::*, mesh::*, options::*, plc::*, plc_view::*, quality::*, query::*, run::*,
-    sizes::*, skinny::*, status::*, view::*, write::*,
+    sizes::*, skinny::*, status::*, view::*, voronoi::*, weights::*, write::*,
 };
 
 /// At most about this many requests of a job are refused, one run each, unless all are requested, since meshing takes long.
@@ -601,6 +601,51 @@ fn ask(mesh: *const DelotetMesh, hash: &mut Hash) -> Result<(), DelotetStatus> {
     Ok(())
 }
 
+/// Sets weights, makes a weighted mesh, some of whose points are hidden, and its power diagram.
+fn weighted(_: &Job) -> Box<dyn Fn() -> Outcome> {
+    let golden = |i: u32, step: f64| (f64::from(i) * step).fract();
+    let points: Vec<[f64; 3]> =
+        (0..200).map(|i| [0.618_034, 0.754_878, 0.569_84].map(|s| golden(i, s))).collect();
+    let plc = plc_of_arrays(&points, &[]);
+    Box::new(move || {
+        let mut hash = Hash(4);
+        let status = power_diagram(plc, &mut hash).err().unwrap_or(DelotetStatus::Ok);
+        Outcome { status, hash: hash.0 }
+    })
+}
+
+fn power_diagram(plc: *mut DelotetPlc, hash: &mut Hash) -> Result<(), DelotetStatus> {
+    let weights: [f64; 200] = std::array::from_fn(|i| (i * 7 % 10) as f64 * 0.02);
+    let (mut voronoi, mut error) = (null_mut(), null_mut());
+    // SAFETY: handles are alive as long as they are used.
+    unsafe {
+        let status = delotet_plc_set_point_weights(plc, weights.as_ptr(), weights.len(), &mut error);
+        let status = finish(status, std::mem::replace(&mut error, null_mut()));
+        if status != DelotetStatus::Ok {
+            return Err(status);
+        }
+        let (status, mesh) = make_mesh(plc, DELOTET_MODE_DELAUNAY, |_| {});
+        if status != DelotetStatus::Ok {
+            return Err(status);
+        }
+        let hidden = delotet_mesh_hidden_points(mesh);
+        assert!(hidden.count > 0);
+        hash.view(hidden.data, hidden.count, 1);
+        let status = finish(delotet_voronoi_new(mesh, null(), &mut voronoi, &mut error), error);
+        let vertices = delotet_voronoi_vertices(voronoi);
+        hash.view(vertices.data, vertices.count, 3);
+        let edges = delotet_voronoi_facet_edges(voronoi);
+        hash.view(edges.data, edges.count, 1);
+        delotet_voronoi_free(voronoi);
+        delotet_mesh_free(mesh);
+        if status == DelotetStatus::Ok {
+            Ok(())
+        } else {
+            Err(status)
+        }
+    }
+}
+
 /// A PLC by calls: points with attributes and markers, all kinds of facets, segments and seeds.
 fn building(_: &Job) -> Box<dyn Fn() -> Outcome> {
     Box::new(|| {
@@ -682,7 +727,7 @@ fn misuse(_: &Job) -> Box<dyn Fn() -> Outcome> {
 }
 
 fn jobs() -> Vec<Job> {
-    let mut jobs = vec![Job::new("build", building)];
+    let mut jobs = vec![Job::new("build", building), Job::new("weights", weighted)];
     jobs.push(Job { expected: DelotetStatus::InvalidArgument, ..Job::new("misuse", misuse) });
     let modes = [
         ("delaunay", DELOTET_MODE_DELAUNAY),

@@ -18,7 +18,7 @@ fn main() {
 mod glibc {
     use delotet::io::{read, read_arrays, write, write_surface, WriteOptions};
     use delotet::{
-        check_mesh, improve, mesh_from_arrays, refine, tetrahedralize, MeshSizes, Mode, Options, Plc,
+        check_mesh, improve, mesh_from_arrays, refine, tetrahedralize, Lift, MeshSizes, Mode, Options, Plc,
         Segment, Silent, SizeFunction, Status, TetMesh,
     };
     use std::path::{Path, PathBuf};
@@ -148,6 +148,9 @@ mod glibc {
             match tetrahedralize(plc, &options, &mut Silent) {
                 Ok(mesh) => {
                     let _ = check_mesh(plc, &mesh, false, 10);
+                    if mode == Mode::Delaunay {
+                        delotet::query::Voronoi::new(&mesh).unwrap();
+                    }
                     for extension in ["vtu", "vtk", "msh", "mesh", "ele"] {
                         let path = folder.join("mesh").with_extension(extension);
                         let with_quality = WriteOptions { quality_data: true, ..WriteOptions::default() };
@@ -166,6 +169,7 @@ mod glibc {
                 Err(error) => assert_ne!(error.status, Status::Internal, "{name}, {mode:?}: {error}"),
             }
         }
+        weighted(name, plc);
         let mut sized = plc.clone();
         for area in [f64::MIN_POSITIVE, 1e-3, f64::MAX] {
             sized.sizes.set_facet_areas(0, area).unwrap();
@@ -179,6 +183,34 @@ mod glibc {
             let _ = write_surface(&folder.join("surface").with_extension(extension), plc);
         }
         std::fs::remove_dir_all(folder).unwrap();
+    }
+
+    /// Its points with weights and heights of all sizes.
+    fn weighted(name: &str, plc: &Plc) {
+        let sizes = plc.points.iter().flatten().filter(|x| x.is_finite()).map(|x| x.abs());
+        let scale = sizes.fold(0.0, f64::max).clamp(1e-150, 1e150);
+        let square = scale * scale;
+        let lists = [
+            [0.0, f64::MIN_POSITIVE, f64::from_bits(1), -f64::MIN_POSITIVE],
+            [0.0, square, 0.3 * square, -square],
+            [0.0, f64::MAX, -f64::MAX, 1.0],
+            [1e-10, 1e10, -1e100, 1e-100],
+        ];
+        for (list, are_heights) in lists.into_iter().flat_map(|list| [(list, false), (list, true)]) {
+            let values = (0..plc.points.len()).map(|i| list[i * 7 % 4]).collect();
+            let lift = if are_heights { Lift::Heights(values) } else { Lift::Weights(values) };
+            let plc = Plc { points: plc.points.clone(), lift, ..Plc::default() };
+            let options = Options { mode: Mode::Delaunay, ..Options::default() };
+            match tetrahedralize(&plc, &options, &mut Silent) {
+                Ok(mesh) => {
+                    if plc.points.len() <= 1000 {
+                        check_mesh(&plc, &mesh, true, 10).unwrap_or_else(|error| panic!("{name}: {error}"));
+                    }
+                    delotet::query::Voronoi::new(&mesh).unwrap();
+                }
+                Err(error) => assert_ne!(error.status, Status::Internal, "{name}, weighted: {error}"),
+            }
+        }
     }
 
     /// The same mesh from files, refined and improved.

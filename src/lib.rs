@@ -84,8 +84,8 @@ pub use control::{controlled, CancelToken, Control, Limits};
 pub use error::{Defect, DefectKind, Element, Error, Status};
 pub use options::{Mode, MshVersion, Options, Preserve, RegionName, SizeFunction, WriteOptions};
 pub use output::{
-    Dropped, FacetFlip, Guarantee, MeshArrays, OptimizeStatistics, PreserveStatistics, RefineStatistics,
-    Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh,
+    Dropped, FacetFlip, Guarantee, Lift, MeshArrays, OptimizeStatistics, PreserveStatistics,
+    RefineStatistics, Region, Statistics, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh,
 };
 pub use plan::given::{
     improve, improve_with, mesh_from_arrays, mesh_from_arrays_with, refine, refine_with, MeshSizes,

@@ -6,9 +6,11 @@ use crate::warning::Warnings;
 
 mod arrays;
 mod dropped;
+mod lift;
 mod statistics;
 pub use arrays::MeshArrays;
 pub use dropped::Dropped;
+pub use lift::Lift;
 pub use statistics::{OptimizeStatistics, RefineStatistics};
 
 /// A Steiner point and where it lies: on an input edge, on an input facet, or inside and on neither ([`SteinerPoint::INSIDE`]).
@@ -127,6 +129,8 @@ pub enum Guarantee {
     Conforming,
     /// The Delaunay tetrahedralization of the points: facets and segments are ignored.
     Delaunay,
+    /// The weighted Delaunay (regular) tetrahedralization of weighted points ([`Lift`]).
+    WeightedDelaunay,
     /// The surface is kept as it is in the input ([`Preserve::All`](crate::Preserve::All)).
     Preserved,
     /// The outer boundary is kept as it is in the input ([`Preserve::Outer`](crate::Preserve::Outer)).
@@ -231,6 +235,10 @@ pub struct TetMesh {
     /// Points that belong to no tetrahedron, in ascending order: those that equal an earlier point, and those around which everything was
     /// carved.
     pub unmeshed_points: Vec<u32>,
+    /// Those of them that other points hide by their weights ([`Lift`]), in ascending order. (Once they are left out, `dropped` says so.)
+    pub hidden_points: Vec<u32>,
+    /// The weights of `points` that counted. Of equal points the first has the largest weight (the smallest height).
+    pub lift: Lift,
     /// Set if these points were left out ([`Options::drop_unmeshed_points`](crate::Options::drop_unmeshed_points)): all point indices then
     /// refer to the remaining points, except those in `facet_flips`, which refer to the input.
     pub dropped: Option<Dropped>,
@@ -286,6 +294,8 @@ impl TetMesh {
             unmeshed_subfaces,
             unmeshed_subsegments,
             unmeshed_points,
+            hidden_points,
+            lift,
             dropped,
             steiner,
             steiner_terms,
@@ -312,6 +322,8 @@ impl TetMesh {
             unmeshed_subfaces: fallible::copied(unmeshed_subfaces)?,
             unmeshed_subsegments: fallible::copied(unmeshed_subsegments)?,
             unmeshed_points: fallible::copied(unmeshed_points)?,
+            hidden_points: fallible::copied(hidden_points)?,
+            lift: lift.try_clone()?,
             dropped: dropped.as_ref().map(Dropped::try_clone).transpose()?,
             steiner: fallible::copied(steiner)?,
             steiner_terms: fallible::copied(steiner_terms)?,

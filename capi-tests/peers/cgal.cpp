@@ -5,6 +5,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpzf.h>
+#include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <algorithm>
 #include <sstream>
@@ -32,6 +33,26 @@ Result cgal_delaunay(const std::vector<Point> &points)
     result.seconds = watch.seconds();
     result.points = points;
     for (const auto &cell : delaunay.finite_cell_handles())
+        result.tets.push_back({cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(),
+                               cell->vertex(3)->info()});
+    return result;
+}
+
+Result cgal_regular(const std::vector<Point> &points, const std::vector<double> &weights)
+{
+    using Base = CGAL::Regular_triangulation_vertex_base_3<Kernel>;
+    using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel, Base>;
+    using Cell = CGAL::Regular_triangulation_cell_base_3<Kernel>;
+    using Regular = CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+    std::vector<std::pair<Kernel::Weighted_point_3, std::uint32_t>> input;
+    for (std::uint32_t i = 0; i < points.size(); i++)
+        input.emplace_back(Kernel::Weighted_point_3(point(points[i]), weights[i]), i);
+    Result result;
+    const Stopwatch watch;
+    const Regular regular(input.begin(), input.end());
+    result.seconds = watch.seconds();
+    result.points = points;
+    for (const auto &cell : regular.finite_cell_handles())
         result.tets.push_back({cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(),
                                cell->vertex(3)->info()});
     return result;

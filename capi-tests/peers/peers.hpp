@@ -18,6 +18,7 @@ struct Result {
     std::vector<Point> points;
     std::vector<Tet> tets;
     std::vector<Triangle> constraints; ///< Faces that need not be locally Delaunay.
+    std::vector<Point> centers;        ///< The vertices of the Voronoi diagram, where it was asked for.
     bool ok() const { return outcome == "ok"; }
 };
 
@@ -52,8 +53,14 @@ class Stopwatch {
 Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &triangles, unsigned limit_seconds,
               bool preserved = false);
 
+/// TetGen's weighted Delaunay tetrahedralization (-w) and power diagram (-v), in a child process; without weights, the plain ones.
+Result tetgen_diagram(const std::vector<Point> &points, const std::vector<double> &weights, unsigned limit_seconds);
+
 /// CGAL's Delaunay tetrahedralization.
 Result cgal_delaunay(const std::vector<Point> &points);
+
+/// CGAL's regular triangulation of weighted points.
+Result cgal_regular(const std::vector<Point> &points, const std::vector<double> &weights);
 
 /// Four points lie in one plane, exactly.
 bool coplanar(const Point &a, const Point &b, const Point &c, const Point &d);

@@ -24,8 +24,9 @@ template <class T> static bool get(std::FILE *file, std::vector<T> &list)
     return std::fread(list.data(), sizeof(T), count, file) == count;
 }
 
-/// The child: runs TetGen and writes its result.
-static void child(const std::vector<Point> &points, const std::vector<Triangle> &triangles, bool preserved, std::FILE *file)
+/// The child: runs TetGen and writes its result. With `weights` it makes the diagram as well.
+static void child(const std::vector<Point> &points, const std::vector<Triangle> &triangles, bool preserved,
+                  const std::vector<double> *weights, std::FILE *file)
 {
     tetgenio in, out;
     in.firstnumber = 0;
@@ -47,9 +48,19 @@ static void child(const std::vector<Point> &points, const std::vector<Triangle> 
                 facet.polygonlist->vertexlist[k] = static_cast<int>(triangles[i][static_cast<std::size_t>(k)]);
         }
     }
+    const bool weighted = weights && !weights->empty();
+    if (weighted) {
+        in.numberofpointattributes = 1;
+        in.pointattributelist = new REAL[points.size()];
+        std::memcpy(in.pointattributelist, weights->data(), sizeof(REAL) * points.size());
+    }
     tetgenbehavior behavior;
-    char switches[] = "pQ", keep[] = "pYQ", none[] = "Q";
-    behavior.parse_commandline(triangles.empty() ? none : preserved ? keep : switches);
+    char switches[] = "pQ", keep[] = "pYQ", none[] = "Q", diagram[] = "vQ", power[] = "wvQ";
+    behavior.parse_commandline(weighted            ? power
+                               : weights           ? diagram
+                               : triangles.empty() ? none
+                               : preserved         ? keep
+                                                   : switches);
     const Stopwatch watch;
     tetrahedralize(&behavior, &in, &out);
     std::vector<double> seconds(1, watch.seconds());
@@ -63,14 +74,18 @@ static void child(const std::vector<Point> &points, const std::vector<Triangle> 
     for (std::size_t i = 0; i < faces.size(); i++)
         for (std::size_t k = 0; k < 3; k++)
             faces[i][k] = static_cast<std::uint32_t>(out.trifacelist[3 * i + k]);
+    std::vector<Point> centers(weights ? static_cast<std::size_t>(out.numberofvpoints) : 0);
+    if (!centers.empty())
+        std::memcpy(centers.data(), out.vpointlist, sizeof(Point) * centers.size());
     put(file, seconds);
     put(file, vertices);
     put(file, tets);
     put(file, faces);
+    put(file, centers);
 }
 
-Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &triangles, unsigned limit_seconds,
-              bool preserved)
+static Result run(const std::vector<Point> &points, const std::vector<Triangle> &triangles, unsigned limit_seconds,
+                  bool preserved, const std::vector<double> *weights)
 {
     Result result;
     std::FILE *file = std::tmpfile();
@@ -86,7 +101,7 @@ Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &tri
         dup2(nowhere, 1);
         dup2(nowhere, 2);
         try {
-            child(points, triangles, preserved, file);
+            child(points, triangles, preserved, weights, file);
         } catch (...) { // It throws ints.
             _exit(3);
         }
@@ -102,10 +117,21 @@ Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &tri
     std::rewind(file);
     std::vector<double> seconds;
     if (result.ok() && get(file, seconds) && get(file, result.points) && get(file, result.tets) &&
-        get(file, result.constraints))
+        get(file, result.constraints) && get(file, result.centers))
         result.seconds = seconds[0];
     else if (result.ok())
         result.outcome = "nothing";
     std::fclose(file);
     return result;
+}
+
+Result tetgen(const std::vector<Point> &points, const std::vector<Triangle> &triangles, unsigned limit_seconds,
+              bool preserved)
+{
+    return run(points, triangles, limit_seconds, preserved, nullptr);
+}
+
+Result tetgen_diagram(const std::vector<Point> &points, const std::vector<double> &weights, unsigned limit_seconds)
+{
+    return run(points, {}, limit_seconds, false, &weights);
 }

@@ -462,6 +462,11 @@ typedef struct DelotetPlc DelotetPlc;
 typedef struct DelotetSkinnyTets DelotetSkinnyTets;
 
 /**
+ * The Voronoi diagram of the points of a mesh, or their power diagram: immutable, so any number of threads may read it.
+ */
+typedef struct DelotetVoronoi DelotetVoronoi;
+
+/**
  * How a mesh or a PLC is written. One object may serve any number of calls, even concurrent ones (the log callback is then called
  * from all their threads).
  */
@@ -1460,6 +1465,116 @@ typedef struct DelotetSkinnyTetsView {
      */
     size_t stride;
 } DelotetSkinnyTetsView;
+
+/**
+ * An edge of a Voronoi diagram, dual to a face of the mesh.
+ */
+typedef struct DelotetVoronoiEdge {
+    /**
+     * Its ends; the second is DELOTET_INVALID_INDEX for a ray.
+     */
+    uint32_t vertices[2];
+    /**
+     * The direction of a ray, of length 1: the outward normal of the face of the convex hull. Zero for an edge with two ends.
+     */
+    double direction[3];
+} DelotetVoronoiEdge;
+
+/**
+ * Borrowed edges of a Voronoi diagram; NULL and 0 if there are none.
+ */
+typedef struct DelotetVoronoiEdgesView {
+    /**
+     * The first of `count` edges; DELOTET_AT(DelotetVoronoiEdge, view, i) is the i-th.
+     */
+    const struct DelotetVoronoiEdge *first;
+    /**
+     * Number of elements.
+     */
+    size_t count;
+    /**
+     * Bytes from one element to the next.
+     */
+    size_t stride;
+} DelotetVoronoiEdgesView;
+
+/**
+ * A facet of a Voronoi diagram, dual to an edge of the mesh: a convex polygon between two cells, in the plane of points that have equal
+ * (power) distances from both.
+ */
+typedef struct DelotetVoronoiFacet {
+    /**
+     * Its cells: the points whose edge it is dual to, the smaller first.
+     */
+    uint32_t cells[2];
+    /**
+     * Where its edges begin in delotet_voronoi_facet_edges(). They follow each other counterclockwise, seen from the second point; if it
+     * is unbounded, from one ray to the other.
+     */
+    size_t first;
+    /**
+     * The number of its edges.
+     */
+    uint32_t count;
+    /**
+     * Whether it is bounded.
+     */
+    bool bounded;
+} DelotetVoronoiFacet;
+
+/**
+ * Borrowed facets of a Voronoi diagram; NULL and 0 if there are none.
+ */
+typedef struct DelotetVoronoiFacetsView {
+    /**
+     * The first of `count` facets; DELOTET_AT(DelotetVoronoiFacet, view, i) is the i-th.
+     */
+    const struct DelotetVoronoiFacet *first;
+    /**
+     * Number of elements.
+     */
+    size_t count;
+    /**
+     * Bytes from one element to the next.
+     */
+    size_t stride;
+} DelotetVoronoiFacetsView;
+
+/**
+ * The cell of a point.
+ */
+typedef struct DelotetVoronoiCell {
+    /**
+     * Where its facets begin in delotet_voronoi_cell_facets(), ascending.
+     */
+    size_t first;
+    /**
+     * The number of its facets; 0 if there is no cell: the point is hidden by others, or equal to an earlier one.
+     */
+    uint32_t count;
+    /**
+     * Whether there is a cell, and it is bounded.
+     */
+    bool bounded;
+} DelotetVoronoiCell;
+
+/**
+ * Borrowed cells of a Voronoi diagram; NULL and 0 if there are none.
+ */
+typedef struct DelotetVoronoiCellsView {
+    /**
+     * The first of `count` cells; DELOTET_AT(DelotetVoronoiCell, view, i) is the i-th.
+     */
+    const struct DelotetVoronoiCell *first;
+    /**
+     * Number of elements.
+     */
+    size_t count;
+    /**
+     * Bytes from one element to the next.
+     */
+    size_t stride;
+} DelotetVoronoiCellsView;
 
 /**
  * A version of Gmsh's format: one of the DELOTET_MSH_ constants.
@@ -2662,8 +2777,8 @@ DELOTET_API
 struct DelotetSubsegmentsView delotet_mesh_unmeshed_subsegments(const struct DelotetMesh *mesh);
 
 /**
- * Points that belong to no tetrahedron, in ascending order: those that equal an earlier point (delotet_mesh_point_aliases()), and those
- * around which everything was carved. Borrowed from `mesh`. Empty for NULL.
+ * Points that belong to no tetrahedron, in ascending order: those that equal an earlier point (delotet_mesh_point_aliases()), those
+ * around which everything was carved, and those that weights hide (delotet_mesh_hidden_points()). Borrowed from `mesh`. Empty for NULL.
  */
 DELOTET_API
 struct DelotetIndicesView delotet_mesh_unmeshed_points(const struct DelotetMesh *mesh);
@@ -2742,6 +2857,57 @@ enum DelotetStatus delotet_mesh_check_preserved_outer(const struct DelotetMesh *
  * Frees a mesh and everything borrowed from it. NULL is ignored.
  */
 DELOTET_API void delotet_mesh_free(struct DelotetMesh *mesh);
+
+/**
+ * Sets the weights of all points, replacing earlier weights or heights: DELOTET_MODE_DELAUNAY then makes the weighted Delaunay (regular)
+ * tetrahedralization, in which of two points the one with the smaller power distance, squared distance minus weight, is the nearer one. A
+ * point may be hidden by others: it belongs to no tetrahedron (delotet_mesh_hidden_points()). Equal points count as one with the largest of
+ * their weights; equal weights change nothing. Signs are exact for the weights as they are given. One thread inserts weighted points.
+ * `weights`: `count` finite doubles of any sign, in the square of the unit of coordinates; copied. `count`: the number of points, or 0,
+ * which removes weights and heights. Points added later have the weight 0.
+ * delotet_tetrahedralize() fails with INVALID_ARGUMENT if the PLC has facets or segments as well, or in another mode, and with
+ * COORDINATE_RANGE if a weight is too far from the squares of the coordinates. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_point_weights(struct DelotetPlc *plc,
+                                                 const double *weights,
+                                                 size_t count,
+                                                 struct DelotetError **out_error);
+
+/**
+ * Sets the heights to which all points are lifted in the fourth dimension, instead of weights (delotet_plc_set_point_weights()) and with
+ * the same effect: the height h stands for the weight x² + y² + z² - h, exactly. Of equal points the smallest height counts.
+ * `heights`: `count` finite doubles; copied. `count`: the number of points, or 0, which removes weights and heights. Points added later
+ * have the height 0. Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_plc_set_point_heights(struct DelotetPlc *plc,
+                                                 const double *heights,
+                                                 size_t count,
+                                                 struct DelotetError **out_error);
+
+/**
+ * The weights or heights of the points: one per point, or none at all. Borrowed from `plc`: valid until it is changed or freed. Empty for
+ * NULL.
+ */
+DELOTET_API
+struct DelotetDoublesView delotet_plc_point_weights(const struct DelotetPlc *plc);
+
+/**
+ * Points that others hide by their weights, in ascending order: they belong to no tetrahedron, and are among
+ * delotet_mesh_unmeshed_points(). Borrowed from `mesh`. Empty for NULL, without weights, and with
+ * delotet_options_set_drop_unmeshed_points(): delotet_mesh_point_map() then tells which are left out.
+ */
+DELOTET_API struct DelotetIndicesView delotet_mesh_hidden_points(const struct DelotetMesh *mesh);
+
+/**
+ * The weights or heights of the points that counted, in the order of delotet_mesh_points(): one per point. Of equal points the first has the
+ * value that counts for all. Borrowed from `mesh`. Empty for NULL and without weights.
+ */
+DELOTET_API
+struct DelotetDoublesView delotet_mesh_point_weights(const struct DelotetMesh *mesh);
 
 /**
  * The warnings about a mesh: leaks, parts of the input that are not meshed, seeds without effect. Lists at most as many of each kind as
@@ -3141,6 +3307,61 @@ DELOTET_API void delotet_skinny_tets_free(struct DelotetSkinnyTets *tets);
  */
 DELOTET_API
 const char *delotet_skinny_cause_name(DelotetSkinnyCause cause);
+
+/**
+ * Makes the Voronoi diagram of a mesh made in DELOTET_MODE_DELAUNAY; with weights of points (delotet_plc_set_point_weights()) the power
+ * diagram. It is the dual of the mesh as it is: a vertex per tetrahedron, an edge per face (delotet_mesh_faces()), a facet per edge
+ * (delotet_mesh_edges()), a cell per point, in the same order. Five and more cospherical points have several vertices at the same place,
+ * and edges and facets of no extent between them.
+ * `options`: NULL, or options whose limits and token end it; nothing else of them counts. `out_voronoi`: the diagram, owned by the caller,
+ * which needs the mesh no longer; free it with delotet_voronoi_free(). NULL on failure.
+ * Errors: INVALID_ARGUMENT, UNSUPPORTED (another mesh; a weighted one whose weights are not known, as read from files), COORDINATE_RANGE,
+ * CANCELLED, TIME_LIMIT, MEMORY_LIMIT, TOO_LARGE, OUT_OF_MEMORY.
+ */
+DELOTET_API
+DELOTET_MUST_USE
+enum DelotetStatus delotet_voronoi_new(const struct DelotetMesh *mesh,
+                                       const struct DelotetOptions *options,
+                                       struct DelotetVoronoi **out_voronoi,
+                                       struct DelotetError **out_error);
+
+/**
+ * The vertices: for each tetrahedron the centre of the sphere through its corners (with weights: the point of equal power distances), each
+ * coordinate the double nearest to the exact one; infinite where the centre of a nearly flat tetrahedron is beyond the range of doubles.
+ * Borrowed from `voronoi`. Empty for NULL.
+ */
+DELOTET_API
+struct DelotetPointsView delotet_voronoi_vertices(const struct DelotetVoronoi *voronoi);
+
+/**
+ * The edges, one per face of the mesh. Borrowed from `voronoi`. Empty for NULL.
+ */
+DELOTET_API struct DelotetVoronoiEdgesView delotet_voronoi_edges(const struct DelotetVoronoi *voronoi);
+
+/**
+ * The facets, one per edge of the mesh. Borrowed from `voronoi`. Empty for NULL.
+ */
+DELOTET_API struct DelotetVoronoiFacetsView delotet_voronoi_facets(const struct DelotetVoronoi *voronoi);
+
+/**
+ * The edges of all facets, one facet after the other. Borrowed from `voronoi`. Empty for NULL.
+ */
+DELOTET_API struct DelotetIndicesView delotet_voronoi_facet_edges(const struct DelotetVoronoi *voronoi);
+
+/**
+ * The cells, one per point of the mesh. Borrowed from `voronoi`. Empty for NULL.
+ */
+DELOTET_API struct DelotetVoronoiCellsView delotet_voronoi_cells(const struct DelotetVoronoi *voronoi);
+
+/**
+ * The facets of all cells, one cell after the other. Borrowed from `voronoi`. Empty for NULL.
+ */
+DELOTET_API struct DelotetIndicesView delotet_voronoi_cell_facets(const struct DelotetVoronoi *voronoi);
+
+/**
+ * Frees a diagram and everything borrowed from it. NULL is ignored.
+ */
+DELOTET_API void delotet_voronoi_free(struct DelotetVoronoi *voronoi);
 
 /**
  * Reads a PLC from a file; the extension determines the format (src/doc/formats.md lists them).

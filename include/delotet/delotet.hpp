@@ -64,6 +64,9 @@ using Stats = DelotetStats;
 using TetQuality = DelotetTetQuality;
 using ForcedTet = DelotetForcedTet;
 using SkinnyTet = DelotetSkinnyTet;
+using VoronoiEdge = DelotetVoronoiEdge;
+using VoronoiFacet = DelotetVoronoiFacet;
+using VoronoiCell = DelotetVoronoiCell;
 using QualitySummary = DelotetQualitySummary;
 
 using Index = std::uint32_t;
@@ -1154,6 +1157,27 @@ class Plc {
         return detail::run(
             error, [&](DelotetError **e) { return delotet_plc_set_point_markers(get(), markers.data(), e); });
     }
+    /// The weights of the points: one each, or none. Counted by Mode::delaunay.
+    Status set_point_weights(Span<const double> weights, Error &error) noexcept
+    {
+        return detail::run(error, [&](DelotetError **e) {
+            return delotet_plc_set_point_weights(get(), weights.data(), weights.size(), e);
+        });
+    }
+    /// The heights of the lifted points, instead of weights: one each, or none.
+    Status set_point_heights(Span<const double> heights, Error &error) noexcept
+    {
+        return detail::run(error, [&](DelotetError **e) {
+            return delotet_plc_set_point_heights(get(), heights.data(), heights.size(), e);
+        });
+    }
+    /// The weights or heights of the points; empty without.
+    Span<const double> point_weights() const & noexcept
+    {
+        const DelotetDoublesView view = delotet_plc_point_weights(get());
+        return {view.data, view.count};
+    }
+    void point_weights() const && = delete;
     /// The edge lengths wanted at the points: one each, infinite for no wish; or none.
     Status set_point_sizes(Span<const double> sizes, Error &error) noexcept
     {
@@ -1378,6 +1402,16 @@ class Plc {
         return chain([&](Error &e) { return set_point_markers(markers, e); });
     }
     Plc &&set_point_markers(Span<const Marker> markers) && { return std::move(set_point_markers(markers)); }
+    Plc &set_point_weights(Span<const double> weights) &
+    {
+        return chain([&](Error &e) { return set_point_weights(weights, e); });
+    }
+    Plc &&set_point_weights(Span<const double> weights) && { return std::move(set_point_weights(weights)); }
+    Plc &set_point_heights(Span<const double> heights) &
+    {
+        return chain([&](Error &e) { return set_point_heights(heights, e); });
+    }
+    Plc &&set_point_heights(Span<const double> heights) && { return std::move(set_point_heights(heights)); }
     Plc &set_point_sizes(Span<const double> sizes) &
     {
         return chain([&](Error &e) { return set_point_sizes(sizes, e); });
@@ -1664,6 +1698,43 @@ class SkinnyTets {
     std::unique_ptr<DelotetSkinnyTets, detail::Free<DelotetSkinnyTets, delotet_skinny_tets_free>> handle_;
 };
 
+/// The Voronoi diagram of the points of a mesh, or their power diagram: the dual of the mesh as it is, in the same order. Move-only and
+/// immutable; empty (get() is NULL) by default.
+class Voronoi {
+  public:
+    Voronoi() noexcept = default;
+    explicit Voronoi(DelotetVoronoi *owned) noexcept : handle_(owned) {}
+
+    /// One per tetrahedron.
+    Span<const Point> vertices() const & noexcept { return detail::points_of(delotet_voronoi_vertices(get())); }
+    void vertices() const && = delete;
+    /// One per face.
+    Records<VoronoiEdge> edges() const & noexcept { return detail::records(delotet_voronoi_edges(get())); }
+    void edges() const && = delete;
+    /// One per edge.
+    Records<VoronoiFacet> facets() const & noexcept { return detail::records(delotet_voronoi_facets(get())); }
+    void facets() const && = delete;
+    /// One per point.
+    Records<VoronoiCell> cells() const & noexcept { return detail::records(delotet_voronoi_cells(get())); }
+    void cells() const && = delete;
+    /// The edges of a facet, in order.
+    Span<const Index> edges_of(const VoronoiFacet &facet) const & noexcept
+    {
+        return {delotet_voronoi_facet_edges(get()).data + facet.first, facet.count};
+    }
+    void edges_of(const VoronoiFacet &) const && = delete;
+    /// The facets of a cell, ascending; empty if there is no cell.
+    Span<const Index> facets_of(const VoronoiCell &cell) const & noexcept
+    {
+        return {delotet_voronoi_cell_facets(get()).data + cell.first, cell.count};
+    }
+    void facets_of(const VoronoiCell &) const && = delete;
+    DelotetVoronoi *get() const noexcept { return handle_.get(); }
+
+  private:
+    std::unique_ptr<DelotetVoronoi, detail::Free<DelotetVoronoi, delotet_voronoi_free>> handle_;
+};
+
 /// The result. Move-only and immutable; empty (get() is NULL) by default.
 class Mesh {
   public:
@@ -1714,6 +1785,16 @@ class Mesh {
     void unmeshed_subsegments() const && = delete;
     Span<const Index> unmeshed_points() const & noexcept { return detail::span(delotet_mesh_unmeshed_points(get())); }
     void unmeshed_points() const && = delete;
+    /// Those of them that others hide by their weights.
+    Span<const Index> hidden_points() const & noexcept { return detail::span(delotet_mesh_hidden_points(get())); }
+    void hidden_points() const && = delete;
+    /// The weights or heights that counted, one per point; empty without.
+    Span<const double> point_weights() const & noexcept
+    {
+        const DelotetDoublesView view = delotet_mesh_point_weights(get());
+        return {view.data, view.count};
+    }
+    void point_weights() const && = delete;
     Records<Warning> warnings() const & noexcept { return detail::records(delotet_mesh_warnings(get())); }
     void warnings() const && = delete;
     /// The number of warnings of a kind, listed or not.
@@ -1832,6 +1913,17 @@ class Mesh {
             out = SkinnyTets(made);
         return status;
     }
+    /// The Voronoi or power diagram of a mesh made with Mode::delaunay. Limits and tokens of `options` end it.
+    Status voronoi(const Options &options, Voronoi &out, Error &error) const
+    {
+        DelotetVoronoi *made = nullptr;
+        const Status status = detail::run(options, error, [&](DelotetError **e) {
+            return delotet_voronoi_new(get(), options.get(), &made, e);
+        });
+        if (status == DELOTET_STATUS_OK)
+            out = Voronoi(made);
+        return status;
+    }
     Status check(const Plc &plc, bool constrained_delaunay, std::size_t max_defects, Error &error) const noexcept
     {
         return detail::run(error, [&](DelotetError **e) {
@@ -1928,6 +2020,10 @@ class Mesh {
     SkinnyTets skinny_tets(double ratio = 0) const
     {
         return made<SkinnyTets>([&](auto &out, Error &e) { return skinny_tets(ratio, out, e); });
+    }
+    Voronoi voronoi(const Options &options = {}) const
+    {
+        return made<Voronoi>([&](auto &out, Error &e) { return voronoi(options, out, e); });
     }
     void check(const Plc &plc, bool constrained_delaunay = true, std::size_t max_defects = 1000) const
     {

@@ -4,7 +4,7 @@ use crate::check::faces::{FaceTable, Stars};
 use crate::check::geometry::Geometry;
 use crate::error::Error;
 use crate::fallible;
-use crate::output::{Subface, Subsegment, TetMesh};
+use crate::output::{Guarantee, Subface, Subsegment, TetMesh};
 use crate::plc::Plc;
 use crate::INVALID;
 use std::borrow::Cow;
@@ -33,7 +33,7 @@ impl<'a> Context<'a> {
     pub(super) fn new(plc: &'a Plc, mesh: &'a TetMesh) -> Result<Self, Error> {
         let alias = first_equal(&plc.points)?;
         let mut context = Context {
-            geometry: Geometry::new(plc, mesh)?,
+            geometry: Geometry::new(plc, mesh, &alias)?,
             faces: FaceTable::new(&mesh.tets, mesh.points.len())?,
             stars: Stars::new(&mesh.tets, mesh.points.len())?,
             parents_known: mesh.steiner.len() == mesh.points.len() - plc.points.len(),
@@ -48,6 +48,11 @@ impl<'a> Context<'a> {
             context.carved = carved_edges(&context)?;
         }
         Ok(context)
+    }
+
+    /// Whether the mesh was made with weights that are not known.
+    pub(super) fn weights_unknown(&self) -> bool {
+        self.mesh.guarantee == Guarantee::WeightedDelaunay && self.plc.lift.is_plain()
     }
 
     /// Whether the tetrahedron replaces one that no doubles made positive: it is then positive in doubles, not at the exact positions.

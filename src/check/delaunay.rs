@@ -1,5 +1,5 @@
 //! Local Delaunay property: across every interior face that is no subface, the vertex beyond is not strictly inside the
-//! circumsphere. Cospherical vertices (which the mesher decides by symbolic perturbation) are no violation.
+//! circumsphere (with weights: its power is not negative). Cospherical vertices (which the mesher decides by symbolic perturbation) are no violation.
 //!
 //! Faces of tetrahedra replaced by rounding are only counted.
 //!
@@ -18,6 +18,10 @@ pub(super) fn check_delaunay(
     subfaces: &[u8],
     report: &mut Report,
 ) {
+    if context.weights_unknown() {
+        report.note(format_args!("the mesh has no weights: whether it is weighted Delaunay was not judged"));
+        return;
+    }
     let tets = &context.mesh.tets;
     let (mut rounded, mut replaced) = (0usize, 0usize);
     for (t, near) in adjacency.iter().enumerate() {
@@ -26,7 +30,7 @@ pub(super) fn check_delaunay(
                 continue;
             }
             let apex = tets[n as usize / 4][n as usize % 4];
-            if context.geometry.insphere(tets[t], apex) != Sign::Positive {
+            if context.geometry.in_conflict(tets[t], apex) != Sign::Positive {
                 continue;
             }
             if context.is_replaced(t as u32) || context.is_replaced(n / 4) {

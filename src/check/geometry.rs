@@ -6,6 +6,7 @@
 use crate::error::{Defect, DefectKind, Element, Error, Status};
 use crate::fallible;
 use crate::output::TetMesh;
+use crate::plc::lift::lifts;
 use crate::plc::Plc;
 use crate::predicates;
 use crate::predicates::{Expansion, Points, Sign};
@@ -22,7 +23,7 @@ pub(super) struct Geometry {
 impl Geometry {
     /// The coordinates of a mesh whose indices and finiteness have been checked. Steiner points must be given for all points beyond the
     /// input's, or for none.
-    pub(super) fn new(plc: &Plc, mesh: &TetMesh) -> Result<Self, Error> {
+    pub(super) fn new(plc: &Plc, mesh: &TetMesh, alias: &[u32]) -> Result<Self, Error> {
         let k = predicates::range_scale(&mesh.points).map_err(|i| out_of_range(mesh, i))?;
         let rounded = fallible::collect(mesh.points.iter().map(|p| p.map(|x| predicates::scale(x, k))))?;
         let explicit = mesh.points.len() - mesh.steiner.len();
@@ -35,6 +36,11 @@ impl Geometry {
                 [o, a] if s.third != INVALID => exact.push_on_facet([o, a, s.third], [s.t, s.u])?,
                 [a, b] => exact.push_on_segment(a, b, &t)?,
             };
+        }
+        if !plc.lift.is_plain() {
+            let mut lift = plc.lift.try_clone()?;
+            lift.merge(alias);
+            exact.lift(lifts(&lift, 0..mesh.points.len() as u32, k, &mesh.points)?);
         }
         Ok(Geometry { exact, rounded, inputs: plc.points.len() })
     }
@@ -61,9 +67,10 @@ impl Geometry {
         predicates::orient3d(a, b, c, d)
     }
 
-    /// Positive when `e` is inside the circumsphere of the positive tetrahedron; exact positions.
-    pub(super) fn insphere(&self, [a, b, c, d]: [u32; 4], e: u32) -> Sign {
-        self.exact.insphere(a, b, c, d, e)
+    /// Positive when `e` is inside the circumsphere of the positive tetrahedron, or its power with respect to the tetrahedron's weighted
+    /// points is negative; exact positions.
+    pub(super) fn in_conflict(&self, tet: [u32; 4], e: u32) -> Sign {
+        self.exact.power(tet, e)
     }
 
     /// The orientation of a triangle projected along `axis`; exact positions.

@@ -14,7 +14,9 @@
 //! It follows that the boundary of the mesh is that of the input. It does not follow that no two layers of tetrahedra without a common
 //! vertex cover the same space.
 //!
-//! For a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not checked, unless it is to keep the surface.
+//! For a mesh made in mode Delaunay ([`Guarantee::Delaunay`]) facets and segments are not checked, unless it is to keep the surface. For a
+//! weighted one ([`Guarantee::WeightedDelaunay`]) the power test decides what is locally Delaunay; a point that is no vertex must be hidden by
+//! the tetrahedron that contains it. If the weights are not known, as in a mesh from files, neither is judged.
 //! A mesh of another mode that lists no subfaces covers no facet: if the input has any, that is a defect.
 //!
 //! In a mesh read from files the parents of Steiner points and subfaces may be unknown. Then only doubles are checked: topology,
@@ -98,7 +100,9 @@ pub fn check_preserved_outer(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> R
 /// As [`check_mesh`].
 pub fn check_guarantee(plc: &Plc, mesh: &TetMesh, max_defects: usize) -> Result<(), Error> {
     match mesh.guarantee {
-        Guarantee::ConstrainedDelaunay | Guarantee::Delaunay => check_mesh(plc, mesh, true, max_defects),
+        Guarantee::ConstrainedDelaunay | Guarantee::Delaunay | Guarantee::WeightedDelaunay => {
+            check_mesh(plc, mesh, true, max_defects)
+        }
         Guarantee::Conforming | Guarantee::Given => check_mesh(plc, mesh, false, max_defects),
         Guarantee::Preserved => check_preserved(plc, mesh, max_defects),
         Guarantee::PreservedOuter => check_preserved_outer(plc, mesh, max_defects),
@@ -122,9 +126,12 @@ fn check(plc: &Plc, mesh: &TetMesh, wish: Wish, max_defects: usize) -> Result<()
     arrays::check_arrays(plc, mesh, &mut report);
     let mut points_only = Plc::default();
     let plc = match mesh.guarantee {
-        Guarantee::Delaunay if wish.preserved.is_none() => {
+        Guarantee::Delaunay | Guarantee::WeightedDelaunay if wish.preserved.is_none() => {
             points_only.points.try_reserve_exact(plc.points.len())?;
             fallible::append(&mut points_only.points, &plc.points)?;
+            if mesh.guarantee == Guarantee::WeightedDelaunay && plc.lift.values().len() == plc.points.len() {
+                points_only.lift = plc.lift.try_clone()?;
+            }
             &points_only
         }
         _ => plc,

@@ -33,7 +33,7 @@ pub(super) fn check_points(context: &Context, report: &mut Report) -> Result<(),
     check_unused(context, report)
 }
 
-/// Checks that a point that is no vertex lies outside every closed tetrahedron.
+/// Checks that a point that is no vertex lies outside every closed tetrahedron, or is hidden by the one that contains it.
 ///
 /// The unused points are sorted by x, so each tetrahedron is tested only against those in its range. The bounding box filter uses the
 /// nearest doubles: rounding to nearest is monotone, so a point in the tetrahedron is in the box of its rounded corners.
@@ -47,7 +47,7 @@ fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
     }
     unused.sort_unstable_by(|&i, &j| near(i)[0].total_cmp(&near(j)[0]).then(i.cmp(&j)));
     let mut inside: Vec<(u32, u32)> = Vec::new();
-    if unused.is_empty() {
+    if unused.is_empty() || context.weights_unknown() {
         return Ok(());
     }
     for (t, tet) in context.mesh.tets.iter().enumerate() {
@@ -59,7 +59,10 @@ fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
         let from = unused.partition_point(|&i| near(i)[0] < low[0]);
         for &i in unused[from..].iter().take_while(|&&i| near(i)[0] <= high[0]) {
             let p = near(i);
-            if (1..3).all(|k| low[k] <= p[k] && p[k] <= high[k]) && in_tet(context, *tet, i) {
+            if (1..3).all(|k| low[k] <= p[k] && p[k] <= high[k])
+                && in_tet(context, *tet, i)
+                && !is_hidden(context, *tet, i)
+            {
                 fallible::push(&mut inside, (i, t as u32))?;
             }
         }
@@ -71,6 +74,11 @@ fn check_unused(context: &Context, report: &mut Report) -> Result<(), Error> {
         report.add(DefectKind::PointMoved, Element::Point(i), Some(Element::Tet(t)), at);
     }
     Ok(())
+}
+
+/// Whether the weights of a tetrahedron hide a point in it.
+fn is_hidden(context: &Context, tet: [u32; 4], p: u32) -> bool {
+    !context.plc.lift.is_plain() && context.geometry.in_conflict(tet, p) != Sign::Positive
 }
 
 fn in_tet(context: &Context, tet: [u32; 4], p: u32) -> bool {

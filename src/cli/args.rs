@@ -58,6 +58,14 @@ pub enum MshVersionArg {
     V22,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum WeightsArg {
+    /// Of two points the one with the smaller squared distance minus weight is the nearer one.
+    Weight,
+    /// The height of the lifted point, which stands for the weight x² + y² + z² minus it.
+    Height,
+}
+
 #[derive(Debug, ClapArgs)]
 pub struct MeshArgs {
     /// The surface: .off .stl .obj .ply .poly .smesh, or points: .node
@@ -71,6 +79,13 @@ pub struct MeshArgs {
     /// With --mode preserve: what is kept
     #[arg(long, value_enum, default_value = "all")]
     pub preserve: PreserveArg,
+    /// With --mode delaunay: the first attribute of each point is its weight (or the height of its lift); points that others hide by their
+    /// weights are left out
+    #[arg(long, value_name = "KIND", value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "weight")]
+    pub weights: Option<WeightsArg>,
+    /// With --mode delaunay: also write the bounded cells of the Voronoi diagram (with --weights: of the power diagram) as polyhedra
+    #[arg(long, value_name = "FILE.vtu")]
+    pub voronoi: Option<PathBuf>,
     /// First flip the triangles of nearly coplanar facets (meeting at more than DEG degrees) to be Delaunay on the surface
     #[arg(long, value_name = "DEG", num_args = 0..=1, require_equals = true, default_missing_value = "179.9")]
     pub merge_facets: Option<f64>,
@@ -211,6 +226,9 @@ pub struct CheckArgs {
     /// The surface that it was made from
     #[arg(long)]
     pub input: PathBuf,
+    /// The first attribute of each input point was its weight (or the height of its lift): the mesh must be weighted Delaunay
+    #[arg(long, value_name = "KIND", value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "weight")]
+    pub weights: Option<WeightsArg>,
     /// Do not require what the mode of the mesh (recorded in STEM.parents) guarantees: constrained Delaunay, or the surface kept
     #[arg(long)]
     pub no_delaunay: bool,

@@ -22,7 +22,8 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
 fn check(args: &CheckArgs) -> Result<(), Failure> {
     paths::check_input(&args.input)?;
     paths::check_input(&args.mesh)?;
-    let plc = io::read(&args.input)?;
+    let mut plc = io::read(&args.input)?;
+    super::weights::add_to(&mut plc, args.weights)?;
     let mesh = io::read_mesh(&args.mesh).map_err(|e| Failure::from(e).with_code(1))?;
     let mesh = match mesh.dropped {
         Some(_) => mesh.with_dropped(&plc.points).map_err(|e| Failure::from(e).with_code(1))?,
@@ -39,9 +40,11 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         _ if args.no_delaunay => None,
         Guarantee::Preserved => Some(PreserveArg::All),
         Guarantee::PreservedOuter => Some(PreserveArg::Outer),
-        Guarantee::ConstrainedDelaunay | Guarantee::Conforming | Guarantee::Delaunay | Guarantee::Given => {
-            None
-        }
+        Guarantee::ConstrainedDelaunay
+        | Guarantee::Conforming
+        | Guarantee::Delaunay
+        | Guarantee::WeightedDelaunay
+        | Guarantee::Given => None,
     });
     if preserved == Some(PreserveArg::All) {
         // The files do not say where added points lie; here none may lie on the surface.
@@ -57,7 +60,8 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
     }
     super::attribute::attribute_subfaces(&plc, &mut mesh)?;
     let judged = mesh.steiner.len() + plc.points.len() == mesh.points.len();
-    if judged && plc.facet_count() > 0 && mesh.guarantee != Guarantee::Delaunay {
+    let of_points = matches!(mesh.guarantee, Guarantee::Delaunay | Guarantee::WeightedDelaunay);
+    if judged && plc.facet_count() > 0 && !of_points {
         require_faces(&args.mesh)?;
     }
     let limit = if args.report.is_some() { 10_000_000 } else { 1000 };
@@ -75,6 +79,10 @@ fn check(args: &CheckArgs) -> Result<(), Failure> {
         (Some(PreserveArg::All), _) => "; the surface is kept",
         (Some(PreserveArg::Outer), _) => "; the outer boundary is kept",
         (None, Guarantee::Delaunay) => "; Delaunay, without facets",
+        (None, Guarantee::WeightedDelaunay) if plc.lift.is_plain() => {
+            "; weighted: without --weights the Delaunay property was not judged"
+        }
+        (None, Guarantee::WeightedDelaunay) => "; weighted Delaunay",
         (None, Guarantee::Conforming) => "; optimised",
         (None, Guarantee::Given) => "; the faces of a given mesh are kept",
         (None, _) => "",

@@ -4,7 +4,7 @@ use super::observer::Console;
 use super::page::{self, Page};
 use super::quality::Quality;
 use super::sizes::Extent;
-use super::{paths, report, summary, Failure};
+use super::{paths, report, summary, weights, Failure};
 use delotet::io::{Format, MshVersion, UnusedOption, WriteOptions};
 use delotet::{controlled, Control, Error, Mode, Options, Phase, Plc, Preserve, RegionSeed, Status, TetMesh};
 use serde_json::{json, Map, Value};
@@ -86,6 +86,7 @@ fn read_mesh_and_write(
     control.progress(Phase::Read, 0.0)?;
     let mut plc = delotet::io::read_with(&args.input, control)?;
     add_seeds(&mut plc, args);
+    weights::add_to(&mut plc, args.weights)?;
     args.sizes.add_to(&mut plc)?;
     let options = &Options { size_function: args.sizes.background.read(control)?, ..options.clone() };
     let read = start.elapsed().as_secs_f64();
@@ -94,21 +95,28 @@ fn read_mesh_and_write(
     let start = Instant::now();
     let lost = delotet::io::write_with(&args.output, &mesh, &plc, write_options, control);
     mesh.warnings.append(&lost.map_err(Failure::usage)?);
+    if let Some(path) = &args.voronoi {
+        weights::write_cells(path, &mesh, control)?;
+    }
     let seconds = &mut mesh.statistics.seconds;
     seconds[Phase::Read as usize] = read;
     seconds[Phase::Write as usize] = start.elapsed().as_secs_f64();
     Ok(mesh)
 }
 
-fn options(args: &MeshArgs) -> Result<Options, Failure> {
+fn mode(args: &MeshArgs) -> Result<Mode, Failure> {
     let points_only = Format::of(&args.input)? == Format::Node;
-    let mode = match args.mode {
+    Ok(match args.mode {
         Some(ModeArg::Delaunay) => Mode::Delaunay,
         Some(ModeArg::Cdt) => Mode::Constrained,
         Some(ModeArg::Preserve) => Mode::Preserve,
         None if points_only => Mode::Delaunay,
         None => Mode::Constrained,
-    };
+    })
+}
+
+fn options(args: &MeshArgs) -> Result<Options, Failure> {
+    let mode = mode(args)?;
     let preserve = match args.preserve {
         PreserveArg::All => Preserve::All,
         PreserveArg::Outer if mode == Mode::Preserve => Preserve::Outer,
@@ -167,12 +175,25 @@ pub(super) fn write_options(args: &WriteArgs, say: &SayArgs) -> WriteOptions {
 fn check_files(args: &MeshArgs, options: &WriteOptions) -> Result<(), Failure> {
     paths::check_input(&args.input)?;
     outputs(args).iter().try_for_each(|path| paths::check_output(path))?;
+    check_diagram(args)?;
     Ok(options.check(&args.output)?)
+}
+
+/// Fails for a diagram that no mesh of this run has.
+fn check_diagram(args: &MeshArgs) -> Result<(), Failure> {
+    let Some(path) = &args.voronoi else { return Ok(()) };
+    let message = match Format::of(path)? {
+        _ if mode(args)? != Mode::Delaunay => "--voronoi requires --mode delaunay".to_string(),
+        Format::Vtu => return Ok(()),
+        _ => format!("{}: Voronoi cells are written to .vtu files only", path.display()),
+    };
+    Err(Error::new(Status::InvalidArgument, message).into())
 }
 
 /// All files that are written.
 fn outputs(args: &MeshArgs) -> Vec<PathBuf> {
     let mut outputs = paths::of_mesh(&args.output, args.write.subfaces);
+    outputs.extend(args.voronoi.clone());
     outputs.extend(args.say.stats.clone());
     outputs.extend(args.say.report.clone());
     outputs

@@ -22,6 +22,7 @@ mod quality;
 mod report;
 mod sizes;
 mod summary;
+mod weights;
 
 /// Parses the arguments and runs the command.
 pub fn run() -> ExitCode {

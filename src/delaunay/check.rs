@@ -1,4 +1,4 @@
-//! Checks that a mesh is a perturbed Delaunay tetrahedralization.
+//! Checks that a mesh is a perturbed Delaunay tetrahedralization, weighted or not.
 use crate::delaunay::conflicts::ghost_in_conflict;
 use crate::kernel::check::check_topology;
 use crate::kernel::{Mesh, GHOST};
@@ -31,7 +31,7 @@ pub fn check_delaunay(mesh: &Mesh, points: &Points) -> Result<(), String> {
 fn in_conflict(mesh: &Mesh, points: &Points, t: u32, p: u32) -> bool {
     let v = mesh.verts(t);
     if v[3] != GHOST {
-        return points.insphere_perturbed(v[0], v[1], v[2], v[3], p) == Sign::Positive;
+        return points.power_perturbed(v, p) == Sign::Positive;
     }
-    ghost_in_conflict(&mesh.slots(), points, t, p)
+    ghost_in_conflict::<true>(&mesh.slots(), points, t, p)
 }

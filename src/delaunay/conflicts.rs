@@ -48,25 +48,34 @@ fn lengthen_slowly<T: Copy + Default>(list: &mut Vec<T>, length: usize) -> Resul
     Ok(())
 }
 
-/// Whether the hull face of a ghost sees `p`, or `p` lies in its plane and inside the circumsphere of the finite tetrahedron behind it.
+/// Whether the hull face of a ghost sees `p`, or `p` lies in its plane and is in conflict with the finite tetrahedron behind it.
 #[inline(always)]
-pub(super) fn ghost_in_conflict(slots: &Slots, points: &Points, t: u32, p: u32) -> bool {
+pub(super) fn ghost_in_conflict<const WEIGHTED: bool>(
+    slots: &Slots,
+    points: &Points,
+    t: u32,
+    p: u32,
+) -> bool {
     let v = slots.verts(t);
     match points.orient3d(v[0], v[1], v[2], p) {
         Sign::Positive => true,
         Sign::Negative => false,
         Sign::Zero => {
             let w = slots.verts(slots.across(4 * t + 3) >> 2);
-            points.insphere_perturbed(w[0], w[1], w[2], w[3], p) == Sign::Positive
+            match WEIGHTED {
+                true => points.power_perturbed(w, p) == Sign::Positive,
+                false => points.insphere_perturbed(w[0], w[1], w[2], w[3], p) == Sign::Positive,
+            }
         }
     }
 }
 
 impl Conflicts {
-    /// Finds the tetrahedra in conflict with `p`, of which `t` is one, and marks them. With `SHARED` all must belong to the range `owner`:
+    /// Finds the tetrahedra in conflict with `p`, of which `t` is one, and marks them. With `WEIGHTED` the power test decides: all tetrahedra
+    /// of a vertex may then be in conflict, and none of the faces has it. With `SHARED` all must belong to the range `owner`:
     /// if another one is in conflict, nothing is marked and the result is false. `may_go_on` is asked where the region becomes large; if it
     /// fails, the mesh is useless.
-    pub(super) fn collect<const SHARED: bool>(
+    pub(super) fn collect<const SHARED: bool, const WEIGHTED: bool>(
         &mut self,
         slots: &Slots,
         owner: u16,
@@ -105,10 +114,12 @@ impl Conflicts {
             lengthen(dead, dead_count + met_count - tested)?;
             for &n in &met[tested..met_count] {
                 let v = slots.verts(n);
-                let conflict = if v[3] != GHOST {
-                    points.inside_perturbed(v, p, &at)
+                let conflict = if v[3] == GHOST {
+                    ghost_in_conflict::<WEIGHTED>(slots, points, n, p)
+                } else if WEIGHTED {
+                    points.power_perturbed(v, p) == Sign::Positive
                 } else {
-                    ghost_in_conflict(slots, points, n, p)
+                    points.inside_perturbed(v, p, &at)
                 };
                 // Keeps the compiler from turning this into a branch, which would often be mispredicted.
                 let conflict = black_box(u16::from(conflict));

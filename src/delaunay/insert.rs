@@ -8,6 +8,8 @@
 //! New tetrahedra reuse the slots of the dead ones, which are in the processor's caches. Not so with `CONSTRAINED`, where the subsegment
 //! flags of dead tetrahedra are carried over: a flagged edge either lies on the boundary of the cavity, where new tetrahedra inherit the
 //! flag, or is lost and reported in `lost_edges`.
+//!
+//! With `WEIGHTED` a cavity may have vertices inside: they have no tetrahedron any more, and never get one again.
 use crate::control::Control;
 use crate::delaunay::conflicts::Conflicts;
 use crate::delaunay::edge_table::EdgeTable;
@@ -178,7 +180,7 @@ impl Inserter {
 impl Inserter {
     /// Inserts `p`, which is in conflict with tetrahedron `t`. Returns a new finite or ghost tetrahedron with vertex `p`. If the run is ended
     /// within, the mesh is useless.
-    pub fn insert<const CONSTRAINED: bool>(
+    pub fn insert<const CONSTRAINED: bool, const WEIGHTED: bool>(
         &mut self,
         mesh: &mut Mesh,
         points: &Points,
@@ -186,7 +188,7 @@ impl Inserter {
         t: u32,
         control: &Control,
     ) -> Result<u32, Error> {
-        self.conflicts.collect::<false>(&mesh.exclusive(), 0, points, p, t, &|| control.look())?;
+        self.conflicts.collect::<false, WEIGHTED>(&mesh.exclusive(), 0, points, p, t, &|| control.look())?;
         if CONSTRAINED {
             self.fresh.clear();
         } else {

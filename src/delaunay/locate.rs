@@ -1,5 +1,6 @@
 //! Point location by a visibility walk (Devillers, Pion & Teillaud 2002): from tetrahedron to tetrahedron through a face
-//! that separates it from the target. In a Delaunay tetrahedralization the walk cannot cycle (Edelsbrunner 1990).
+//! that separates it from the target. In a Delaunay tetrahedralization, weighted or
+//! not, the walk cannot cycle (Edelsbrunner 1990).
 use crate::error::Error;
 use crate::kernel::slots::Slots;
 use crate::kernel::{flag, Mesh, GHOST};
@@ -21,16 +22,16 @@ pub fn locate(mesh: &Mesh, points: &Points, p: u32, start: u32) -> Result<u32, E
     if start as usize >= mesh.slot_count() || !mesh.is_live(start) {
         return Err(Error::internal("point location starts nowhere"));
     }
-    match walk::<false, true>(&mesh.slots(), 0, points, p, start) {
+    match walk::<false, true, false>(&mesh.slots(), 0, points, p, start) {
         Walk::Found(t, _) => Ok(t),
         _ => Err(Error::internal("point location did not terminate")),
     }
 }
 
 /// Walks to `p`; with `SHARED` only through tetrahedra of the range `owner`, including `start`. Ends at the tetrahedron that contains `p`,
-/// or without `INTO` at the first one in conflict.
+/// or without `INTO` at the first one in conflict. With `WEIGHTED` the one that contains `p` need not be in conflict.
 #[inline(always)]
-pub(super) fn walk<const SHARED: bool, const INTO: bool>(
+pub(super) fn walk<const SHARED: bool, const INTO: bool, const WEIGHTED: bool>(
     slots: &Slots,
     owner: u16,
     points: &Points,
@@ -49,7 +50,11 @@ pub(super) fn walk<const SHARED: bool, const INTO: bool>(
     let mut entered = 4u32;
     let limit = 4 * slots.count() + 64;
     for step in 0..limit {
-        let glance = if INTO { Glance::Unclear } else { points.glance(slots.verts(t), &at) };
+        let glance = match (INTO, WEIGHTED) {
+            (true, _) => Glance::Unclear,
+            (false, true) => points.glance_power(slots.verts(t), p),
+            (false, false) => points.glance(slots.verts(t), &at),
+        };
         let face = match glance {
             Glance::Inside => return Walk::Found(t, step as u32),
             Glance::Beyond(face) => face,

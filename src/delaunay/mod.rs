@@ -3,8 +3,13 @@
 //! Ties are broken by one symbolic perturbation of the lifting by vertex id: the perturbed Delaunay tetrahedralization is unique, has no
 //! flat tetrahedron, and does not depend on the insertion order.
 //!
+//! *Weighted points* (Edelsbrunner & Shah 1996): with the power test instead of insphere the same insertion makes the regular
+//! tetrahedralization. A point whose lift is not below the hyperplane of the tetrahedron that contains it is *hidden*: it is not inserted. A
+//! vertex of which all tetrahedra are in conflict with a new one is hidden from then on. The lower hull of the lifts only sinks, so no point
+//! comes back, and the order of insertion does not matter. One thread inserts them.
+//!
 //! Invariant between insertions: `mesh` is the perturbed Delaunay tetrahedralization of the inserted vertices, closed by
-//! ghosts.
+//! ghosts; hidden ones have no tetrahedron.
 #[cfg(test)]
 pub mod check;
 mod conflicts;
@@ -139,10 +144,33 @@ impl Construction {
 
     /// Inserts one vertex by a walk from a tetrahedron; returns the number of steps.
     fn insert_from(&mut self, points: &Points, p: u32, start: u32, control: &Control) -> Result<u32, Error> {
-        let Walk::Found(t, steps) = walk::<false, false>(&self.mesh.slots(), 0, points, p, start) else {
+        let Walk::Found(t, steps) = walk::<false, false, false>(&self.mesh.slots(), 0, points, p, start)
+        else {
             return Err(Error::internal("point location did not terminate"));
         };
-        self.hint = self.inserter.insert::<false>(&mut self.mesh, points, p, t, control)?;
+        self.hint = self.inserter.insert::<false, false>(&mut self.mesh, points, p, t, control)?;
+        Ok(steps)
+    }
+
+    /// The same for a weighted vertex, unless it is hidden.
+    fn insert_weighted_from(
+        &mut self,
+        points: &Points,
+        p: u32,
+        start: u32,
+        control: &Control,
+    ) -> Result<u32, Error> {
+        let Walk::Found(t, steps) = walk::<false, false, true>(&self.mesh.slots(), 0, points, p, start)
+        else {
+            return Err(Error::internal("point location did not terminate"));
+        };
+        // Beyond a hull face nothing is hidden.
+        let is_hidden =
+            !self.mesh.is_ghost(t) && points.power_perturbed(self.mesh.verts(t), p) != Sign::Positive;
+        self.hint = match is_hidden {
+            true => t,
+            false => self.inserter.insert::<false, true>(&mut self.mesh, points, p, t, control)?,
+        };
         Ok(steps)
     }
 
@@ -203,7 +231,7 @@ impl Construction {
                 (_, Some(ranges)) => ranges,
             };
             let part = part.part(at(begin), at(end));
-            if !rounds.is_empty() && ranges > 1 && end - begin >= FEWEST_VERTICES {
+            if !points.are_weighted() && !rounds.is_empty() && ranges > 1 && end - begin >= FEWEST_VERTICES {
                 if !shared {
                     // The number of present vertices predicts the number of tetrahedra (slightly too low, since the hull's share shrinks).
                     // Growing the arrays instead would copy them and leave gaps among smaller blocks.
@@ -236,6 +264,7 @@ impl Construction {
         control: &Control,
         part: Option<Part>,
     ) -> Result<(), Error> {
+        let weighted = points.are_weighted();
         let mut careful = 0;
         for (i, &p) in vertices.iter().enumerate() {
             if let (Some(part), 0) = (part, i % 8192) {
@@ -243,7 +272,10 @@ impl Construction {
             }
             control.step()?;
             let start = if careful > 0 { self.nearest_made(points, p) } else { self.hint };
-            let steps = self.insert_from(points, p, start, control)?;
+            let steps = match weighted {
+                false => self.insert_from(points, p, start, control)?,
+                true => self.insert_weighted_from(points, p, start, control)?,
+            };
             control.worked(steps as usize + self.inserter.conflicts.dead().len());
             careful = if steps > LONG_WALK { CAREFUL } else { careful.saturating_sub(1) };
         }

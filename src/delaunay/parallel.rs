@@ -235,12 +235,15 @@ impl Shop<'_> {
         watch: &impl Watch,
     ) -> Result<Option<u32>, Error> {
         let slots = &self.slots;
-        let t = match walk::<true, false>(slots, task.owner, self.points, p, hint) {
+        let t = match walk::<true, false, false>(slots, task.owner, self.points, p, hint) {
             Walk::Found(t, _) => t,
             Walk::Left => return Ok(None),
             Walk::Lost => return Err(Error::internal("point location did not terminate")),
         };
-        if !inserter.conflicts.collect::<true>(slots, task.owner, self.points, p, t, &|| watch.look())? {
+        if !inserter
+            .conflicts
+            .collect::<true, false>(slots, task.owner, self.points, p, t, &|| watch.look())?
+        {
             return Ok(None);
         }
         let (dead, fresh) = (inserter.conflicts.dead().len(), inserter.conflicts.face_count());

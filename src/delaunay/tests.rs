@@ -5,7 +5,7 @@ use crate::delaunay::locate::locate;
 use crate::delaunay::order::insertion_order;
 use crate::delaunay::{Construction, HELPERS_STARTED};
 use crate::error::Status;
-use crate::predicates::Points;
+use crate::predicates::{Lifts, Points};
 use crate::progress::{Observer, Phase, Silent};
 use std::ops::ControlFlow;
 
@@ -284,7 +284,63 @@ fn a_large_cavity_can_be_left() {
         let t = locate(mesh, &points, order.len() as u32, *hint).unwrap();
         control.look().unwrap();
         token.cancel();
-        let error = inserter.insert::<false>(mesh, &points, order.len() as u32, t, control).unwrap_err();
+        let error =
+            inserter.insert::<false, false>(mesh, &points, order.len() as u32, t, control).unwrap_err();
         assert_eq!(error.status, Status::Cancelled);
     });
+}
+
+/// Light points come first, heavy ones last: the late ones take all tetrahedra of earlier vertices.
+#[test]
+fn vertices_are_hidden_by_later_ones_and_their_slots_are_free() {
+    let mut random = Lcg(13);
+    let mut light: Vec<[f64; 3]> = (0..2000).map(|_| [random.next(), random.next(), random.next()]).collect();
+    for corner in 0..8u8 {
+        light.push([0, 1, 2].map(|k| f64::from(corner >> k & 1) * 9.0 - 4.0));
+    }
+    let grid = (0..125).map(|i| [i % 5, i / 5 % 5, i / 25].map(|x| f64::from(x) / 4.0));
+    let xyz: Vec<[f64; 3]> = light.iter().copied().chain(grid).collect();
+    // A heavy point hides all lighter ones around it, out to the middle between the heavy ones.
+    let offsets = (0..xyz.len()).map(|i| if i < light.len() { 0.0 } else { -1.0 }).collect();
+    let mut points = Points::new(xyz);
+    points.lift(Lifts::new(offsets, true));
+    let mut forward = Construction::default();
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    forward.build(&points, &mut order, &Control::free()).unwrap();
+    let mut backward = Construction::default();
+    let mut order: Vec<u32> = (0..points.len() as u32).rev().collect();
+    backward.build(&points, &mut order, &Control::free()).unwrap();
+    let vertices = |delaunay: &Construction| {
+        let mesh = &delaunay.mesh;
+        check_delaunay(mesh, &points).unwrap();
+        slots_are_accounted_for(delaunay);
+        let mut all: Vec<u32> = mesh.all().filter(|&t| mesh.is_live(t)).flat_map(|t| mesh.verts(t)).collect();
+        all.sort_unstable();
+        all.dedup();
+        all.pop();
+        all
+    };
+    let heavy: Vec<u32> = (2000..points.len() as u32).collect();
+    assert_eq!(vertices(&forward), heavy);
+    assert_eq!(vertices(&backward), heavy);
+    assert_eq!(finite_count(&forward), finite_count(&backward));
+}
+
+/// The squares as heights are no weights: the same perturbation breaks the same ties.
+#[test]
+fn heights_of_squares_make_the_same_mesh() {
+    let xyz: Vec<[f64; 3]> = (0..343).map(|i| [i % 7, i / 7 % 7, i / 49].map(f64::from)).collect();
+    let squares = xyz.iter().map(|p| p.iter().map(|x| x * x).sum()).collect();
+    let set = |points: &Points| {
+        let mesh = Construction::of(points);
+        let mut tets: Vec<[u32; 4]> =
+            mesh.all().filter(|&t| mesh.is_live(t)).map(|t| mesh.verts(t)).collect();
+        tets.iter_mut().for_each(|tet| tet.sort_unstable());
+        tets.sort_unstable();
+        tets
+    };
+    let plain = Points::new(xyz);
+    let mut lifted = plain.copied().unwrap();
+    lifted.lift(Lifts::new(squares, false));
+    assert!(set(&plain) == set(&lifted));
 }

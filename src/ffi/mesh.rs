@@ -199,8 +199,8 @@ pub unsafe extern "C" fn delotet_mesh_unmeshed_subsegments(
     unsafe { read(mesh, none, |mesh| DelotetSubsegmentsView::new(&mesh.mesh.unmeshed_subsegments)) }
 }
 
-/// Points that belong to no tetrahedron, in ascending order: those that equal an earlier point (delotet_mesh_point_aliases()), and those
-/// around which everything was carved. Borrowed from `mesh`. Empty for NULL.
+/// Points that belong to no tetrahedron, in ascending order: those that equal an earlier point (delotet_mesh_point_aliases()), those
+/// around which everything was carved, and those that weights hide (delotet_mesh_hidden_points()). Borrowed from `mesh`. Empty for NULL.
 #[no_mangle]
 pub unsafe extern "C" fn delotet_mesh_unmeshed_points(mesh: *const DelotetMesh) -> DelotetIndicesView {
     let none = DelotetIndicesView::new(&[]);

@@ -34,7 +34,9 @@ mod slice;
 pub mod status;
 pub mod version;
 pub mod view;
+pub mod voronoi;
 pub mod warning;
+pub mod weights;
 pub mod write;
 
 #[cfg(test)]

@@ -67,7 +67,7 @@ impl DelotetPlc {
         }
     }
 
-    /// Appends points; their attributes and markers are 0, if the points have any, and there is no wish for their sizes.
+    /// Appends points; their attributes, markers and weights are 0, if the points have any, and there is no wish for their sizes.
     pub(super) fn add_points(&mut self, points: &[[f64; 3]]) -> Result<(), Error> {
         self.check_room(points.len(), self.plc.points.len())?;
         let count = self.plc.points.len() + points.len();
@@ -80,11 +80,17 @@ impl DelotetPlc {
         if !plc.point_markers.is_empty() {
             fallible::resize(&mut plc.point_markers, count, 0)?;
         }
+        if let Some(values) = plc.lift.values_mut() {
+            values.try_reserve(points.len())?;
+        }
         if sized > 0 {
             fallible::resize(&mut plc.sizes.points, count, f64::INFINITY)?;
         }
         fallible::append(&mut plc.points, points)?;
         fallible::resize(&mut plc.point_attributes, count * width, 0.0)?;
+        if let Some(values) = plc.lift.values_mut() {
+            fallible::resize(values, count, 0.0)?;
+        }
         Ok(())
     }
 

@@ -46,10 +46,12 @@ mod vtu;
 mod write_mesh;
 mod write_surface;
 mod write_tetgen;
+mod write_voronoi;
 
 pub use crate::options::{MshVersion, RegionName, WriteOptions};
 pub use mesh_file::{array_sources, read_arrays, read_arrays_with, MeshFile};
 pub use write_mesh::{subfaces_path, write, write_with, UnusedOption};
+pub use write_voronoi::write_voronoi;
 
 /// A file format, known by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -3,7 +3,7 @@
 //! First line: the numbers of Steiner points (the last points of `.node`), of faces (those of `.face`) and of facet flips; 1 if the convex
 //! hull was kept, otherwise 0; the numbers of tetrahedra replaced by rounding and of unmeshed faces and edges; and what the mesh
 //! guarantees: 0 constrained Delaunay, 1 Delaunay, 2 the surface kept, 3 the outer boundary kept, 4 the faces of a given
-//! mesh kept, 5 conforming. Then a line per Steiner point: the two
+//! mesh kept, 5 conforming, 6 weighted Delaunay. Then a line per Steiner point: the two
 //! ends `a` and `b` of its edge (input points), the input segment or -1, and the parameter `t` with any further terms of it: exactly, the
 //! point is `a + t (b − a)`. For a point on a facet: `f`, the facet, points `a`, `b` and `c` of its plane, `t` and `u`: exactly, it is
 //! `a + t (b − a) + u (c − a)`; or -1 three times if its doubles are its position. Then a line per face: its input facet. Then a line per
@@ -25,13 +25,14 @@ use std::iter::Peekable;
 use std::slice::Iter;
 
 /// What the numbers of the last field of the first line stand for.
-const GUARANTEES: [Guarantee; 6] = [
+const GUARANTEES: [Guarantee; 7] = [
     Guarantee::ConstrainedDelaunay,
     Guarantee::Delaunay,
     Guarantee::Preserved,
     Guarantee::PreservedOuter,
     Guarantee::Given,
     Guarantee::Conforming,
+    Guarantee::WeightedDelaunay,
 ];
 
 /// Writes the file.

@@ -1,7 +1,7 @@
 //! Dropping the points that belong to no tetrahedron, and the way back, which a check against the input needs.
 use crate::error::{Error, Status};
 use crate::fallible;
-use crate::output::{SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+use crate::output::{Lift, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::INVALID;
 
 /// What was dropped with the points that belong to no tetrahedron
@@ -104,11 +104,16 @@ impl TetMesh {
         self.crowded.iter_mut().for_each(now);
         let mut kept = keep.iter();
         self.points.retain(|_| kept.next().is_some_and(|&kept| kept));
+        if let Some(values) = self.lift.values_mut() {
+            let mut kept = keep.iter();
+            values.retain(|_| kept.next().is_some_and(|&kept| kept));
+        }
         self.input_point_count = keep[..inputs].iter().filter(|&&kept| kept).count() as u32;
         self.point_alias.clear();
         fallible::extend(&mut self.point_alias, 0..self.input_point_count)?;
         self.unmeshed_points.retain(|&v| keep[v as usize]);
         self.unmeshed_points.iter_mut().for_each(now);
+        self.hidden_points.clear();
         dropped.subfaces = std::mem::take(&mut self.unmeshed_subfaces);
         dropped.subsegments = std::mem::take(&mut self.unmeshed_subsegments);
         dropped.new_index = new_index;
@@ -173,6 +178,8 @@ impl TetMesh {
         mesh.dropped = None;
         mesh.input_point_count = dropped.input_point_count;
         mesh.point_alias.clear();
+        // Those of dropped points are only in the input.
+        mesh.lift = Lift::Plain;
         mesh.points = fallible::reserved(before)?;
         fallible::append(&mut mesh.points, inputs)?;
         mesh.steiner = fallible::reserved(steiner_count)?;

@@ -6,7 +6,7 @@ use crate::facets::subface::Subfaces;
 use crate::fallible;
 use crate::kernel::{edge_key, face_key};
 use crate::kernel::{Mesh, NONE};
-use crate::output::{Guarantee, Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
+use crate::output::{Guarantee, Lift, Region, SteinerPoint, SteinerTerm, Subface, Subsegment, TetMesh};
 use crate::plan::Engine;
 use crate::plc::surface::Surface;
 use crate::plc::Plc;
@@ -264,11 +264,18 @@ fn chains(
     Ok(chains)
 }
 
+/// Which of the input points count, and with which weights.
+pub(super) struct Weighted {
+    /// For each input point the first equal one.
+    pub(super) alias: Vec<u32>,
+    pub(super) lift: Lift,
+}
+
 /// The output mesh of all tetrahedra of the convex hull, made in the engine's own arrays: they are most of the memory.
 pub(super) fn delaunay(
     engine: Engine,
     plc: &Plc,
-    alias: Vec<u32>,
+    Weighted { alias, lift }: Weighted,
     control: &Control,
 ) -> Result<TetMesh, Error> {
     // Destructured by name, since fields left in the struct would live until the end.
@@ -284,7 +291,8 @@ pub(super) fn delaunay(
         tets,
         neighbors,
         hull_kept: true,
-        guarantee: Guarantee::Delaunay,
+        guarantee: if lift.is_plain() { Guarantee::Delaunay } else { Guarantee::WeightedDelaunay },
+        lift,
         ..TetMesh::default()
     };
     out.points.try_reserve_exact(plc.points.len())?;

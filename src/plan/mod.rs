@@ -22,12 +22,14 @@ use crate::progress::{Observer, Phase};
 use crate::segments::recovery::{Recovery, Segments};
 use crate::warning::Warnings;
 use crate::INVALID;
+use assemble::Weighted;
 use std::time::Instant;
 
 mod assemble;
 mod constrain;
 mod crowding;
 pub mod given;
+mod lift;
 mod merge;
 mod preserve;
 mod promise;
@@ -235,6 +237,7 @@ impl Run<'_> {
     /// All stages in their order.
     fn mesh(&mut self, plc: &Plc, options: &Options) -> Result<TetMesh, Error> {
         refine::check(plc, options)?;
+        plc.check_lift(options)?;
         let prepared = self.prepare(plc, options)?;
         let mut mesh = match options.mode {
             Mode::Delaunay => {
@@ -242,8 +245,9 @@ impl Run<'_> {
                 // The surface's copy of the points would coexist with the mesh at its peak size.
                 let alias = fallible::copied(&prepared.surface().alias)?;
                 drop(prepared);
+                let lift = lift::lift(&mut engine, plc, &alias, self.control)?;
                 self.delaunay(&mut engine, options.worker_threads())?;
-                assemble::delaunay(engine, plc, alias, self.control)?
+                assemble::delaunay(engine, plc, Weighted { alias, lift }, self.control)?
             }
             Mode::Constrained | Mode::Preserve => {
                 let made = match options.merge_facets {

@@ -20,6 +20,9 @@ pub(super) fn set_apart(mesh: &mut TetMesh, control: &Control) -> Result<(), Err
     for (v, &used) in used.iter().enumerate() {
         if !used {
             fallible::push(&mut mesh.unmeshed_points, v as u32)?;
+            if !mesh.lift.is_plain() && mesh.point_alias.get(v) == Some(&(v as u32)) {
+                fallible::push(&mut mesh.hidden_points, v as u32)?;
+            }
         }
     }
     Ok(())

@@ -87,7 +87,9 @@ pub(super) fn about_mesh(
         let (kind, first) = (WarningKind::UnmeshedSegment, Element::Segment(edge.segment));
         warnings.push(Warning { kind, first, second: None, point: middle(&edge.ends) }, limit);
     }
-    for &v in &mesh.unmeshed_points {
+    // Hidden points are what weights are for.
+    let unmeshed = mesh.unmeshed_points.iter().filter(|v| mesh.hidden_points.binary_search(v).is_err());
+    for &v in unmeshed {
         // Equal points and the pieces on which added points lie have warnings of their own.
         if mesh.point_alias.get(v as usize) == Some(&v) {
             let (kind, first) = (WarningKind::UnmeshedPoint, Element::Point(v));

@@ -6,6 +6,7 @@
 pub mod attributes;
 pub mod duplicates;
 pub mod intersect;
+pub(crate) mod lift;
 pub mod merge;
 pub mod near;
 pub mod open;
@@ -20,6 +21,7 @@ pub mod surface;
 
 use crate::error::Error;
 use crate::fallible;
+use crate::output::Lift;
 pub use prepare::{check, check_and_split, check_with, prepare, Prepared};
 pub use sizes::{MarkerSize, RegionSize, Sizes};
 #[cfg(test)]
@@ -93,6 +95,8 @@ pub struct Plc {
     pub point_attributes: Vec<f64>,
     /// One marker per point, or empty.
     pub point_markers: Vec<i32>,
+    /// Weights of points, which [`Mode::Delaunay`](crate::Mode::Delaunay) counts; not offered with facets and segments.
+    pub lift: Lift,
     /// Segments that are not (only) edges of facets, or that carry a marker.
     pub segments: Vec<Segment>,
     /// Triangular facets: three corners each. They come first in the numbering of facets.
@@ -153,6 +157,7 @@ impl Plc {
             point_attribute_count,
             point_attributes,
             point_markers,
+            lift,
             segments,
             triangles,
             triangle_markers,
@@ -167,6 +172,7 @@ impl Plc {
             point_attribute_count: *point_attribute_count,
             point_attributes: fallible::copied(point_attributes)?,
             point_markers: fallible::copied(point_markers)?,
+            lift: lift.try_clone()?,
             segments: fallible::copied(segments)?,
             triangles: fallible::copied(triangles)?,
             triangle_markers: fallible::copied(triangle_markers)?,

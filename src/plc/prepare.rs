@@ -291,6 +291,7 @@ pub fn check(plc: &Plc, options: &Options, observer: &mut dyn Observer) -> Resul
 /// # Errors
 /// As [`check`].
 pub fn check_with(plc: &Plc, options: &Options, control: &Control) -> Result<Warnings, Error> {
+    plc.check_lift(options)?;
     let strict = Options { max_defects: options.max_defects, ..Options::default() };
     let surface = prepare(plc, &strict, control)?;
     let mut warnings = Warnings::default();

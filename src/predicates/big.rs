@@ -35,6 +35,12 @@ impl<const ROOM: usize> Digits<ROOM> {
         self
     }
 
+    /// The position of the highest bit; `None` for zero.
+    fn highest_bit(&self) -> Option<usize> {
+        let last = self.get().last()?;
+        Some(32 * (self.len - 1) + last.ilog2() as usize)
+    }
+
     fn compare(&self, other: &Self) -> Ordering {
         self.len.cmp(&other.len).then_with(|| self.get().iter().rev().cmp(other.get().iter().rev()))
     }
@@ -109,7 +115,8 @@ impl<const ROOM: usize> Big<ROOM> {
         value.components().iter().fold(Big::ZERO, |sum, &x| sum.combine(&Big::of_double(x, unit), false))
     }
 
-    fn of_double(x: f64, unit: i32) -> Self {
+    /// A double in units of 2^`unit`, which divides it.
+    pub(crate) fn of_double(x: f64, unit: i32) -> Self {
         let (mantissa, exponent) = range::decompose(x);
         let shift = exponent.saturating_sub(unit).max(0) as usize;
         let wide = u128::from(mantissa) << (shift % 32);
@@ -147,6 +154,56 @@ impl<const ROOM: usize> Big<ROOM> {
         Big { negative: self.negative != other.negative, digits: self.digits.times(&other.digits) }
     }
 
+    /// The product with 2^`bits`, in more room.
+    pub(crate) fn shifted<const MORE: usize>(&self, bits: usize) -> Big<MORE> {
+        let (whole, rest) = (bits / 32, bits % 32);
+        let mut digits = Digits::ZERO;
+        let mut carry = 0;
+        for (i, &digit) in self.digits.get().iter().enumerate() {
+            let wide = u64::from(digit) << rest | carry;
+            digits.all[whole + i] = wide as u32;
+            carry = wide >> 32;
+        }
+        let len = match self.digits.len {
+            0 => 0,
+            len => {
+                digits.all[whole + len] = carry as u32;
+                whole + len + 1
+            }
+        };
+        Big { negative: self.negative, digits: digits.trimmed(len) }
+    }
+
+    /// The double nearest to the quotient times 2^`exponent`, ties to even; infinite if it is beyond their range, 0 if the divisor is 0.
+    pub(crate) fn ratio<const OTHER: usize>(&self, divisor: &Big<OTHER>, exponent: i32) -> f64 {
+        let (mut n, d) = (*self, divisor);
+        let (Some(high), Some(low)) = (n.digits.highest_bit(), d.digits.highest_bit()) else { return 0.0 };
+        let mut d: Self = d.shifted(high.saturating_sub(low));
+        n = n.shifted(low.saturating_sub(high));
+        (n.negative, d.negative) = (false, false);
+        let mut power = high as i32 - low as i32;
+        if n.digits.compare(&d.digits) == Ordering::Less {
+            n = n.shifted(1);
+            power -= 1;
+        }
+        // Now 1 <= n / d < 2: 64 bits of the quotient, and whether anything is left.
+        let mut bits = 0u64;
+        for _ in 0..64 {
+            bits <<= 1;
+            if n.digits.compare(&d.digits) != Ordering::Less {
+                n = Big { negative: false, digits: n.digits.subtract(&d.digits) };
+                bits |= 1;
+            }
+            n = n.shifted(1);
+        }
+        let size = round_to_double(bits, n.digits.len != 0, power + exponent);
+        if self.negative == divisor.negative {
+            size
+        } else {
+            -size
+        }
+    }
+
     pub(crate) fn sign(&self) -> Sign {
         match (self.digits.len == 0, self.negative) {
             (true, _) => Sign::Zero,
@@ -154,4 +211,29 @@ impl<const ROOM: usize> Big<ROOM> {
             (false, true) => Sign::Negative,
         }
     }
+}
+
+/// The double nearest to `bits 2^(power − 63)`, the highest bit of `bits` set; `more` if the number is larger, by less than the last bit.
+fn round_to_double(bits: u64, more: bool, power: i32) -> f64 {
+    if power > 1023 {
+        return f64::INFINITY;
+    }
+    // The exponent of the last place, larger below the normal numbers.
+    let place = (power - 52).max(-1074);
+    let dropped = (place - (power - 63)) as u32;
+    if dropped > 64 {
+        return 0.0;
+    }
+    let wide = u128::from(bits);
+    let (kept, rest, half) = (wide >> dropped, wide & ((1 << dropped) - 1), 1u128 << (dropped - 1));
+    let up = match rest.cmp(&half) {
+        Ordering::Less => false,
+        Ordering::Equal => more || kept % 2 == 1,
+        Ordering::Greater => true,
+    };
+    let kept = (kept as u64 + u64::from(up)) as f64;
+    if place == 971 && kept == (1u64 << 53) as f64 {
+        return f64::INFINITY;
+    }
+    range::scale(kept, place)
 }

@@ -5,11 +5,12 @@
 //! in Shewchuk 1997, section 4.3). Counts: a difference of coordinates rounds once.
 //! * orient3d: 3 differences, product, subtraction, product, two sums: k = 8.
 //! * insphere: 5 differences, product, subtraction, product, two sums, square, two sums, product, two sums: k = 16.
+//! * power test: insphere and one subtraction; its other part has fewer: k = 17.
 //! * 2D orientation: 2 differences, product, subtraction: k = 4. Dot product: 2, product, two sums: k = 5.
 //! * incircle in a plane: 4 differences, product, subtraction, square, two sums, product, two sums: k = 12.
 //!
-//! With X, Y, Z bounds on the differences per axis, L = X² + Y² + Z²: P is at most 6 XYZ, 24 XYZL, 2 UV, L, 6 UVL. Such a bound is static
-//! if X, Y, Z come from the box, semi-static if they come from the given points (Devillers & Pion 2003). The bounds use k + 1 instead of k;
+//! With X, Y, Z bounds on the differences per axis, L = X² + Y² + Z²: P is at most 6 XYZ, 24 XYZL, 24 XYZ (L + H) with H a
+//! bound on differences of offsets, 2 UV, L, 6 UVL. Such a bound is static if X, Y, Z come from the box, semi-static if they come from the given points (Devillers & Pion 2003). The bounds use k + 1 instead of k;
 //! this and the factor `SLACK` cover their own rounding.
 //!
 //! *Implicit points* are represented by their nearest doubles. If a difference is off by at most δx in x (the errors of both points), the
@@ -73,6 +74,21 @@ pub(crate) fn insphere_minors(
     let sum = acl * bcd_dab - bdl * abc_cda.swapped();
     let ([abc, cda], [bcd, dab]) = (abc_cda.0, bcd_dab.0);
     ([bcd, -cda, dab, -abc], sum.0[0] + sum.0[1])
+}
+
+/// The power determinant relative to `e`, and the same minors: the insphere determinant with the differences of the offsets to that of `e`
+/// added to the squared distances, or alone.
+#[inline(always)]
+pub(crate) fn power_minors(
+    [a, b, c, d, e]: [&[f64; 3]; 5],
+    offsets: [f64; 5],
+    squares: bool,
+) -> ([f64; 4], f64) {
+    let (sides, insphere) = insphere_minors(a, b, c, d, e);
+    let [p, q, r, s, last] = offsets;
+    let added =
+        ((p - last) * sides[0] + (q - last) * sides[1]) + ((r - last) * sides[2] + (s - last) * sides[3]);
+    (sides, if squares { insphere + added } else { added })
 }
 
 /// Two numbers that undergo the same operations.
@@ -171,6 +187,13 @@ impl Spread {
         let (l, el) = self.lift();
         let moved = (ex * y * z + x * ey * z + x * y * ez) * l + x * y * z * el;
         24.0 * (17.0 * U * (x * y * z * l) + moved) * SLACK + TINY
+    }
+
+    /// For exact points; `offset` bounds the differences of offsets.
+    pub(crate) fn power_bound(&self, offset: f64, squares: bool) -> f64 {
+        let [x, y, z] = self.size;
+        let l = if squares { self.lift().0 + offset } else { offset };
+        24.0 * (18.0 * U * (x * y * z * l)) * SLACK + TINY
     }
 
     pub(crate) fn orient2d_bound(&self, u: usize, v: usize) -> f64 {

@@ -51,6 +51,12 @@ impl Points {
         if det > self.insphere_bound {
             return Glance::Inside;
         }
+        self.beyond(sides)
+    }
+
+    /// The face that a point is beyond, by the minors of its determinant.
+    #[inline(always)]
+    pub(super) fn beyond(&self, sides: [f64; 4]) -> Glance {
         // Branch-free, since which face it is cannot be predicted.
         let first = (sides[1] < sides[0]) as usize;
         let second = 2 + (sides[3] < sides[2]) as usize;
@@ -127,7 +133,7 @@ impl Points {
 
     #[cold]
     #[inline(never)]
-    fn insphere_tie(&self, mut ids: [u32; 5]) -> Sign {
+    pub(super) fn insphere_tie(&self, mut ids: [u32; 5]) -> Sign {
         let mut odd = sort_parity(&mut ids);
         for skipped in 0..5 {
             let mut rest = [0; 4];

@@ -7,6 +7,7 @@
 //! `robust`'s sign.
 
 mod big;
+mod center;
 mod exact;
 mod expansion;
 mod filter;
@@ -18,6 +19,7 @@ mod placed;
 mod plane;
 mod points;
 mod position;
+mod power;
 mod range;
 #[cfg(test)]
 mod tests;
@@ -28,6 +30,7 @@ pub(crate) use insphere::Glance;
 pub use placed::Placed;
 pub use points::Points;
 pub use position::Position;
+pub use power::{is_offset, Lifts, OFFSET_EXPONENT};
 pub use range::{far_from_most, in_range, is_parameter, range_scale, scale, surviving};
 
 /// The sign of a determinant.
@@ -79,12 +82,17 @@ fn differences<const N: usize>(points: [&[f64; 3]; N]) -> Option<wide::Differenc
     wide::Differences::new(&points.map(|p| p.map(|x| [x, 0.0])))
 }
 
-/// `robust`, for explicit points that span too many bits for integers of fixed width.
+/// `robust`, for explicit points that span too many bits for integers of fixed width. Not inlined: callers that mostly return before would
+/// pay for its large stack.
+#[cold]
+#[inline(never)]
 fn robust_orient3d(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3]) -> Sign {
     -Sign::of(robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)))
 }
 
 /// Like [`robust_orient3d`].
+#[cold]
+#[inline(never)]
 fn robust_insphere(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], d: &[f64; 3], e: &[f64; 3]) -> Sign {
     -Sign::of(robust::insphere(coord3(a), coord3(b), coord3(c), coord3(d), coord3(e)))
 }

@@ -13,6 +13,7 @@ use crate::predicates::expansion::{Expansion, Short};
 use crate::predicates::filter::Spread;
 use crate::predicates::located::{Implicit, Located};
 use crate::predicates::position::{Parameter, Position};
+use crate::predicates::power::Lifts;
 use crate::predicates::range::in_range;
 use crate::predicates::{located, position, range};
 
@@ -33,6 +34,8 @@ pub struct Points {
     pub(super) insphere_bound: f64,
     /// Bounds for circles, by the axis that the projection drops.
     pub(super) incircle_bounds: [f64; 3],
+    /// The lifts of weighted points, all of them explicit.
+    pub(super) lifts: Option<Lifts>,
 }
 
 pub(super) const NONE: u32 = u32::MAX;
@@ -52,6 +55,7 @@ impl Points {
             orient3d_bound: f64::INFINITY,
             insphere_bound: f64::INFINITY,
             incircle_bounds: [f64::INFINITY; 3],
+            lifts: None,
         };
         let mut lowest = i32::MAX;
         for p in &xyz {
@@ -76,6 +80,7 @@ impl Points {
             xyz: fallible::copied(&self.xyz)?,
             slots: fallible::copied(&self.slots)?,
             implicit: fallible::each(&self.implicit, Implicit::copied)?,
+            lifts: self.lifts.as_ref().map(Lifts::copied).transpose()?,
             ..*self
         })
     }
@@ -145,6 +150,9 @@ impl Points {
         self.insphere_bound = whole(spread.insphere_bound(), 5);
         self.incircle_bounds =
             [0, 1, 2].map(|axis| whole(spread.incircle_bound((axis + 1) % 3, (axis + 2) % 3), 4));
+        if let Some(lifts) = &mut self.lifts {
+            lifts.bound = whole(spread.power_bound(lifts.size * power_of_two(-2 * k), lifts.squares), 5);
+        }
     }
 
     /// The number of points.

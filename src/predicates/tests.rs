@@ -3,6 +3,7 @@
 mod arithmetic;
 mod on_facet;
 mod positions;
+mod power;
 
 use super::*;
 use crate::predicates::position::Position;

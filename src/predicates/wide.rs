@@ -6,7 +6,9 @@
 //! product 2^378 (2^186), insphere 2^632 (2^312), incircle 2^505 (2^249): below the sign bits of 4, 4, 6, 10, 8 (2, 2, 3, 5, 4) digits.
 //! Branch-free and faster than expansions, whose lengths vary.
 
-use crate::predicates::Sign;
+use crate::elementary::power_of_two;
+use crate::predicates::expansion::two_sum;
+use crate::predicates::{filter, Sign};
 
 /// Differences of explicit points to the last one as integers, if 62 bits hold them all exactly; `size` bounds their rounded values. Little
 /// more than the rounding errors of the differences (Knuth 1969) needs to be computed; most exact tests use this.
@@ -80,6 +82,17 @@ impl Triple {
         }
     }
 
+    /// The product with a number below 2^127 in magnitude.
+    #[inline(always)]
+    fn times_signed(self, l: i128) -> [u64; 5] {
+        let product = self.times(l.abs());
+        if l < 0 {
+            subtract(&[0; 5], &product)
+        } else {
+            product
+        }
+    }
+
     /// The product with a non-negative number.
     #[inline(always)]
     fn times(self, l: i128) -> [u64; 5] {
@@ -119,15 +132,65 @@ pub(crate) fn short_orient2d([a, b]: &[[i64; 3]; 2]) -> Sign {
 }
 
 /// Positive when e is inside the circumsphere of the positive tetrahedron (a, b, c, d), from the differences to e.
-pub(crate) fn short_insphere([a, b, c, d]: &[[i64; 3]; 4]) -> Sign {
+pub(crate) fn short_insphere(rows: &[[i64; 3]; 4]) -> Sign {
+    short_lifted(rows, |i, minor| minor.times(square(&rows[i])))
+}
+
+/// The same with these lifts instead of the squared distances, each below 2^127 in magnitude: the determinant is below 2^318.
+pub(crate) fn short_power(rows: &[[i64; 3]; 4], lifts: &[i128; 4]) -> Sign {
+    short_lifted(rows, |i, minor| minor.times_signed(lifts[i]))
+}
+
+#[inline(always)]
+fn square(p: &[i64; 3]) -> i128 {
+    p.iter().map(|&x| i128::from(x) * i128::from(x)).sum()
+}
+
+/// The sign of the determinant whose minors without the lifts are multiplied by them in `times`.
+#[inline(always)]
+fn short_lifted([a, b, c, d]: &[[i64; 3]; 4], times: impl Fn(usize, Triple) -> [u64; 5]) -> Sign {
     let (ab, ac, ad) = (short_minor(a, b), short_minor(a, c), short_minor(a, d));
     let (bc, bd, cd) = (short_minor(b, c), short_minor(b, d), short_minor(c, d));
-    let square = |p: &[i64; 3]| p.iter().map(|&x| i128::from(x) * i128::from(x)).sum::<i128>();
-    let first = Triple::combined([b[2], c[2], d[2]], [cd, bd, bc]).times(square(a));
-    let second = Triple::combined([a[2], c[2], d[2]], [cd, ad, ac]).times(square(b));
-    let third = Triple::combined([a[2], b[2], d[2]], [bd, ad, ab]).times(square(c));
-    let fourth = Triple::combined([a[2], b[2], c[2]], [bc, ac, ab]).times(square(d));
+    let first = times(0, Triple::combined([b[2], c[2], d[2]], [cd, bd, bc]));
+    let second = times(1, Triple::combined([a[2], c[2], d[2]], [cd, ad, ac]));
+    let third = times(2, Triple::combined([a[2], b[2], d[2]], [bd, ad, ab]));
+    let fourth = times(3, Triple::combined([a[2], b[2], c[2]], [bc, ac, ab]));
     sign(&subtract(&add(&subtract(&first, &second), &third), &fourth))
+}
+
+/// The lifts for [`short_power`], in the square of the unit of `rows` (or in another one, without `squares`), relative to that of the last
+/// point; `None` if they are no integers below 2^127 there. `size` as for [`short_differences`].
+pub(crate) fn short_lifts(
+    rows: &[[i64; 3]; 4],
+    offsets: [f64; 5],
+    squares: bool,
+    size: f64,
+) -> Option<[i128; 4]> {
+    let exponent_of = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023;
+    let [.., last] = offsets;
+    let largest = offsets.iter().fold(0.0, |most, &x| filter::larger((x - last).abs(), most));
+    if largest == 0.0 && !squares {
+        return Some([0; 4]);
+    }
+    let exponent = if squares { 2 * (61 - exponent_of(size)) } else { 120 - exponent_of(largest) };
+    if exponent.abs() > 1000 || exponent_of(largest) + exponent > 124 {
+        return None;
+    }
+    let factor = power_of_two(exponent);
+    let mut lifts = [0; 4];
+    for ((lift, row), x) in lifts.iter_mut().zip(rows).zip(offsets) {
+        let (high, low) = two_sum(x, -last);
+        for part in [high, low] {
+            let scaled = part * factor;
+            // What underflows is no integer.
+            if scaled as i128 as f64 != scaled || (scaled == 0.0 && part != 0.0) {
+                return None;
+            }
+            *lift += scaled as i128;
+        }
+        *lift += if squares { square(row) } else { 0 };
+    }
+    Some(lifts)
 }
 
 type Row<const L: usize> = [[u64; L]; 3];

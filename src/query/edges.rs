@@ -35,10 +35,16 @@ pub struct Edges {
 }
 
 impl Edges {
-    /// Lists the edges of `mesh`. Fails if memory runs out or there are more than 2³² − 2 edges.
-    pub fn new(mesh: &TetMesh) -> Result<Edges, Error> {
+    /// Lists the edges of `mesh` alone, not those of tetrahedra and subfaces, and without subsegments. Fails as [`Edges::new`].
+    pub(super) fn alone(mesh: &TetMesh) -> Result<Edges, Error> {
         let mut list = Edges::default();
         list.collect(mesh)?;
+        Ok(list)
+    }
+
+    /// Lists the edges of `mesh`. Fails if memory runs out or there are more than 2³² − 2 edges.
+    pub fn new(mesh: &TetMesh) -> Result<Edges, Error> {
+        let mut list = Edges::alone(mesh)?;
         list.tet_edges.try_reserve_exact(mesh.tets.len())?;
         for tet in &mesh.tets {
             let edges = EDGE_ENDS.map(|[a, b]| list.find(tet[a], tet[b]).unwrap_or(INVALID));

@@ -8,6 +8,7 @@ pub mod locate;
 pub mod point_data;
 pub mod quality;
 pub mod second_order;
+pub mod voronoi;
 
 pub(crate) use background::Background;
 pub use edges::{Edge, Edges};
@@ -16,6 +17,7 @@ pub use locate::Locator;
 pub use point_data::PointData;
 pub use quality::{ForcedTet, Measure, QualitySummary, SkinnyCause, SkinnyTet, SkinnyTets, TetQuality};
 pub use second_order::NodeOrder;
+pub use voronoi::{Voronoi, VoronoiCell, VoronoiEdge, VoronoiFacet};
 
 use crate::error::Error;
 use crate::fallible;

@@ -416,7 +416,7 @@ impl<'a> Recovery<'a> {
         if touched.iter().any(|&v| v != GHOST && self.points.same_position(v, p)) {
             return Err(crossing("a vertex lies on a segment", Element::Segment(sub.segment), None));
         }
-        self.inserter.insert::<true>(self.mesh, self.points, p, at, self.control)?;
+        self.inserter.insert::<true, false>(self.mesh, self.points, p, at, self.control)?;
         self.register(piece, sub, p, t)
     }
 

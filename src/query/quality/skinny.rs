@@ -147,7 +147,10 @@ fn reasons(mesh: &TetMesh, ratio: f64, forced: &[ForcedTet]) -> Result<Vec<Reaso
         let kept = match mesh.guarantee {
             Guarantee::Preserved | Guarantee::Given => true,
             Guarantee::PreservedOuter => face.tets[1] == INVALID,
-            Guarantee::ConstrainedDelaunay | Guarantee::Conforming | Guarantee::Delaunay => false,
+            Guarantee::ConstrainedDelaunay
+            | Guarantee::Conforming
+            | Guarantee::Delaunay
+            | Guarantee::WeightedDelaunay => false,
         };
         if kept && Triangle::of(mesh, &face.corners).is_none_or(|triangle| triangle.radius_edge() > ratio) {
             add(i, SkinnyCause::Face, [face.facet; 2])?;
