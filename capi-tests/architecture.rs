@@ -168,6 +168,7 @@ const OPEN: &[&str] = &["control", "elementary", "fallible", "panics", "threads"
 
 /// Files outside of `ffi` that may use `unsafe`, each with the reason.
 const UNSAFE_FILES: &[(&str, &str)] = &[
+    ("cli/tetgen.rs", "the program calls C++, which calls the C API"),
     ("kernel/slots.rs", "workers share the arrays of tetrahedra, each on its own slots"),
     ("threads.rs", "the system's threads, since the standard library's abort if memory runs out"),
 ];

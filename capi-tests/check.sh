@@ -153,8 +153,8 @@ inside() {
     if command -v valgrind >/dev/null; then
         rm -rf "$work/valgrind"
         find "$work/build/capi-tests" -maxdepth 1 -type f -perm -u+x \( -name 'c_test_*' -o -name cxx_wrapper -o -name cxx_exceptions \
-            -o -name cxx_callbacks \) -print0 | quiet xargs -0 -n 1 -P "$jobs" sh -c "$memcheck" sh "$root" "$work/valgrind"
-        echo "$(ls "$work"/build/capi-tests/c_test_* | grep -vc '\.') C programs and 3 C++ programs: no errors, no leaks"
+            -o -name cxx_callbacks -o -name tetgen_memory \) -print0 | quiet xargs -0 -n 1 -P "$jobs" sh -c "$memcheck" sh "$root" "$work/valgrind"
+        echo "$(ls "$work"/build/capi-tests/c_test_* | grep -vc '\.') C programs and 4 C++ programs: no errors, no leaks"
     else
         echo "skipped: valgrind is not installed"
     fi

@@ -88,7 +88,11 @@ manifest() {
     rm -rf "$work/plain"
     DESTDIR="$work/plain" cmake --install "$work/ninja" --prefix /opt/d &&
         sort "$work/ninja/install_manifest.txt" >"$work/manifest" && installed "$work/plain" | diff "$work/manifest" - &&
-        grep -qx "/opt/d/lib/libdelotet.so.$version" "$work/manifest" && grep -qx /opt/d/bin/delotet "$work/manifest"
+        grep -qx "/opt/d/lib/libdelotet.so.$version" "$work/manifest" && grep -qx /opt/d/bin/delotet "$work/manifest" &&
+        for file in include/delotet/tetgen/tetgen.h lib/libdelotet_tetgen.a lib/pkgconfig/delotet-tetgen.pc lib/delotet/tetgen/tetgen \
+            lib/delotet/tetgen/libtet.so.1.5 lib/delotet/tetgen/libtet.so; do
+            grep -qx "/opt/d/$file" "$work/manifest" || { echo "missing: $file"; return 1; }
+        done
 }
 size() { wc -c <"$1/opt/d/$2"; }
 strip_() {
@@ -126,6 +130,43 @@ absolute() {
             sh "$root/capi-tests/consumer/main.c" "$work/main"
 }
 check "absolute CMAKE_INSTALL_LIBDIR and CMAKE_INSTALL_INCLUDEDIR" absolute
+
+# What takes TetGen's place: delotet::tetgen, pkg-config, and a library and a program in a folder of their own.
+tetgen_target() {
+    rm -rf "$work/tetgen"
+    cmake -S "$root/capi-tests/consumer/tetgen" -B "$work/tetgen" -DCMAKE_PREFIX_PATH="$work/plain/opt/d" "$@" &&
+        cmake --build "$work/tetgen" && ctest --test-dir "$work/tetgen" --output-on-failure --no-tests=error
+}
+# tetgen_compiled ARGUMENT...: what pkg-config says, with these arguments for it.
+tetgen_compiled() {
+    # shellcheck disable=SC2046
+    PKG_CONFIG_PATH="$work/plain/opt/d/lib/pkgconfig" sh -c \
+        'source=$1 program=$2; shift 2; g++ "$source" -o "$program" $(pkg-config --cflags --libs "$@" delotet-tetgen)' \
+        sh "$root/capi-tests/consumer/tetgen/main.cpp" "$work/main" "$@" && LD_LIBRARY_PATH="$work/plain/opt/d/lib" "$work/main"
+}
+# A program that was linked to another libtet gets this one without being compiled again: here to one that has the names and nothing else.
+tetgen_swapped() {
+    mkdir -p "$work/other"
+    include=$work/plain/opt/d/include/delotet/tetgen
+    library=$work/plain/opt/d/lib/delotet/tetgen
+    printf '#include <tetgen.h>\nint tetrahedralize(char *, tetgenio *, tetgenio *, tetgenio *, tetgenio *) { return 1; }\n' >"$work/other/tet.cpp"
+    g++ -shared -fPIC -I"$include" "$work/other/tet.cpp" -Wl,-soname,libtet.so.1.5 -o "$work/other/libtet.so" &&
+        ln -sf libtet.so "$work/other/libtet.so.1.5" &&
+        g++ "$root/capi-tests/consumer/tetgen/main.cpp" -o "$work/swapped" -I"$include" -L"$work/other" -ltet &&
+        ! LD_LIBRARY_PATH="$work/other" "$work/swapped" && LD_LIBRARY_PATH="$library" "$work/swapped" || return 1
+    readelf -d "$library/libtet.so" | grep -q 'SONAME.*\[libtet.so.1.5\]' && ! readelf -d "$library/libtet.so" | grep -q libdelotet || return 1
+    ! nm -D --defined-only "$library/libtet.so" | grep -v -e _Z14tetrahedralizeP -e _ZN8tetgenio -e _ZN14tetgenbehavior
+}
+tetgen_program() {
+    (cd "$work" && printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' >simplex.off &&
+        "$work/plain/opt/d/lib/delotet/tetgen/tetgen" -pQ simplex.off && head -n 1 simplex.1.ele | grep -qx '1  4  0')
+}
+check "delotet::tetgen: both layouts" tetgen_target
+check "delotet::tetgen: static" tetgen_target -DBUILD_SHARED_LIBS=OFF
+check "pkg-config delotet-tetgen" tetgen_compiled
+check "pkg-config delotet-tetgen, static" tetgen_compiled --static
+check "libtet.so.1.5 takes the place of another" tetgen_swapped
+check "the program tetgen" tetgen_program
 
 # What find_package says.
 find_says() {

@@ -51,9 +51,11 @@ if(_delotet_program)
 endif()
 
 set(DELOTET_SONAME "${_delotet_soname}")
+set(DELOTET_TETGEN_FILE "${CMAKE_INSTALL_LIBDIR}/${CMAKE_STATIC_LIBRARY_PREFIX}delotet_tetgen${CMAKE_STATIC_LIBRARY_SUFFIX}")
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/delotetConfig.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/delotetConfig.cmake"
     INSTALL_DESTINATION "${_delotet_config_dir}"
-    PATH_VARS CMAKE_INSTALL_INCLUDEDIR DELOTET_SHARED_FILE DELOTET_STATIC_FILE DELOTET_IMPLIB_FILE)
+    PATH_VARS CMAKE_INSTALL_INCLUDEDIR DELOTET_SHARED_FILE DELOTET_STATIC_FILE DELOTET_IMPLIB_FILE
+              DELOTET_TETGEN_FILE)
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/delotetConfigVersion.cmake"
     COMPATIBILITY ${_delotet_compatibility})
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/delotetConfig.cmake"

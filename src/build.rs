@@ -6,6 +6,8 @@
 //! uses only the first. That leaves `--default-symver`, which names the version after the SONAME; of the common linkers only GNU ld has it.
 //! So it is tried here, first with rustc's linker, then with GNU ld. If neither works, the library has no symbol versions, and a warning
 //! says so.
+//!
+//! With the feature `tetgen` it compiles `src/tetgen`, which the program links, and neither of the libraries.
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -41,6 +43,32 @@ fn main() {
         }
         _ => {}
     }
+    #[cfg(feature = "tetgen")]
+    compile_tetgen();
+}
+
+/// Compiles the C++ code. What it calls in the library is found because the linker gets the program's own libraries first.
+#[cfg(feature = "tetgen")]
+fn compile_tetgen() {
+    println!("cargo::rerun-if-changed=src/tetgen");
+    println!("cargo::rerun-if-changed=include/delotet");
+    let mut files: Vec<PathBuf> = Vec::new();
+    for entry in std::fs::read_dir("src/tetgen").into_iter().flatten().flatten() {
+        if entry.path().extension().is_some_and(|extension| extension == "cpp") {
+            files.push(entry.path());
+        }
+    }
+    files.sort();
+    let mut build = cc::Build::new();
+    build.cpp(true).std("c++17").include("include").files(&files).cargo_metadata(false);
+    build.compile("delotet_tetgen");
+    println!("cargo::rustc-link-search=native={}", var("OUT_DIR"));
+    let runtime = if matches!(var("CARGO_CFG_TARGET_OS").as_str(), "macos" | "freebsd" | "openbsd") {
+        "c++"
+    } else {
+        "stdc++"
+    };
+    println!("cargo::rustc-link-arg-bins=-l{runtime}");
 }
 
 fn var(name: &str) -> String {

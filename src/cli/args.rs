@@ -28,6 +28,18 @@ pub enum Command {
     Info(InfoArgs),
     /// Convert between surface formats.
     Convert(ConvertArgs),
+    /// Mesh or refine with the switches and files of TetGen; also by a link to this program named tetgen.
+    #[cfg(feature = "tetgen")]
+    #[command(disable_help_flag = true)]
+    Tetgen(TetgenArgs),
+}
+
+#[cfg(feature = "tetgen")]
+#[derive(Debug, ClapArgs)]
+pub struct TetgenArgs {
+    /// Switches and a file; -h lists them
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    pub words: Vec<std::ffi::OsString>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

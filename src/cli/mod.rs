@@ -22,10 +22,16 @@ mod quality;
 mod report;
 mod sizes;
 mod summary;
+#[cfg(feature = "tetgen")]
+mod tetgen;
 mod weights;
 
 /// Parses the arguments and runs the command.
 pub fn run() -> ExitCode {
+    #[cfg(feature = "tetgen")]
+    if tetgen::is_called() {
+        return tetgen::run(std::env::args_os().skip(1));
+    }
     let args = match args::Args::try_parse() {
         Ok(args) => args,
         Err(error) if error.use_stderr() => {
@@ -35,6 +41,10 @@ pub fn run() -> ExitCode {
         // Help and version.
         Err(error) => return exit(page::finish(error.print())),
     };
+    #[cfg(feature = "tetgen")]
+    if let args::Command::Tetgen(args) = args.command {
+        return tetgen::run(args.words);
+    }
     let outcome = catch_unwind(AssertUnwindSafe(|| match args.command {
         args::Command::Mesh(args) => mesh::run(&args),
         args::Command::Refine(args) => given::refine(&args),
@@ -42,6 +52,8 @@ pub fn run() -> ExitCode {
         args::Command::Check(args) => check::run(&args),
         args::Command::Info(args) => info::run(&args),
         args::Command::Convert(args) => convert::run(&args),
+        #[cfg(feature = "tetgen")]
+        args::Command::Tetgen(_) => Ok(()),
     }));
     match outcome {
         Ok(outcome) => exit(outcome),

@@ -1,0 +1,168 @@
+// Prints where the members of TetGen's classes are, for the header that it is compiled against: two of the same layout print the same.
+#ifndef TETLIBRARY
+#define TETLIBRARY
+#endif
+#include <tetgen.h>
+
+#include <cstddef>
+#include <cstdio>
+
+#define AT(class_, member) std::printf(#class_ " " #member " %zu %zu\n", offsetof(class_, member), sizeof(class_::member))
+#define SIZE(class_) std::printf(#class_ " %zu\n", sizeof(class_))
+
+int main()
+{
+    AT(tetgenio, firstnumber);
+    AT(tetgenio, mesh_dim);
+    AT(tetgenio, useindex);
+    AT(tetgenio, pointlist);
+    AT(tetgenio, pointattributelist);
+    AT(tetgenio, pointmtrlist);
+    AT(tetgenio, pointmarkerlist);
+    AT(tetgenio, pointparamlist);
+    AT(tetgenio, numberofpoints);
+    AT(tetgenio, numberofpointattributes);
+    AT(tetgenio, numberofpointmtrs);
+    AT(tetgenio, tetrahedronlist);
+    AT(tetgenio, tetrahedronattributelist);
+    AT(tetgenio, tetrahedronvolumelist);
+    AT(tetgenio, neighborlist);
+    AT(tetgenio, numberoftetrahedra);
+    AT(tetgenio, numberofcorners);
+    AT(tetgenio, numberoftetrahedronattributes);
+    AT(tetgenio, facetlist);
+    AT(tetgenio, facetmarkerlist);
+    AT(tetgenio, numberoffacets);
+    AT(tetgenio, holelist);
+    AT(tetgenio, numberofholes);
+    AT(tetgenio, regionlist);
+    AT(tetgenio, numberofregions);
+    AT(tetgenio, facetconstraintlist);
+    AT(tetgenio, numberoffacetconstraints);
+    AT(tetgenio, segmentconstraintlist);
+    AT(tetgenio, numberofsegmentconstraints);
+    AT(tetgenio, trifacelist);
+    AT(tetgenio, trifacemarkerlist);
+    AT(tetgenio, o2facelist);
+    AT(tetgenio, adjtetlist);
+    AT(tetgenio, numberoftrifaces);
+    AT(tetgenio, edgelist);
+    AT(tetgenio, edgemarkerlist);
+    AT(tetgenio, o2edgelist);
+    AT(tetgenio, edgeadjtetlist);
+    AT(tetgenio, numberofedges);
+    AT(tetgenio, vpointlist);
+    AT(tetgenio, vedgelist);
+    AT(tetgenio, vfacetlist);
+    AT(tetgenio, vcelllist);
+    AT(tetgenio, numberofvpoints);
+    AT(tetgenio, numberofvedges);
+    AT(tetgenio, numberofvfacets);
+    AT(tetgenio, numberofvcells);
+    AT(tetgenio, geomhandle);
+    AT(tetgenio, getvertexparamonedge);
+    AT(tetgenio, getsteineronedge);
+    AT(tetgenio, getvertexparamonface);
+    AT(tetgenio, getedgesteinerparamonface);
+    AT(tetgenio, getsteineronface);
+    AT(tetgenio, tetunsuitable);
+    SIZE(tetgenio);
+    AT(tetgenbehavior, plc);
+    AT(tetgenbehavior, psc);
+    AT(tetgenbehavior, refine);
+    AT(tetgenbehavior, quality);
+    AT(tetgenbehavior, nobisect);
+    AT(tetgenbehavior, coarsen);
+    AT(tetgenbehavior, weighted);
+    AT(tetgenbehavior, brio_hilbert);
+    AT(tetgenbehavior, incrflip);
+    AT(tetgenbehavior, flipinsert);
+    AT(tetgenbehavior, metric);
+    AT(tetgenbehavior, varvolume);
+    AT(tetgenbehavior, fixedvolume);
+    AT(tetgenbehavior, regionattrib);
+    AT(tetgenbehavior, conforming);
+    AT(tetgenbehavior, insertaddpoints);
+    AT(tetgenbehavior, diagnose);
+    AT(tetgenbehavior, convex);
+    AT(tetgenbehavior, nomergefacet);
+    AT(tetgenbehavior, nomergevertex);
+    AT(tetgenbehavior, noexact);
+    AT(tetgenbehavior, nostaticfilter);
+    AT(tetgenbehavior, zeroindex);
+    AT(tetgenbehavior, facesout);
+    AT(tetgenbehavior, edgesout);
+    AT(tetgenbehavior, neighout);
+    AT(tetgenbehavior, voroout);
+    AT(tetgenbehavior, meditview);
+    AT(tetgenbehavior, vtkview);
+    AT(tetgenbehavior, nobound);
+    AT(tetgenbehavior, nonodewritten);
+    AT(tetgenbehavior, noelewritten);
+    AT(tetgenbehavior, nofacewritten);
+    AT(tetgenbehavior, noiterationnum);
+    AT(tetgenbehavior, nojettison);
+    AT(tetgenbehavior, reversetetori);
+    AT(tetgenbehavior, docheck);
+    AT(tetgenbehavior, quiet);
+    AT(tetgenbehavior, verbose);
+    AT(tetgenbehavior, vertexperblock);
+    AT(tetgenbehavior, tetrahedraperblock);
+    AT(tetgenbehavior, shellfaceperblock);
+    AT(tetgenbehavior, nobisect_param);
+    AT(tetgenbehavior, addsteiner_algo);
+    AT(tetgenbehavior, coarsen_param);
+    AT(tetgenbehavior, weighted_param);
+    AT(tetgenbehavior, fliplinklevel);
+    AT(tetgenbehavior, flipstarsize);
+    AT(tetgenbehavior, fliplinklevelinc);
+    AT(tetgenbehavior, reflevel);
+    AT(tetgenbehavior, optlevel);
+    AT(tetgenbehavior, optscheme);
+    AT(tetgenbehavior, delmaxfliplevel);
+    AT(tetgenbehavior, order);
+    AT(tetgenbehavior, steinerleft);
+    AT(tetgenbehavior, no_sort);
+    AT(tetgenbehavior, hilbert_order);
+    AT(tetgenbehavior, hilbert_limit);
+    AT(tetgenbehavior, brio_threshold);
+    AT(tetgenbehavior, brio_ratio);
+    AT(tetgenbehavior, facet_ang_tol);
+    AT(tetgenbehavior, maxvolume);
+    AT(tetgenbehavior, minratio);
+    AT(tetgenbehavior, mindihedral);
+    AT(tetgenbehavior, optmaxdihedral);
+    AT(tetgenbehavior, optminsmtdihed);
+    AT(tetgenbehavior, optminslidihed);
+    AT(tetgenbehavior, epsilon);
+    AT(tetgenbehavior, minedgelength);
+    AT(tetgenbehavior, coarsen_percent);
+    AT(tetgenbehavior, commandline);
+    AT(tetgenbehavior, infilename);
+    AT(tetgenbehavior, outfilename);
+    AT(tetgenbehavior, addinfilename);
+    AT(tetgenbehavior, bgmeshfilename);
+    AT(tetgenbehavior, object);
+    SIZE(tetgenbehavior);
+    AT(tetgenio::polygon, vertexlist);
+    AT(tetgenio::polygon, numberofvertices);
+    SIZE(tetgenio::polygon);
+    AT(tetgenio::facet, polygonlist);
+    AT(tetgenio::facet, numberofpolygons);
+    AT(tetgenio::facet, holelist);
+    AT(tetgenio::facet, numberofholes);
+    SIZE(tetgenio::facet);
+    AT(tetgenio::voroedge, v1);
+    AT(tetgenio::voroedge, v2);
+    AT(tetgenio::voroedge, vnormal);
+    SIZE(tetgenio::voroedge);
+    AT(tetgenio::vorofacet, c1);
+    AT(tetgenio::vorofacet, c2);
+    AT(tetgenio::vorofacet, elist);
+    SIZE(tetgenio::vorofacet);
+    AT(tetgenio::pointparam, uv);
+    AT(tetgenio::pointparam, tag);
+    AT(tetgenio::pointparam, type);
+    SIZE(tetgenio::pointparam);
+    return 0;
+}
