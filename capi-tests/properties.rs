@@ -133,11 +133,11 @@ fn mesh_valid(plc: &Plc, keep_hull: bool) -> Result<TetMesh, TestCaseError> {
     }
 }
 
-/// The same 20 cases each, in debug builds the first 6 of them; others, and more, by the environment variable `PROPTEST_CASES`.
+/// The same 14 cases each, in debug builds the first 6 of them; others, and more, by the environment variable `PROPTEST_CASES`.
 fn config() -> ProptestConfig {
     let default = ProptestConfig::default();
     let search = std::env::var_os("PROPTEST_CASES").is_some();
-    let few = if cfg!(debug_assertions) { 6 } else { 20 };
+    let few = if cfg!(debug_assertions) { 6 } else { 14 };
     let (cases, rng_seed) = if search { (default.cases, default.rng_seed) } else { (few, RngSeed::Fixed(1)) };
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..default }
 }
