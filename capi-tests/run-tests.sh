@@ -44,10 +44,9 @@ step "format" cargo fmt --check
 # time as something else, since each part has stretches that only one processor works on.
 step "lints" cargo clippy --all-targets -- -D warnings
 step "documents" env RUSTDOCFLAGS="-D warnings -A rustdoc::private_intra_doc_links" cargo doc --no-deps --lib
-aside "tests, debug" cargo test --no-fail-fast
+# With the program's optional command, which costs no build of its own here.
+aside "tests, debug" cargo test --features tetgen --no-fail-fast
 step "tests, release" cargo test --release --tests --no-fail-fast
-# Before the program as it is by default, which it would replace.
-step "program with TetGen's switches" cargo test --release --features tetgen --test cli_tetgen
 step "program" cargo build --release
 await
 # Without a fresh build an old program would be tested.
